@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Mapping, Sequence
 from itertools import groupby
 from types import MappingProxyType
@@ -14,6 +15,12 @@ from gainproof.verdicts import Judgement, tally
 
 Claim = Mapping[str, Any]
 _WIDEST_ID = 26
+BARE = re.compile(r"\\log(?![a-zA-Z]|\s*_)")
+"""A logarithm that is printed without its base."""
+NATURAL = (
+    "\\log without a base is read as the natural logarithm: say `logarithm = 10` in [source] if "
+    "another is meant."
+)
 
 
 def overview(
@@ -33,6 +40,8 @@ def overview(
             said = claim["latex"] or words.get(claim["id"], "")
             lines += _claim(claim, said, head, " " * (names + verdicts + 8), columns)
     lines += _conventions(claims, columns)
+    if source.get("logarithm") is None and any(BARE.search(claim["latex"]) for claim in claims):
+        lines += ["", *filled(NATURAL, "  ", "    ", columns)]
     lines += ["", f"  {counts([judgement])}"]
     return "\n".join(lines) + "\n"
 

@@ -263,3 +263,19 @@ def test_files_of_the_other_kind_are_told_where_they_belong(
     assert f"gainproof check {claims}" in capsys.readouterr().err
     assert cli.main(["generate", str(claims), "--out", str(tmp_path / "made")]) == 2
     assert f"gainproof check {claims}" in capsys.readouterr().err
+
+
+def test_a_logarithm_without_a_base_is_said_to_be_natural(tmp_path: Path, capsys: Capture) -> None:
+    path = tmp_path / "own.toml"
+    path.write_text(HEAD + claim("1", r"\log \Lambda^2 = 2 \log \Lambda"), encoding="utf-8")
+    cli.main(["check", str(path)])
+    assert "\\log without a base is read as the natural logarithm" in capsys.readouterr().out
+    said = HEAD.replace("[settings.steady]", "logarithm = 10\n\n[settings.steady]", 1)
+    for text in (
+        said + claim("1", r"\log \Lambda^2 = 2 \log \Lambda"),
+        HEAD + claim("1", r"\log_{2} \Lambda^2 = 2 \log _2 \Lambda"),
+        HEAD + claim("1", r"\ln \Lambda^2 = 2 \ln \Lambda"),
+    ):
+        path.write_text(text, encoding="utf-8")
+        cli.main(["check", str(path)])
+        assert "natural logarithm" not in capsys.readouterr().out

@@ -162,7 +162,7 @@ def _with_unit(entry: SymbolEntry, chosen: Chosen) -> SymbolEntry:
     if entry.quantity == "gain.2":
         unit = replace(unit, second=unit.second + int(chosen.power_of_T) - 1)
     if entry.quantity == DEVIATION and chosen.noise == "variance":
-        unit = Unit(unit.metre * 2, unit.second * 2)
+        unit = unit**2
     if chosen.noise == "ratio":
         unit = replace(unit, metre=Fraction(0))
     return replace(entry, unit=unit)

@@ -9,7 +9,7 @@ from dataclasses import replace
 from fractions import Fraction
 
 from gainproof.verify.judge.claim.record import Claim, Setting, Unit
-from gainproof.verify.judge.dimensions.dimension import unit_text
+from gainproof.verify.judge.claim.units import unit_text_of
 from gainproof.verify.judge.dimensions.formula import dimension_of, reading_fault
 from gainproof.verify.judge.formula import Formula
 from gainproof.verify.judge.kinds.definition import defined_token
@@ -28,7 +28,7 @@ NAMED = {
     Unit(Fraction(2), Fraction(-2)): "a squared velocity",
     Unit(Fraction(2), Fraction(-4)): "a squared acceleration",
 }
-TRIED = tuple(
+_MOTIONS = tuple(
     Unit(Fraction(metre), Fraction(second)) for metre in range(-4, 5) for second in range(-6, 7)
 )
 
@@ -36,7 +36,18 @@ TRIED = tuple(
 def in_words(unit: Unit) -> str:
     """`a velocity (m s^-1)`."""
     name = NAMED.get(unit, "a quantity")
-    return f"{name} ({unit_text(unit)})" if unit != Unit() else name
+    return f"{name} ({unit_text_of(unit)})" if unit != Unit() else name
+
+
+def _tried(setting: Setting) -> Iterator[Unit]:
+    """Units that a use may need: of motions, times what else the symbols of the setting have."""
+    others = {
+        replace(entry.unit, metre=Fraction(0), second=Fraction(0))
+        for entry in setting.symbols.values()
+        if entry.unit is not None
+    }
+    for other in sorted({Unit(), *others, *(unit**-1 for unit in others)}, key=unit_text_of):
+        yield from (motion * other for motion in _MOTIONS)
 
 
 def contradicted(claim: Claim, setting: Setting, claims: Sequence[Claim]) -> str | None:
@@ -57,7 +68,7 @@ def contradicted(claim: Claim, setting: Setting, claims: Sequence[Claim]) -> str
     for place, formula in _uses(token, claim, setting, claims):
         if _agrees(formula, token, unit, setting):
             return None
-        wanted = [u for u in TRIED if _agrees(formula, token, u, setting)]
+        wanted = [u for u in _tried(setting) if _agrees(formula, token, u, setting)]
         if wanted:
             needed = in_words(wanted[0]) if len(wanted) == 1 else "something else"
             against.append(f"{place} uses it as {needed}")

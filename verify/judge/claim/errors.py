@@ -41,10 +41,13 @@ class ClaimFileError(ValueError):
 
 
 class FileText:
-    """The text of a claim file, which knows the lines that `tomllib` forgets."""
+    """The text of a claim file, which knows the lines that `tomllib` forgets, and what its source
+    means by `\\log` (see `SourceRecord`).
+    """
 
-    def __init__(self, path: str, text: str) -> None:
+    def __init__(self, path: str, text: str, logarithm: int | None = None) -> None:
         self.path = path
+        self.logarithm = logarithm
         self._lines = text.split("\n")
         # looked up once for every symbol and claim, hence indexed once
         self._keys: dict[str, list[int]] = {}

@@ -38,6 +38,7 @@ from gainproof.verify.judge.dimensions.declared import shared_fault
 FORMAT = "gainproof claims 1"
 MOST_BYTES = 2**20
 MOST_AUTHORS = 50
+GREATEST_BASE = 1000
 TABLES = ("format", "source", "symbols", "settings", "claims")
 SOURCE_FIELDS = (
     "key",
@@ -50,6 +51,7 @@ SOURCE_FIELDS = (
     "repository",
     "commit",
     "note",
+    "logarithm",
 )
 
 __all__ = [
@@ -108,6 +110,7 @@ def read_claim_text(
     if version != FORMAT:
         raise document.fail("format", f"wanted {FORMAT!r}, but it is {version[:80]!r}")
     source = _source(file_text, document.take("source"))
+    file_text = FileText(path, text, source.logarithm)
     start = file_text.line_of_table("symbols") or 1
     declared = read_declarations(file_text, "symbols", document.take("symbols") or {}, start)
     symbols = complete_symbols(file_text, declared)
@@ -158,4 +161,5 @@ def _source(text: FileText, table: object) -> SourceRecord:
         repository=fields.text_or_none("repository"),
         commit=fields.text_or_none("commit"),
         note=fields.text_or_none("note"),
+        logarithm=fields.whole_number("logarithm", 2, GREATEST_BASE),
     )

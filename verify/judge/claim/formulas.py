@@ -24,7 +24,7 @@ def formula_of(
 ) -> Formula:
     """The formula that `field` holds; `branch` says which signs of `\\pm` are meant."""
     try:
-        return read_formula(latex, symbols, branch)
+        return read_formula(latex, symbols, branch, fields.text.logarithm)
     except ReaderError as error:
         raise _moved(fields, field, latex, error) from error
 
@@ -32,7 +32,7 @@ def formula_of(
 def plain_formula_of(fields: Fields, field: str, text: str, symbols: Symbols) -> Formula:
     """The formula that `field` holds in plain text."""
     try:
-        return read_plain(text, symbols)
+        return read_plain(text, symbols, fields.text.logarithm)
     except ReaderError as error:
         raise _moved(fields, field, text, error) from error
 
@@ -44,7 +44,7 @@ def conditions_of(
     if text is None:
         return ()
     try:
-        return read_conditions(text, symbols)
+        return read_conditions(text, symbols, fields.text.logarithm)
     except ReaderError as error:
         raise _moved(fields, field, text, error) from error
 
@@ -52,7 +52,7 @@ def conditions_of(
 def graph_in(fields: Fields, field: str, text: str, symbols: Symbols) -> Graph:
     """The one expression, with one reading, that `field` holds."""
     try:
-        graph, *others = read_expression(text, symbols)
+        graph, *others = read_expression(text, symbols, logarithm=fields.text.logarithm)
     except ReaderError as error:
         raise _moved(fields, field, text, error) from error
     if others:

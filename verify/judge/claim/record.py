@@ -13,7 +13,8 @@ from gainproof.verify.judge.matrices.letter import MatrixClaim, MatrixSetting
 @dataclass(frozen=True)
 class SourceRecord:
     """Bibliographic record; `key` is the short name by which the source is cited. Source code is
-    found by `repository` and `commit`.
+    found by `repository` and `commit`. `logarithm` is the base of `\\log` where none is printed, None
+    for the natural one.
     """
 
     key: str
@@ -26,14 +27,32 @@ class SourceRecord:
     repository: str | None = None
     commit: str | None = None
     note: str | None = None
+    logarithm: int | None = None
 
 
 @dataclass(frozen=True)
 class Unit:
-    """Powers of metre and second. Angles are labels of dimension one."""
+    """Powers of base units. Angles are labels of dimension one."""
 
     metre: Fraction = Fraction(0)
     second: Fraction = Fraction(0)
+    kilogram: Fraction = Fraction(0)
+    kelvin: Fraction = Fraction(0)
+    ampere: Fraction = Fraction(0)
+
+    @property
+    def powers(self) -> tuple[Fraction, ...]:
+        """In the order of the fields."""
+        return self.metre, self.second, self.kilogram, self.kelvin, self.ampere
+
+    def __mul__(self, other: Unit) -> Unit:
+        return Unit(*(a + b for a, b in zip(self.powers, other.powers, strict=True)))
+
+    def __truediv__(self, other: Unit) -> Unit:
+        return self * other**-1
+
+    def __pow__(self, exponent: int | Fraction) -> Unit:
+        return Unit(*(power * exponent for power in self.powers))
 
 
 @dataclass(frozen=True)

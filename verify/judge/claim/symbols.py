@@ -67,7 +67,9 @@ def _definition(
     head = f"{entry.latex}{arguments} = "
     where = f"{declaration.where}.definition"
     try:
-        formula = read_formula(head + declaration.definition, symbols)
+        formula = read_formula(
+            head + declaration.definition, symbols, logarithm=text.logarithm
+        )
     except ReaderError as error:
         shifted = ReaderError(
             error.problem,
@@ -91,7 +93,7 @@ def _domain(
     if declaration.domain is None:
         return ()
     try:
-        return read_conditions(declaration.domain, symbols)
+        return read_conditions(declaration.domain, symbols, text.logarithm)
     except ReaderError as error:
         where = f"{declaration.where}.domain"
         raise text.formula_error(where, declaration.domain, error, declaration.line) from error
@@ -104,7 +106,9 @@ def _variance(
         return None
     where = f"{declaration.where}.variance"
     try:
-        graph, *others = read_expression(declaration.variance, symbols)
+        graph, *others = read_expression(
+            declaration.variance, symbols, logarithm=text.logarithm
+        )
     except ReaderError as error:
         raise text.formula_error(where, declaration.variance, error, declaration.line) from error
     if others:

@@ -1,4 +1,4 @@
-"""Units as a claim file writes them: `1`, `m`, `m s^-2`, `m^2/s`, `rad`."""
+"""Units as a claim file writes them: `1`, `m`, `m s^-2`, `m^2/s`, `rad`, `W`."""
 
 from __future__ import annotations
 
@@ -6,6 +6,27 @@ from fractions import Fraction
 
 from gainproof.verify.judge.claim.record import Unit
 
+_ONE = Fraction(1)
+_BASES = {
+    "m": Unit(metre=_ONE),
+    "s": Unit(second=_ONE),
+    "kg": Unit(kilogram=_ONE),
+    "K": Unit(kelvin=_ONE),
+    "A": Unit(ampere=_ONE),
+}
+_NEWTON = _BASES["kg"] * _BASES["m"] / _BASES["s"] ** 2
+_WATT = _NEWTON * _BASES["m"] / _BASES["s"]
+KNOWN = {
+    **_BASES,
+    "1": Unit(),
+    "rad": Unit(),
+    "Hz": _BASES["s"] ** -1,
+    "N": _NEWTON,
+    "J": _NEWTON * _BASES["m"],
+    "W": _WATT,
+    "V": _WATT / _BASES["A"],
+}
+"""All that may be written; none is a multiple of another, so that numbers mean what they say."""
 _MOST_FACTORS = 8
 _MOST_POWER = 64
 
@@ -13,31 +34,28 @@ _MOST_POWER = 64
 def read_unit(text: str) -> Unit:
     """The unit that `text` names. ValueError says what is wrong.
 
-    Factors are `m`, `s`, `rad` or `1`, each with an optional power such as `^-2` or `^(1/2)`,
+    Factors are those of `KNOWN`, each with an optional power such as `^-2` or `^(1/2)`,
     separated by blanks; what follows a slash is divided by, up to the end.
     """
     above, slash, below = text.partition("/") if "(" not in text else (text, "", "")
     if slash and not below.strip():
         raise ValueError(f"{text!r} ends with a slash")
     top, bottom = _powers(above, text), _powers(below, text) if slash else Unit()
-    return Unit(top.metre - bottom.metre, top.second - bottom.second)
+    return top / bottom
 
 
 def _powers(part: str, text: str) -> Unit:
-    metre, second = Fraction(0), Fraction(0)
+    found = Unit()
     factors = part.split()
     if not 1 <= len(factors) <= _MOST_FACTORS:
         raise ValueError(f"{text!r} is no unit: write for example 1, m, m s^-2 or m^2/s")
     for factor in factors:
         base, hat, power_text = factor.partition("^")
         power = _power(power_text, text) if hat else Fraction(1)
-        if base == "m":
-            metre += power
-        elif base == "s":
-            second += power
-        elif base not in ("1", "rad"):
-            raise ValueError(f"{base!r} is no unit: m, s, rad and 1 are known")
-    return Unit(metre, second)
+        if base not in KNOWN:
+            raise ValueError(f"{base!r} is no unit: known are {', '.join(KNOWN)}")
+        found *= KNOWN[base] ** power
+    return found
 
 
 def _power(power_text: str, text: str) -> Fraction:
@@ -53,8 +71,8 @@ def _power(power_text: str, text: str) -> Fraction:
 
 
 def unit_text_of(unit: Unit) -> str:
-    """The unit as `read_unit` reads it."""
-    factors = (("m", unit.metre), ("s", unit.second))
+    """The unit in base units, as `read_unit` reads it: `m s^-1`, or `1` without dimension."""
+    factors = zip(_BASES, unit.powers, strict=True)
     shown = [
         name if power == 1 else f"{name}^{power}" if power.denominator == 1 else f"{name}^({power})"
         for name, power in factors

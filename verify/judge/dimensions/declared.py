@@ -177,11 +177,11 @@ class _Solver:
                     n: left.get(n, Fraction(0)) - factor * row.get(n, Fraction(0))
                     for n in {*left, *row}
                 }
-                unit = Unit(unit.metre - factor * value.metre, unit.second - factor * value.second)
+                unit = unit / value**factor
         left = {name: count for name, count in left.items() if count}
         if not left:
             return unit == Unit()
         pivot, count = next(iter(left.items()))
-        scaled = Unit(unit.metre / count, unit.second / count)
+        scaled = unit ** (1 / count)
         self.rows.append((pivot, {n: c / count for n, c in left.items()}, scaled))
         return True

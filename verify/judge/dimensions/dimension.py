@@ -11,6 +11,7 @@ from dataclasses import dataclass
 from fractions import Fraction
 
 from gainproof.verify.judge.claim.record import Unit
+from gainproof.verify.judge.claim.units import unit_text_of
 
 ONE = Unit()
 
@@ -29,16 +30,6 @@ Dimensions = Dimension | Table
 
 class Mismatch(Exception):
     """Two dimensions that should agree and do not; the text names both."""
-
-
-def unit_text(unit: Unit) -> str:
-    """`m s^-1`, or `1` without dimension."""
-    shown = [
-        name if exponent == 1 else f"{name}^{exponent}"
-        for name, exponent in (("m", unit.metre), ("s", unit.second))
-        if exponent
-    ]
-    return " ".join(shown) or "1"
 
 
 def agreed(parts: Sequence[Dimensions], what: str) -> Dimensions:
@@ -68,7 +59,7 @@ def _agreed(parts: Sequence[Dimensions], what: str) -> Dimension:
     known = [part for part in parts if isinstance(part, Unit)]
     for part in known:
         if part != known[0]:
-            raise Mismatch(f"{what} have dimensions {unit_text(known[0])} and {unit_text(part)}")
+            raise Mismatch(f"{what} have dimensions {unit_text_of(known[0])} and {unit_text_of(part)}")
     return known[0] if known else ANY
 
 
@@ -76,7 +67,7 @@ def without_dimension(part: Dimensions, what: str) -> None:
     """Raises Mismatch where something that must be a number has a dimension."""
     for entry in entries(part):
         if isinstance(entry, Unit) and entry != ONE:
-            raise Mismatch(f"{what} has dimension {unit_text(entry)}, wanted a number")
+            raise Mismatch(f"{what} has dimension {unit_text_of(entry)}, wanted a number")
 
 
 def entries(value: Dimensions) -> list[Dimension]:
@@ -95,7 +86,7 @@ def times(a: Dimension, b: Dimension, exponent: int | Fraction = 1) -> Dimension
     """The dimension of a b^exponent."""
     if isinstance(a, _Any) or isinstance(b, _Any):
         return ANY
-    return Unit(a.metre + exponent * b.metre, a.second + exponent * b.second)
+    return a * b**exponent
 
 
 def _shape(table: Table) -> tuple[int, int]:

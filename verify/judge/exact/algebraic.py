@@ -86,7 +86,7 @@ class Algebraic:
         if len(self.coefficients) == 3:
             return self._quadratic_text()
         near = self.refined(Fraction(1, 10**8))
-        return f"the root of {self._polynomial_text()} near {float(near.low):.6g}"
+        return f"the root of {self._polynomial_text()} near {_six_digits(near.low)}"
 
     def _polynomial_text(self) -> str:
         found = ""
@@ -190,3 +190,11 @@ def rationals_between(low: Fraction | None, high: Fraction | None, count: int) -
         found.append(middle)
         gaps += [(left, middle), (middle, right)]
     return sorted(found, key=lambda q: (q.denominator, abs(q)))
+
+
+def _six_digits(value: Fraction) -> str:
+    """Decimal digits of any size."""
+    try:
+        return f"{float(value):.6g}"
+    except OverflowError:
+        return str(flint.arb(rational(value)).str(6, radius=False))

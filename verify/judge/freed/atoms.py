@@ -35,6 +35,7 @@ from gainproof.verify.judge.meaning.domains import is_whole
 from gainproof.verify.judge.meaning.sequences import is_term
 
 ANGLES = ("sin", "cos", "tan")
+MINUS = number(-1)
 
 Key = tuple[str, Expr, Monomial]
 
@@ -143,6 +144,13 @@ class Atoms:
             for each in found
             for operator, bound in (("<", quarter), (">", -quarter))
         ]
+
+    def signs(self) -> list[Rel]:
+        """That powers of -1 are 1 or -1."""
+        powers = [
+            symbol(n) for (kind, base, _), n in self.names.items() if (kind, base) == ("power", MINUS)
+        ]
+        return [Rel("=", power(each, 2), number(1)) for each in powers]
 
     @property
     def has_angles(self) -> bool:

@@ -17,14 +17,17 @@ from gainproof.verify.judge.exact.points import (
     without_value,
 )
 from gainproof.verify.judge.exact.statement import Outcome, Statement, Witness
+from gainproof.verify.judge.freed.at_turns import without_value_at_turns
 from gainproof.verify.judge.freed.domain_words import domain_text
-from gainproof.verify.judge.freed.freely import VALUED, freely
+from gainproof.verify.judge.freed.freely import VALUED, freely, refuse_without_value
 from gainproof.verify.judge.freed.induction import induction, open_sums
 from gainproof.verify.judge.freed.numbers import at_number, first_numbers
 from gainproof.verify.judge.freed.restated import put_in, restated
 from gainproof.verify.judge.freed.rewriting import has_functions
 from gainproof.verify.judge.freed.rising import rising
 from gainproof.verify.judge.freed.scaled import scaled
+from gainproof.verify.judge.freed.valued import valued
+from gainproof.verify.judge.freed.whole_turns import without_whole_turns
 from gainproof.verify.judge.hypothesis import settle
 from gainproof.verify.judge.meaning.sequences import is_term
 
@@ -50,6 +53,24 @@ def decided(
         data = statement_data(statement, {}, parameter, labels)
         certificate = {"checked": "replayed", "engine": "functions", "statement": data}
         return Outcome("proved", "everywhere", "", "balls round both sides", None, certificate)
+    statement = statement.mapped(lambda e: without_whole_turns(e, boxes))
+    narrowed, where, more = valued(statement, boxes)
+    found = _with_functions(narrowed, where, parameter, labels, as_others)
+    if found.verdict == "proved" and (narrowed, where) != (statement, boxes):
+        refuse_without_value(narrowed, where, parameter, labels)
+        if more and VALUED not in found.domain:
+            domain = f"{found.domain}, {VALUED}".removeprefix("everywhere, ")
+            return replace(found, domain=domain)
+    return found
+
+
+def _with_functions(
+    statement: Statement,
+    boxes: Mapping[str, Box],
+    parameter: str | None,
+    labels: Mapping[str, str],
+    as_others: bool,
+) -> Outcome:
     reasons: list[str] = []
     sums = open_sums(statement)
     ways = [freely] if all(_is_total(s.parts[0]) for s in sums) else []
@@ -62,8 +83,9 @@ def decided(
             reasons.append(str(reason))
     # without conditions slopes tell more of a strict relation that is an equality at a point
     exactly = bool(statement.domain)
-    points = without_value(statement, boxes, labels)
-    points = points or try_points(statement, boxes, labels, exactly=exactly)
+    if (nowhere := _without_value(statement, boxes, labels)) is not None:
+        return _but_where_it_has(nowhere, statement, boxes, parameter, labels)
+    points = try_points(statement, boxes, labels, exactly=exactly)
     if points is None and (turned := scaled(statement, boxes, labels)).words:
         points = try_points(turned.statement, turned.boxes, turned.labels)
     if not sums and (points is None or points.verdict == "held"):
@@ -74,6 +96,46 @@ def decided(
     if points is None:
         raise Undecided("; ".join(dict.fromkeys(r for r in reasons if r)))
     return points
+
+
+def _without_value(
+    statement: Statement, boxes: Mapping[str, Box], labels: Mapping[str, str]
+) -> Outcome | None:
+    """`refuted` where a side has no value at a point of a stated domain."""
+    found = without_value(statement, boxes, labels)
+    return found or without_value_at_turns(statement, boxes, labels)
+
+
+def _but_where_it_has(
+    nowhere: Outcome,
+    statement: Statement,
+    boxes: Mapping[str, Box],
+    parameter: str | None,
+    labels: Mapping[str, str],
+) -> Outcome:
+    """`conditional` if the statement holds somewhere of all points where every part has a value,
+    everywhere of these or not; else as it is.
+    """
+    if not statement.symbols():
+        return nowhere
+    turned = scaled(statement, boxes, labels)
+    loose = {name: replace(box, stated=False) for name, box in turned.boxes.items()}
+    try:
+        found = decided(turned.statement, loose, parameter, turned.labels)
+    except Undecided:
+        return nowhere
+    if found.verdict == "conditional":
+        return found
+    if found.verdict != "proved":
+        return nowhere
+    words = [*turned.words, found.domain, *([VALUED] * (VALUED not in found.domain))]
+    return replace(
+        found,
+        verdict="conditional",
+        domain=", ".join(words),
+        reason=f"fails {nowhere.witness.text() if nowhere.witness else ''}; holds {VALUED}",
+        witness=nowhere.witness,
+    )
 
 
 def _is_between_numbers(statement: Statement) -> bool:

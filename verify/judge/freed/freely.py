@@ -37,7 +37,7 @@ def freely(
         try:
             _settled(statement, everywhere, parameter, labels, stated=True)
         except Undecided:
-            _refuse_without_value(statement, boxes, parameter, labels)
+            refuse_without_value(statement, boxes, parameter, labels)
             exclusions = (*exclusions, VALUED)
     domain = ", ".join([domain_text(statement, boxes, labels), *turned.words, *exclusions])
     return replace(
@@ -82,7 +82,7 @@ def _settled(
     return opened, outcome
 
 
-def _refuse_without_value(
+def refuse_without_value(
     statement: Statement, boxes: Mapping[str, Box], parameter: str | None, labels: Mapping[str, str]
 ) -> None:
     """Raises Undecided unless the statement is seen to have a value at a point: function values

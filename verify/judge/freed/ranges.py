@@ -38,16 +38,17 @@ class Ranges:
     def power(self, base: Expr, monomial: Monomial, positive: bool) -> Box:
         """Of base^monomial: above 1, between 0 and 1, positive, or anything."""
         exponent = monomial_expr(monomial)
+        box = self._any(base, exponent)
         if not positive:
-            return self._any(base, exponent)
+            return box
         grows = base == EULER or self.is_positive(base - 1)
         falls = not grows and self.is_positive(1 - base)
         up, down = self.is_positive(exponent), self.is_positive(neg(exponent))
         if (grows and up) or (falls and down):
-            return Box(lower=Fraction(1))
+            return replace(box, lower=Fraction(1))
         if (grows and down) or (falls and up):
-            return Box(lower=Fraction(0), upper=Fraction(1))
-        return Box(lower=Fraction(0))
+            return replace(box, lower=Fraction(0), upper=Fraction(1))
+        return replace(box, lower=Fraction(0))
 
     def tangent(self, monomial: Monomial, divisor: int, *, turned: bool) -> Box:
         """Of tan(monomial/(2 divisor)): between -1 and 1 less than a quarter of a turn from 0."""
@@ -107,8 +108,8 @@ class Ranges:
         return replace(box, lower=least, upper=most)
 
     def _any(self, *exprs: Expr) -> Box:
-        known = [self.boxes[n].stated for n in symbols_of(*exprs) if n in self.boxes]
-        return Box(stated=any(known) or not symbols_of(*exprs))
+        names = symbols_of(*exprs) - {VARIABLE.name, EULER.name}
+        return Box(stated=not names or any(self.boxes[n].stated for n in names if n in self.boxes))
 
     def _is_open(self, node: Expr) -> bool:
         """Whether a sum of one term of a sequence or more, whatever its bounds: the term with the

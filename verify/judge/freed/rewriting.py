@@ -10,7 +10,7 @@ from gainproof.verify.judge.exact.calculus import rebuilt
 from gainproof.verify.judge.exact.expression import Expr, mul, number, power, symbols_of, walk
 from gainproof.verify.judge.exact.limits import Undecided
 from gainproof.verify.judge.exact.statement import Statement
-from gainproof.verify.judge.freed.atoms import Atoms, Key, angle_terms, is_opaque
+from gainproof.verify.judge.freed.atoms import MINUS, Atoms, Key, angle_terms, is_opaque
 from gainproof.verify.judge.freed.circle import VARIABLE
 from gainproof.verify.judge.freed.flattening import flattened
 from gainproof.verify.judge.freed.ranges import Positive
@@ -71,6 +71,7 @@ def freed(
     moved = statement.mapped(changed)
     if VARIABLE.name in moved.symbols():
         moved = replace(moved, given=(*moved.given, *atoms.quarter_turns()))
+    moved = replace(moved, given=(*moved.given, *atoms.signs()))
     if atoms.has_angles:
         _refuse_conditions(statement)
     # what holds at all other angles holds at this one by continuity, but for strict relations
@@ -124,7 +125,7 @@ def _product(node: Expr, atoms: Atoms) -> Expr:
     for key, c in atoms.exponents(node):
         variable, divisor = atoms.power(key)
         n = int(c * divisor)
-        if key[1] == number(-1):
+        if key[1] == MINUS:
             n %= 2  # the square of (-1)^m is 1
         if abs(n) > MOST_POWER:
             raise Undecided(f"a power of a function value beyond {MOST_POWER}")

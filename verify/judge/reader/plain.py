@@ -23,6 +23,7 @@ from gainproof.verify.judge.reader.words import BASED
 _OPERATORS = {"approx": "~=", "sim": "~"}
 _CONNECTIVES = {"iff": "<=>", "implies": "=>"}
 _WORDS = {
+    "log": "ln",
     "trace": "tr",
     "block_diagonal": "blkdiag",
     "covariance": "cov",

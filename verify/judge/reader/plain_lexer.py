@@ -94,7 +94,8 @@ class _PlainLexer:
         elif calls and word in PLAIN_FORMS:
             self._add("WORD", word, end)
         elif calls and (function := function_of(word)) is not None:
-            self._add("WORD", function, end)
+            usual = self.vocabulary.logarithm_name if word == "log" else function
+            self._add("WORD", usual, end)
         elif (special := special_name(text, word, end)) is not None:
             self._add(*special)
         elif (number := circle_number(text, word, end, self.vocabulary)) is not None:

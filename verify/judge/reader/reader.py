@@ -18,21 +18,29 @@ from gainproof.verify.judge.reader.tree import Branch, children
 from gainproof.verify.judge.reader.vocabulary import Declared, Vocabulary
 
 
-def read_formula(latex: str, symbols: Mapping[str, Declared], branch: str | None = None) -> Formula:
+def read_formula(
+    latex: str,
+    symbols: Mapping[str, Declared],
+    branch: str | None = None,
+    logarithm: int | None = None,
+) -> Formula:
     """One or more relations, with conditions in trailing parentheses, behind a word such as `for`,
     or joined by an arrow.
 
     `symbols` maps canonical tokens to their declarations; `branch` says which sign of `\\pm` is
-    meant. Raises ReaderError for anything that is not read whole.
+    meant, `logarithm` the base of `\\log` where none is printed, e unless it is given: so below.
+    Raises ReaderError for anything that is not read whole.
     """
-    return _formula(latex, Vocabulary(symbols, branch), plain=False)
+    return _formula(latex, Vocabulary(symbols, branch, logarithm), plain=False)
 
 
-def read_plain(text: str, symbols: Mapping[str, Declared]) -> Formula:
+def read_plain(
+    text: str, symbols: Mapping[str, Declared], logarithm: int | None = None
+) -> Formula:
     """The same from plain text: `alpha^2/(2 - alpha) = beta`. Names are LaTeX tokens without their
     backslashes.
     """
-    return _formula(text, Vocabulary(symbols), plain=True)
+    return _formula(text, Vocabulary(symbols, logarithm=logarithm), plain=True)
 
 
 def _formula(text: str, vocabulary: Vocabulary, plain: bool) -> Formula:
@@ -49,11 +57,13 @@ def _named(words: str | None, branch: str | None) -> str | None:
     return words if branch is None else "; ".join(filter(None, (words, f"the {branch} signs")))
 
 
-def read_conditions(text: str, symbols: Mapping[str, Declared]) -> tuple[Relation, ...]:
+def read_conditions(
+    text: str, symbols: Mapping[str, Declared], logarithm: int | None = None
+) -> tuple[Relation, ...]:
     """Relations joined by commas or `and`, such as a domain. A slash with two readings is refused
     here.
     """
-    vocabulary = Vocabulary(symbols)
+    vocabulary = Vocabulary(symbols, logarithm=logarithm)
     tree, _ = _parse(text, vocabulary, "conditions", plain=False)
     extents = extents_of(tree, text)
     if extents:
@@ -63,10 +73,13 @@ def read_conditions(text: str, symbols: Mapping[str, Declared]) -> tuple[Relatio
 
 
 def read_expression(
-    text: str, symbols: Mapping[str, Declared], plain: bool = False
+    text: str,
+    symbols: Mapping[str, Declared],
+    plain: bool = False,
+    logarithm: int | None = None,
 ) -> tuple[Graph, ...]:
     """One expression without a relation, in LaTeX or in plain text: a graph for each reading."""
-    vocabulary = Vocabulary(symbols)
+    vocabulary = Vocabulary(symbols, logarithm=logarithm)
     tree, _ = _parse(text, vocabulary, "single", plain)
     return tuple(
         build_graph(tree, text, extents, vocabulary) for extents, _ in _choices(tree, text)

@@ -77,9 +77,13 @@ def with_base(text: str, function: Scanned, vocabulary: Vocabulary) -> Scanned:
     ReaderError for a base that is neither Euler's number nor a whole number from 2 on.
     """
     under = skip_space(text, function.end)
-    if function.value != "log" or text[under : under + 1] != "_":
+    if function.value != "log":
         return function
-    if text[: function.end].endswith(("ln", "ln}")):
+    natural = text[: function.end].endswith(("ln", "ln}"))
+    if text[under : under + 1] != "_":
+        usual = "log" if natural else vocabulary.logarithm_name
+        return function._replace(value=usual)
+    if natural:
         problem = "a natural logarithm with a base: write \\log"
         raise ReaderError(problem, text, under, "_")
     start = skip_space(text, under + 1)

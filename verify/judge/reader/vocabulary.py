@@ -1,4 +1,4 @@
-"""What a text may say: the declared symbols, and which branch of `\\pm` is meant."""
+"""What a text may say: the declared symbols, which branch of `\\pm` is meant, and which logarithm."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from typing import Protocol
 from gainproof.verify.judge.reader.index_template import IndexTemplate, index_templates
 from gainproof.verify.judge.reader.limits import MOST_NAME_CHARACTERS
 from gainproof.verify.judge.reader.plain_names import plain_table
-from gainproof.verify.judge.reader.words import BRANCHES
+from gainproof.verify.judge.reader.words import BASED, BRANCHES
 
 
 class Declared(Protocol):
@@ -36,10 +36,13 @@ class Declared(Protocol):
 
 @dataclass(frozen=True)
 class Vocabulary:
-    """Declared symbols by canonical token, and the branch of `\\pm`, if one is declared."""
+    """Declared symbols by canonical token, the branch of `\\pm`, if one is declared, and the base
+    of `\\log` where none is printed, a whole number; None for the natural logarithm.
+    """
 
     symbols: Mapping[str, Declared]
     branch: str | None = None
+    logarithm: int | None = None
 
     def __post_init__(self) -> None:
         if self.branch not in (None, *BRANCHES):
@@ -56,6 +59,11 @@ class Vocabulary:
     def is_integer(self, name: str) -> bool:
         """Whether a declared name is a whole number."""
         return name in self.symbols and self.symbols[name].integer
+
+    @property
+    def logarithm_name(self) -> str:
+        """What `\\log` without a base is called in graphs."""
+        return "log" if self.logarithm is None else f"{BASED}{self.logarithm}"
 
     @cached_property
     def longest(self) -> int:

@@ -21,7 +21,9 @@ FUNCTION_WORDS = {
     "sign": "sign", "erf": "erf", "erfinv": "erfinv",
 }
 # fmt: on
-"""Names of functions by the word printed: `\\ln` and `\\log` are both the natural logarithm."""
+"""Names of functions by the word printed: `\\ln` and `\\log` are both the natural logarithm,
+unless a text means another by `\\log`.
+"""
 BASED = "log "
 """What the names of logarithms to a base begin with, which follows: no declared function has a
 blank in its name.

@@ -51,7 +51,9 @@ def product(*factors: Expr) -> Expr:
 
 
 def quotient(top: Expr, bottom: Expr) -> Expr:
-    """A quotient; by one it is the numerator."""
+    """A quotient; by one it is the numerator. A quotient is not put on a second bar."""
+    if top.kind == "div":
+        return quotient(top.parts[0], product(top.parts[1], bottom))
     if top.kind == "neg":
         return opposite(quotient(top.parts[0], bottom))
     return top if bottom == ONE else div(top, bottom)

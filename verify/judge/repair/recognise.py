@@ -2,18 +2,19 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Sequence
 from fractions import Fraction
 from itertools import combinations
 
 from gainproof.verify.judge.exact.expression import Expr, number, symbol
-from gainproof.verify.judge.exact.poly import Ball
+from gainproof.verify.judge.exact.poly import Ball, rational
 from gainproof.verify.judge.repair.construct import opposite, product, quotient, raised
 
 MOST_DENOMINATOR = 720
 MOST_HEIGHT = 5000
 MOST_SYMBOLS = 12
+LEAST = Fraction(1, 10**200)
+"""Sizes below it are taken for 0."""
 EXPONENTS = {Fraction(n, 2) for n in range(-8, 9) if n}
 
 
@@ -65,8 +66,8 @@ def monomial(
 
 
 def _log(ball: Ball) -> float | None:
-    value = abs(float(as_fraction(ball))) if ball.is_finite() else 0.0
-    return math.log(value) if value > 1e-200 else None
+    size = abs(ball)
+    return float(size.log().mid()) if size.is_finite() and size > rational(LEAST) else None
 
 
 def _slopes(

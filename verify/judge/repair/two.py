@@ -7,7 +7,6 @@ from collections.abc import Iterator
 from gainproof.verify.judge.repair.catalogue import changes
 from gainproof.verify.judge.repair.closings import Context
 from gainproof.verify.judge.repair.edit import PLAIN, SLIGHT
-from gainproof.verify.judge.repair.recognise import as_fraction
 from gainproof.verify.judge.repair.whole import Change
 
 
@@ -43,7 +42,7 @@ def _on_both_sides(context: Context) -> Iterator[Change]:
 def _value(context: Context, change: Change, side: int) -> str:
     """A side's value at the first point to eleven digits; empty if there is none."""
     ball = context.points[0].ball(change.printed.sides[side])
-    return "" if ball is None or not ball.is_finite() else f"{float(as_fraction(ball)):.10e}"
+    return "" if ball is None or not ball.is_finite() else str(ball.str(11, radius=False))
 
 
 def _within(context: Context) -> Iterator[Change]:

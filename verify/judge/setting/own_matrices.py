@@ -7,7 +7,7 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from fractions import Fraction
 
-from gainproof.verify.judge.claim.record import Setting
+from gainproof.verify.judge.claim.record import Setting, Unit
 from gainproof.verify.judge.exact.expression import (
     Expr,
     mul,
@@ -83,7 +83,7 @@ def interval_symbol(setting: Setting, scope: Scope) -> dict[str, Expr]:
 
 def _is_time(setting: Setting, token: str) -> bool:
     unit = setting.symbols[token].unit
-    return unit is not None and unit.metre == 0 and unit.second == 1
+    return unit == Unit(second=Fraction(1))
 
 
 def in_units(

@@ -82,7 +82,7 @@ def test_the_text_itself_is_read() -> None:
         ('quantity = "samp', 'quantiy = "samp', "symbols.T.quantiy", "nearest is quantity"),
         ("sampling_interval", "sampling_intervall", "symbols.T.quantity", "sampling_interval"),
         ('unit = "1", ', "", "symbols.a.unit", "needs a unit"),
-        ('unit = "1"', 'unit = "kg"', "symbols.a.unit", "'kg' is no unit"),
+        ('unit = "1"', 'unit = "km"', "symbols.a.unit", "'km' is no unit"),
         ('unit = "1", meaning', 'unit = "1", meening', "symbols.a.meening", "nearest is meaning"),
         ('meaning = "any number"', 'meaning = ["x"]', "symbols.a.meaning", "not a list"),
         ('{ unit = "1", meaning = "any number" }', '"x"', "symbols.a", "a table is wanted"),

@@ -8,7 +8,7 @@ from pathlib import Path
 import pytest
 
 from gainproof.verify.judge.claim.file import Unit, read_claim_file, read_claim_text
-from gainproof.verify.judge.claim.units import read_unit
+from gainproof.verify.judge.claim.units import read_unit, unit_text_of
 from gainproof.verify.judge.quantity_names import quantity_names
 
 TEXT = r"""
@@ -156,7 +156,25 @@ def test_units(text: str, metre: str, second: str) -> None:
 
 
 @pytest.mark.parametrize(
-    "text", ["", " ", "kg", "m/", "/s", "m^", "m^x", "m^1/2", "m^(1/0)", "m^99", "m**2", "m " * 9]
+    ("text", "other"),
+    [
+        ("Hz", "1/s"),
+        ("N", "kg m/s^2"),
+        ("J", "N m"),
+        ("W", "J/s"),
+        ("V A", "W"),
+        ("W/Hz", "J"),
+        ("J/K", "kg m^2 s^-2 K^-1"),
+        ("A^2 s", "A s A"),
+        ("W^(1/2)", "kg^(1/2) m s^(-3/2)"),
+    ],
+)
+def test_units_by_other_names(text: str, other: str) -> None:
+    assert read_unit(text) == read_unit(other) == read_unit(unit_text_of(read_unit(text)))
+
+
+@pytest.mark.parametrize(
+    "text", ["", " ", "km", "dB", "m/", "/s", "m^", "m^x", "m^1/2", "m^(1/0)", "m^99", "m**2", "m " * 9]
 )
 def test_no_units(text: str) -> None:
     with pytest.raises(ValueError, match=r".") as caught:

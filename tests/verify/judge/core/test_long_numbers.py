@@ -73,3 +73,9 @@ def test_what_is_nearly_0_and_what_has_no_end() -> None:
 )
 def test_a_claim_that_fails_far_out_is_refuted(latex: str, domain: str) -> None:
     check(judged("inequality", f"latex = '{latex}'\ndomain = '{domain}'"), "refuted")
+
+
+def test_roots_and_repairs_above_the_range_of_doubles() -> None:
+    found = judged("identity", r"latex = 'x^3 = (10^{60})^{20} + x'")
+    check(found, "refuted")
+    assert "near 1.00000e+400" in found.reason

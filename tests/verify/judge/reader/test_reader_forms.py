@@ -49,6 +49,33 @@ def written(graph: Mapping[str, Any]) -> str:
 @pytest.mark.parametrize(
     ("text", "wanted"),
     [
+        (r"\log a", "log 10(a)"),
+        (r"\log^2 \frac{a}{b}", "pow(log 10(div(a, b)), 2)"),
+        (r"\operatorname{log}(a) + \mathrm{log} b", "add(log 10(a), log 10(b))"),
+        (r"\ln a + \operatorname{ln} b", "add(log(a), log(b))"),
+        (r"\log_e a + \log_2 a + \lg a", "add(log(a), log 2(a), log 10(a))"),
+    ],
+)
+def test_what_a_source_means_by_a_logarithm_without_a_base(text: str, wanted: str) -> None:
+    (graph,) = read_expression(text, SYMBOLS, logarithm=10)
+    assert written(graph) == wanted
+
+
+@pytest.mark.parametrize(
+    ("text", "wanted"),
+    [
+        ("log(a) + ln(b)", "add(log 10(a), log(b))"),
+        ("log2(a) + lg(b)", "add(log 2(a), log 10(b))"),
+    ],
+)
+def test_in_plain_text_too(text: str, wanted: str) -> None:
+    (graph,) = read_expression(text, SYMBOLS, plain=True, logarithm=10)
+    assert written(graph) == wanted
+
+
+@pytest.mark.parametrize(
+    ("text", "wanted"),
+    [
         (r"{a + b \over c}", "div(add(a, b), c)"),
         (r"a^\frac12", "pow(a, 1/2)"),
         (r"\log_{10} a", "log 10(a)"),

@@ -1,0 +1,183 @@
+"""Stated domains that hold points without a value: conditional where the rest is true, with such a
+point, and never proved; and what is said where no domain is stated.
+"""
+
+from __future__ import annotations
+
+import mpmath
+import pytest
+from small_claims import check, judged
+
+ALL = r"-\pi < \theta \leq \pi"
+QUARTER = r"0 \leq \theta \leq \pi/2"
+TRUE_ELSEWHERE = [
+    ("identity", r"\tan\theta \cos\theta = \sin\theta", ALL, "1/2"),
+    ("identity", r"\frac{1}{\cos\theta} = \sec\theta", ALL, "1/2"),
+    ("identity", r"1 + \tan^2\theta = \frac{1}{\cos^2\theta}", ALL, "1/2"),
+    ("inequality", r"\frac{1}{\cos^2\theta} \geq 1", ALL, "1/2"),
+    ("identity", r"\cot\theta \sin\theta = \cos\theta", r"-\pi < \theta < \pi", "0"),
+    ("identity", r"\frac{\sin\theta}{1 + \cos\theta} = \tan\frac{\theta}{2}", ALL, "1"),
+    ("identity", r"\frac{1}{\cos\theta} = \sec\theta", r"0 \leq \theta < 2", "1/2"),
+    ("identity", r"\frac{1}{\cos\theta} = \sec\theta", r"\theta > 2", "3/2"),
+    ("identity", r"\tan 2\theta = \frac{2\tan\theta}{1 - \tan^2\theta}", QUARTER, "1/2"),
+    ("identity", r"\tan 2\theta = \frac{2\tan\theta}{1 - \tan^2\theta}",
+     r"0 < \theta < \pi/3", "1/4"),
+    ("identity", r"\frac{\cos\theta + \sin\theta}{\cos 2\theta} = "
+     r"\frac{1}{\cos\theta - \sin\theta}", QUARTER, "1/4"),
+]  # fmt: skip
+
+
+@pytest.mark.parametrize(("kind", "latex", "domain", "turns"), TRUE_ELSEWHERE)
+def test_an_angle_without_a_value_is_told(kind: str, latex: str, domain: str, turns: str) -> None:
+    found = judged(kind, f"latex = '{latex}'\ndomain = '{domain}'")
+    check(found, "conditional")
+    assert found.witness is not None
+    assert found.witness["point"] == {r"\theta/pi": turns}
+    assert found.witness["note"] == "a side has no value"
+    assert found.domain is not None
+    assert "where every part has a value" in found.domain
+
+
+@pytest.mark.parametrize(("kind", "latex", "domain", "turns"), TRUE_ELSEWHERE)
+def test_without_a_stated_domain_the_same_is_proved(
+    kind: str, latex: str, domain: str, turns: str
+) -> None:
+    del domain, turns
+    check(judged(kind, latex), "proved")
+
+
+@pytest.mark.parametrize(
+    ("latex", "domain"),
+    [
+        (r"\frac{1}{\cos\theta} = \sec\theta", r"0 \leq \theta < \pi/2"),
+        (r"\frac{1}{\cos\theta} = \sec\theta", r"0 \leq \theta < 1"),
+        (r"\tan 2\theta = \frac{2\tan\theta}{1 - \tan^2\theta}", r"0 < \theta < \pi/5"),
+        (r"\frac{\sin\theta}{1 + \cos\theta} = \tan\frac{\theta}{2}", r"-\pi < \theta < \pi"),
+    ],
+)
+def test_where_every_angle_has_a_value_it_is_proved(latex: str, domain: str) -> None:
+    check(judged("identity", f"latex = '{latex}'\ndomain = '{domain}'"), "proved")
+
+
+@pytest.mark.parametrize(
+    "latex",
+    [
+        r"\frac{1}{\cos\theta} = \sec\theta + 1",
+        r"\tan\theta \cos\theta = \cos\theta",
+        r"x \tan\theta = 2 x \frac{\sin\theta}{\cos\theta}",
+    ],
+)
+def test_what_is_false_elsewhere_stays_refuted(latex: str) -> None:
+    check(judged("identity", f"latex = '{latex}'\ndomain = '{ALL}'"), "refuted")
+
+
+def test_other_symbols_do_not_matter_where_a_divisor_is_zero_whatever_they_are() -> None:
+    latex = r"x \tan\theta = x \frac{\sin\theta}{\cos\theta}"
+    check(judged("identity", f"latex = '{latex}'\ndomain = '{ALL}'"), "conditional")
+    more = f"{ALL}, x > 0"
+    check(judged("identity", f"latex = '{latex}'\ndomain = '{more}'"), "conditional")
+
+
+@pytest.mark.parametrize(
+    ("kind", "latex", "domain", "point"),
+    [
+        ("identity", r"e^{\ln x} = x", r"x \geq 0", "0"),
+        ("identity", r"\ln x^2 = 2 \ln x", r"x \geq 0", "0"),
+        ("inequality", r"\ln x \leq x - 1", "x > -1", "-1/2"),
+        ("identity", r"\frac{1}{\ln x} = \frac{2}{\ln x^2}", "x > 0", "1"),
+        ("identity", r"\frac{x}{e^x - 1} = \frac{x e^{-x}}{1 - e^{-x}}", r"x \geq 0", "0"),
+        ("identity", r"\frac{\sinh x}{\tanh x} = \cosh x", r"x \geq 0", "0"),
+        ("identity", r"e^{\sqrt{x}} e^{\sqrt{x}} = e^{2\sqrt{x}}", r"x \geq -1", "-1"),
+    ],
+)
+def test_true_wherever_it_has_a_value(kind: str, latex: str, domain: str, point: str) -> None:
+    found = judged(kind, f"latex = '{latex}'\ndomain = '{domain}'")
+    check(found, "conditional")
+    assert found.witness is not None
+    assert found.witness["point"] == {"x": point}
+
+
+@pytest.mark.parametrize(
+    ("latex", "domain"),
+    [
+        (r"\ln x \leq x - 2", "x > -1"),
+        (r"\ln x^2 \geq 3 \ln x", r"x \geq 0"),
+    ],
+)
+def test_false_where_it_has_a_value(latex: str, domain: str) -> None:
+    check(judged("inequality", f"latex = '{latex}'\ndomain = '{domain}'"), "refuted")
+
+
+@pytest.mark.parametrize(
+    ("kind", "latex", "domain"),
+    [
+        ("identity", r"\ln(x y) = \ln x + \ln y", "x > 0, y > 0, where every part has a value"),
+        ("identity", r"\ln x^2 = 2 \ln x", "x > 0, where every part has a value"),
+        ("identity", r"e^{\ln x} = x", "x > 0"),
+        ("identity", r"\ln(x - 3) + \ln(4 - x) = \ln((x-3)(4-x))",
+         "3 < x < 4, where every part has a value"),
+        ("identity", r"\ln(x^2 - 1) = \ln(x - 1) + \ln(x + 1)",
+         "x > 1, where every part has a value"),
+        ("identity", r"\frac{d}{dx} \ln x = \frac{1}{x}", "x > 0"),
+        ("identity", r"\frac{d}{dx} \ln(1 - 2 x) = -\frac{2}{1 - 2 x}", "x < 1/2"),
+        ("inequality", r"\ln x \leq x - 1", "x > 0"),
+        ("inequality", r"\ln(1 + x) \leq x", "x > -1"),
+        ("identity", r"x^y = e^{y \ln x}", "x > 0"),
+    ],
+)  # fmt: skip
+def test_of_no_stated_domain_logarithms_say_where(kind: str, latex: str, domain: str) -> None:
+    found = judged(kind, latex)
+    check(found, "proved")
+    assert found.domain == domain
+
+
+@pytest.mark.parametrize(
+    ("kind", "latex"),
+    [
+        ("identity", r"\ln(x y) = \ln x - \ln y"),
+        ("inequality", r"\ln(x + y) > \ln x"),
+        ("identity", r"\frac{d}{dx} \ln(1 - x) = \frac{1}{1 - x}"),
+        ("identity", r"\ln x^3 = 2 \ln x"),
+    ],
+)
+def test_what_is_false_of_logarithms_is_refuted(kind: str, latex: str) -> None:
+    check(judged(kind, latex), "refuted")
+
+
+@pytest.mark.parametrize(
+    "latex",
+    [
+        r"\ln x + \ln(-x) = 5",
+        r"\ln x + \ln(-x) = \ln x + \ln(-x)",
+        r"\ln(x - 3) + \ln(2 - x) = \ln((x-3)(2-x))",
+        r"\ln(-x^2) = 2 \ln x",
+        r"\ln(-x^2 - y^2) = 0",
+        r"\ln(x y) + \ln(-x y) = 1",
+    ],
+)
+def test_what_has_a_value_nowhere_is_not_proved(latex: str) -> None:
+    assert judged("identity", latex).verdict in ("undecided", "held", "refuted")
+
+
+def test_a_strict_one_fails_where_both_sides_are_equal() -> None:
+    for claim in ("text = 'below'", "domain = 'x > -1'"):
+        found = judged("inequality", "latex = '\\ln x < x - 1'\n" + claim)
+        check(found, "conditional")
+        assert found.domain == "0 < x < 1 or x > 1"
+
+
+def test_the_points_are_right() -> None:
+    """By another library: these angles have no value, as near as it can tell."""
+    for _, latex, _, turns in TRUE_ELSEWHERE:
+        up, down = map(int, (turns.split("/") + ["1"])[:2])
+        with mpmath.workdps(40):
+            angle = mpmath.pi * up / down
+            divisors = {
+                r"\cos\theta}": mpmath.cos(angle),
+                r"\tan\theta": mpmath.cos(angle),
+                r"\cot": mpmath.sin(angle),
+                r"1 + \cos": 1 + mpmath.cos(angle),
+                r"2\theta": mpmath.cos(2 * angle),
+                r"\cos^2": mpmath.cos(angle),
+            }
+            assert any(part in latex and abs(d) < 1e-30 for part, d in divisors.items()), latex
