@@ -7,7 +7,7 @@ from dataclasses import dataclass, fields, replace
 from fractions import Fraction
 from itertools import product
 
-from gainproof.verify.judge.claim.record import Setting, SymbolEntry, Unit
+from gainproof.verify.judge.claim.record import Setting, SymbolEntry
 from gainproof.verify.judge.exact.box import Box
 from gainproof.verify.judge.exact.calculus import substituted
 from gainproof.verify.judge.exact.expression import Expr, number, power, symbol

@@ -13,8 +13,8 @@ from gainproof.verify.judge.matrices.letter import MatrixClaim, MatrixSetting
 @dataclass(frozen=True)
 class SourceRecord:
     """Bibliographic record; `key` is the short name by which the source is cited. Source code is
-    found by `repository` and `commit`. `logarithm` is the base of `\\log` where none is printed, None
-    for the natural one.
+    found by `repository` and `commit`. `logarithm` is the base of `\\log` where none is printed,
+    None for the natural one.
     """
 
     key: str

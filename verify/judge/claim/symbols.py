@@ -67,9 +67,7 @@ def _definition(
     head = f"{entry.latex}{arguments} = "
     where = f"{declaration.where}.definition"
     try:
-        formula = read_formula(
-            head + declaration.definition, symbols, logarithm=text.logarithm
-        )
+        formula = read_formula(head + declaration.definition, symbols, logarithm=text.logarithm)
     except ReaderError as error:
         shifted = ReaderError(
             error.problem,
@@ -106,9 +104,7 @@ def _variance(
         return None
     where = f"{declaration.where}.variance"
     try:
-        graph, *others = read_expression(
-            declaration.variance, symbols, logarithm=text.logarithm
-        )
+        graph, *others = read_expression(declaration.variance, symbols, logarithm=text.logarithm)
     except ReaderError as error:
         raise text.formula_error(where, declaration.variance, error, declaration.line) from error
     if others:

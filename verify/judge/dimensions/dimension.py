@@ -59,7 +59,9 @@ def _agreed(parts: Sequence[Dimensions], what: str) -> Dimension:
     known = [part for part in parts if isinstance(part, Unit)]
     for part in known:
         if part != known[0]:
-            raise Mismatch(f"{what} have dimensions {unit_text_of(known[0])} and {unit_text_of(part)}")
+            raise Mismatch(
+                f"{what} have dimensions {unit_text_of(known[0])} and {unit_text_of(part)}"
+            )
     return known[0] if known else ANY
 
 

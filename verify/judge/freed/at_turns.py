@@ -1,10 +1,11 @@
-"""Angles that are multiples of pi/12, at which a side may have no value: no rational point is one."""
+"""Angles that are multiples of pi/12, at which a side may have no value: none is rational."""
 
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
 from dataclasses import replace
 from fractions import Fraction
+from functools import partial
 
 from gainproof.verify.judge.exact.box import Box
 from gainproof.verify.judge.exact.calculus import rebuilt, substituted
@@ -33,9 +34,7 @@ def without_value_at_turns(
         is_turn = name not in boxes
         label = turned.labels.get(name, name) if is_turn else f"{labels.get(name, name)}/{LABEL}"
         for turn, value in _multiples(turned.boxes.get(name, Box(stated=False)), is_turn):
-            part = turned.statement.mapped(
-                lambda e, put_in=value, name=name: _at_angle(substituted(e, {name: put_in}))
-            )
+            part = turned.statement.mapped(partial(_at_angle, name=name, angle=value))
             found = without_value(part, _spoken_of(part, turned.boxes), turned.labels)
             if found is not None and found.witness is not None:
                 point = {label: str(turn), **found.witness.point}
@@ -53,13 +52,13 @@ def _spoken_of(statement: Statement, boxes: Mapping[str, Box]) -> Mapping[str, B
     return {n: replace(boxes.get(n, Box()), stated=True) for n in statement.symbols()}
 
 
-def _at_angle(expr: Expr) -> Expr:
-    """The expression with values of functions of multiples of pi/12, and divisors that are 0."""
+def _at_angle(expr: Expr, name: str, angle: Expr) -> Expr:
+    """The expression with this put in, the values of functions there, and divisors that are 0."""
 
     def change(node: Expr, parts: tuple[Expr, ...]) -> Expr | None:
         return div(parts[0], number(0)) if node.kind == "div" and _is_zero(parts[1]) else None
 
-    return rebuilt(exact_angles(expr), change)
+    return rebuilt(exact_angles(substituted(expr, {name: angle})), change)
 
 
 def _is_zero(expr: Expr) -> bool:
@@ -82,7 +81,8 @@ def _multiples(box: Box, is_turn: bool) -> Iterator[tuple[Fraction, Expr]]:
     if not box.stated or box.integer:
         return
     around = pi_box()
-    assert around.lower is not None and around.upper is not None
+    assert around.lower is not None
+    assert around.upper is not None
     for count in TWELFTHS:
         turn = Fraction(count, 12)
         if is_turn and box.holds(turn):

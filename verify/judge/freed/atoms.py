@@ -147,10 +147,8 @@ class Atoms:
 
     def signs(self) -> list[Rel]:
         """That powers of -1 are 1 or -1."""
-        powers = [
-            symbol(n) for (kind, base, _), n in self.names.items() if (kind, base) == ("power", MINUS)
-        ]
-        return [Rel("=", power(each, 2), number(1)) for each in powers]
+        powers = [n for key, n in self.names.items() if key[:2] == ("power", MINUS)]
+        return [Rel("=", power(symbol(each), 2), number(1)) for each in powers]
 
     @property
     def has_angles(self) -> bool:

@@ -128,7 +128,8 @@ def _but_where_it_has(
         return found
     if found.verdict != "proved":
         return nowhere
-    words = [*turned.words, found.domain, *([VALUED] * (VALUED not in found.domain))]
+    where = [found.domain] if found.domain != "everywhere" else []
+    words = [*turned.words, *where, *([VALUED] * (VALUED not in found.domain))]
     return replace(
         found,
         verdict="conditional",

@@ -34,9 +34,7 @@ def read_formula(
     return _formula(latex, Vocabulary(symbols, branch, logarithm), plain=False)
 
 
-def read_plain(
-    text: str, symbols: Mapping[str, Declared], logarithm: int | None = None
-) -> Formula:
+def read_plain(text: str, symbols: Mapping[str, Declared], logarithm: int | None = None) -> Formula:
     """The same from plain text: `alpha^2/(2 - alpha) = beta`. Names are LaTeX tokens without their
     backslashes.
     """

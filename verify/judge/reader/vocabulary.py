@@ -1,4 +1,4 @@
-"""What a text may say: the declared symbols, which branch of `\\pm` is meant, and which logarithm."""
+"""What a text may say: declared symbols, which branch of `\\pm` is meant, and which logarithm."""
 
 from __future__ import annotations
 

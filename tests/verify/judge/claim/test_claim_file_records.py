@@ -174,7 +174,8 @@ def test_units_by_other_names(text: str, other: str) -> None:
 
 
 @pytest.mark.parametrize(
-    "text", ["", " ", "km", "dB", "m/", "/s", "m^", "m^x", "m^1/2", "m^(1/0)", "m^99", "m**2", "m " * 9]
+    "text",
+    ["", " ", "km", "dB", "m/", "/s", "m^", "m^x", "m^1/2", "m^(1/0)", "m^99", "m**2", "m " * 9],
 )
 def test_no_units(text: str) -> None:
     with pytest.raises(ValueError, match=r".") as caught:

@@ -10,6 +10,7 @@ from small_claims import check, judged
 
 ALL = r"-\pi < \theta \leq \pi"
 QUARTER = r"0 \leq \theta \leq \pi/2"
+DIFFERENCE = r"\frac{\cos\theta + \sin\theta}{\cos 2\theta} = \frac{1}{\cos\theta - \sin\theta}"
 TRUE_ELSEWHERE = [
     ("identity", r"\tan\theta \cos\theta = \sin\theta", ALL, "1/2"),
     ("identity", r"\frac{1}{\cos\theta} = \sec\theta", ALL, "1/2"),
@@ -22,8 +23,7 @@ TRUE_ELSEWHERE = [
     ("identity", r"\tan 2\theta = \frac{2\tan\theta}{1 - \tan^2\theta}", QUARTER, "1/2"),
     ("identity", r"\tan 2\theta = \frac{2\tan\theta}{1 - \tan^2\theta}",
      r"0 < \theta < \pi/3", "1/4"),
-    ("identity", r"\frac{\cos\theta + \sin\theta}{\cos 2\theta} = "
-     r"\frac{1}{\cos\theta - \sin\theta}", QUARTER, "1/4"),
+    ("identity", DIFFERENCE, QUARTER, "1/4"),
 ]  # fmt: skip
 
 
@@ -169,7 +169,7 @@ def test_a_strict_one_fails_where_both_sides_are_equal() -> None:
 def test_the_points_are_right() -> None:
     """By another library: these angles have no value, as near as it can tell."""
     for _, latex, _, turns in TRUE_ELSEWHERE:
-        up, down = map(int, (turns.split("/") + ["1"])[:2])
+        up, down = map(int, [*turns.split("/"), "1"][:2])
         with mpmath.workdps(40):
             angle = mpmath.pi * up / down
             divisors = {
