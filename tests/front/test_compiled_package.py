@@ -192,6 +192,22 @@ def test_a_library_that_is_not_as_numpy_is_not_used(package: Path) -> None:
     assert libraries(package) == []
 
 
+def test_what_computes_in_c_now_can_be_asked_for(package: Path) -> None:
+    def shown() -> str:
+        done = run(package, f"{PACKAGE}.compile", "--show")
+        assert done.returncode == 0, done.stderr
+        return done.stdout
+
+    assert shown() == f"{MODULE}: all NumPy's\n"
+    compiled = run(package, f"{PACKAGE}.compile").stdout
+    count = compiled.split(" in C")[0]
+    assert shown().startswith(f"{count} in C")
+    assert ("NumPy's stay" in shown()) == ("NumPy's stay" in compiled)
+    assert run(package, f"{PACKAGE}.compile", "--remove").returncode == 0
+    assert shown() == f"{MODULE}: all NumPy's\n"
+    assert run(package, f"{PACKAGE}.compile", "--show", "--remove").returncode == 2
+
+
 def test_without_a_compiler_nothing_is_changed(package: Path) -> None:
     done = run(package, f"{PACKAGE}.compile", PATH="", CC="")
     assert done.returncode == 2

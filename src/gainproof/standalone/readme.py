@@ -88,5 +88,6 @@ on the same functions compute in C: same arguments, guards and messages, and the
 for bit, which the command compares before it puts anything in place. Kernels that call functions
 of `math.h` stay NumPy's, and it names them. A library serves its own source and platform alone;
 everywhere else NumPy computes, as it does where `c` is not shipped: a wheel has that folder only as
-package data, `c/*`. `--remove` deletes the libraries.
+package data, `c/*`. `--show` only says which kernels compute in C now,
+`--remove` deletes the libraries.
 """

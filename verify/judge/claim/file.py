@@ -128,11 +128,11 @@ def _parse(text: str, path: str) -> Mapping[str, Any]:
     except RecursionError:
         raise ClaimFileError(path, "", "tables or lists are nested too deep") from None
     except ValueError as error:
-        raise _not_toml(path, str(error)[:300]) from error
+        raise _not_toml(path, text, str(error)[:300]) from error
 
 
-def _not_toml(path: str, problem: str) -> ClaimFileError:
-    """The parser's complaint, its place in front."""
+def _not_toml(path: str, text: str, problem: str) -> ClaimFileError:
+    """The parser's complaint, its place in front, and what stands there a second time."""
     what, _, place = problem.rpartition(" (at line ")
     line, _, column = place.rstrip(")").partition(", column ")
     hint = "; LaTeX stands in single quotes" if "\\" in problem else ""
@@ -140,6 +140,9 @@ def _not_toml(path: str, problem: str) -> ClaimFileError:
         hint = f"; models and expressions are derived: gainproof derive {path}"
     if not (line.isdigit() and column.isdigit()):
         return ClaimFileError(path, "", f"not TOML: {problem}{hint}")
+    if what == "Cannot overwrite a value":
+        key = text.split("\n")[int(line) - 1].partition("=")[0].strip()
+        hint = f": {key[:80]} stands in this table a second time"
     return ClaimFileError(path, "", f"not TOML: {what}{hint}", int(line), int(column))
 
 

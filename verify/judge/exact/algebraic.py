@@ -10,7 +10,7 @@ from typing import Any
 
 import flint
 
-from gainproof.verify.judge.exact.poly import Ball, rational
+from gainproof.verify.judge.exact.poly import Ball, exact_value, rational
 
 
 @dataclass(frozen=True)
@@ -128,18 +128,13 @@ def real_roots(factor: Any) -> list[Algebraic]:
         if not root.imag.is_zero():
             continue
         # exact: lower() and upper() would round to the working precision
-        middle, radius = _exact(root.real.mid()), _exact(root.real.rad())
+        middle, radius = exact_value(root.real.mid()), exact_value(root.real.rad())
         low, high = middle - radius, middle + radius
         number = Algebraic(coefficients, low, high)
         if number.value_at(low) * number.value_at(high) >= 0:
             raise ArithmeticError("an isolating interval without a change of sign")
         found.append(number)
     return found
-
-
-def _exact(x: Ball) -> Fraction:
-    mantissa, exponent = x.man_exp()
-    return Fraction(int(mantissa)) * Fraction(2) ** int(exponent)
 
 
 def apart(numbers: list[Algebraic]) -> list[Algebraic]:

@@ -31,6 +31,12 @@ def rational(value: Fraction | int) -> Any:
     return flint.fmpq(value.numerator, value.denominator)
 
 
+def exact_value(ball: Ball) -> Fraction:
+    """The number that a ball of radius 0 is."""
+    mantissa, exponent = ball.man_exp()
+    return Fraction(int(mantissa)) * Fraction(2) ** int(exponent)
+
+
 def fraction(value: Any) -> Fraction:
     """A flint.fmpq or fmpz as a fraction."""
     value = flint.fmpq(value)

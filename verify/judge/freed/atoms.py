@@ -99,7 +99,7 @@ class Atoms:
         if monomial == UNIT and base != EULER and divisor == 1:
             return base, 1
         positive = base == EULER or self.is_positive(base)
-        return self._named(key, self.ranges.power(base, monomial, positive)), divisor
+        return self._named(key, self.ranges.power(base, monomial, divisor, positive)), divisor
 
     def _refuse_zero(self, base: Expr, monomial: Monomial, c: Fraction) -> None:
         """Raises Undecided if zero may be raised to a negative number.

@@ -10,9 +10,13 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass, replace
 from fractions import Fraction
 
+import flint
+
 from gainproof.verify.judge.exact.box import Box
 from gainproof.verify.judge.exact.calculus import rebuilt
+from gainproof.verify.judge.exact.enclose import NoValue, Unresolved, enclosed
 from gainproof.verify.judge.exact.expression import Expr, neg, number, symbol, symbols_of, walk
+from gainproof.verify.judge.exact.poly import exact_value
 from gainproof.verify.judge.freed.circle import VARIABLE
 from gainproof.verify.judge.freed.half_tangent import half_tangent, half_tangent_of_turns
 from gainproof.verify.judge.freed.monomials import Monomial, monomial_expr
@@ -22,6 +26,9 @@ EULER = symbol("e")
 """Base of exponentials; no base variable is called like that."""
 QUARTER, HALF = Fraction(157, 100), Fraction(314, 100)
 """A little less than a quarter of a turn and half a turn."""
+
+BITS = 64
+"""Of what encloses a function of numbers."""
 
 Positive = Callable[[Expr], bool]
 
@@ -35,9 +42,11 @@ class Ranges:
     boxes: Mapping[str, Box]
     is_positive: Positive
 
-    def power(self, base: Expr, monomial: Monomial, positive: bool) -> Box:
-        """Of base^monomial: above 1, between 0 and 1, positive, or anything."""
+    def power(self, base: Expr, monomial: Monomial, divisor: int, positive: bool) -> Box:
+        """Of base^(monomial/divisor): above 1, between 0 and 1, positive, or anything."""
         exponent = monomial_expr(monomial)
+        if (near := _of_numbers(_power(base, exponent / divisor))) is not None:
+            return near
         box = self._any(base, exponent)
         if not positive:
             return box
@@ -95,6 +104,8 @@ class Ranges:
         """A logarithm is positive above 1, the angle of a tangent above 0; the error function too,
         which lies between -1 and 1.
         """
+        if (near := _of_numbers(node)) is not None:
+            return near
         box = Box(stated=False) if self._is_open(node) else self._any(node)
         most = Fraction(1) if node.name == "erf" else None
         least = None if most is None else -most
@@ -133,3 +144,22 @@ def _half_a_turn_on(turns: Box) -> Box | None:
         return None
     by = 1 if turns.upper <= 0 else -1
     return replace(turns, lower=turns.lower + by, upper=turns.upper + by)
+
+
+def _power(base: Expr, exponent: Expr) -> Expr:
+    parts = ("exp", (exponent,)) if base == EULER else ("power", (base, exponent))
+    return Expr("call", *parts)
+
+
+def _of_numbers(node: Expr) -> Box | None:
+    """Two rationals around the value of a function of numbers, in which no symbol stands."""
+    if symbols_of(node):
+        return None
+    try:
+        ball = enclosed(node, {}, BITS)
+    except (NoValue, Unresolved):
+        return None
+    if not ball.is_finite() or ball.is_exact():
+        return None
+    with flint.ctx.workprec(BITS):
+        return Box(lower=exact_value(ball.lower()), upper=exact_value(ball.upper()))

@@ -7,7 +7,7 @@ from fractions import Fraction
 from itertools import combinations
 
 from gainproof.verify.judge.exact.expression import Expr, number, symbol
-from gainproof.verify.judge.exact.poly import Ball, rational
+from gainproof.verify.judge.exact.poly import Ball, exact_value, rational
 from gainproof.verify.judge.repair.construct import opposite, product, quotient, raised
 
 MOST_DENOMINATOR = 720
@@ -20,8 +20,7 @@ EXPONENTS = {Fraction(n, 2) for n in range(-8, 9) if n}
 
 def as_fraction(ball: Ball) -> Fraction:
     """The midpoint, exactly."""
-    mantissa, exponent = ball.mid().man_exp()
-    return Fraction(int(mantissa)) * Fraction(2) ** int(exponent)
+    return exact_value(ball.mid())
 
 
 def common_rational(values: Sequence[Ball]) -> Fraction | None:

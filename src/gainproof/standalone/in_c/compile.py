@@ -10,7 +10,7 @@ import shutil
 import subprocess
 import sys
 import tempfile
-from collections.abc import Sequence
+from collections.abc import Sequence, Sized
 from importlib import import_module
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -54,15 +54,19 @@ def main(arguments: Sequence[str] | None = None) -> int:
             "functions of math.h, which may round otherwise, stay NumPy's."
         ),
     )
-    parser.add_argument("--remove", action="store_true", help="delete the libraries again")
-    removed = parser.parse_args(arguments).remove
+    instead = parser.add_mutually_exclusive_group()
+    instead.add_argument("--remove", action="store_true", help="delete the libraries again")
+    instead.add_argument("--show", action="store_true", help="only say what computes in C now")
+    options = parser.parse_args(arguments)
     modules = sorted(path.stem for path in SOURCES.glob("*.json"))
     if not modules:
         print(f"{parser.prog}: no sources in {SOURCES}; NumPy computes", file=sys.stderr)
         return 2
     for module in modules:
         try:
-            if removed:
+            if options.show:
+                print(f"{module}: {shown(module)}")
+            elif options.remove:
                 count = _delete(module)
                 print(f"{module}: {count} {'library' if count == 1 else 'libraries'} deleted")
             else:
@@ -77,14 +81,28 @@ def main(arguments: Sequence[str] | None = None) -> int:
     return 0
 
 
+def shown(module: str) -> str:
+    """Which kernels of a module compute in C where the package is imported now."""
+    same = same_bits(module) if library(module).exists() else {}
+    others = [each.name for each in _kernels(module) if each.name not in same]
+    return f"{_counted(same)} in C{_others(others)}" if same else "all NumPy's"
+
+
+def _counted(kernels: Sized) -> str:
+    return f"{len(kernels)} kernel{'' if len(kernels) == 1 else 's'}"
+
+
+def _others(names: Sequence[str]) -> str:
+    return f"; NumPy's stay: {', '.join(names)}" if names else ""
+
+
 def compiled(module: str) -> str:
     """Make the library of a module and put it in its place; what there is to say of it.
 
     Raises CompilingError, and OSError where the folder cannot be written.
     """
     same = same_bits(module)
-    others = [each for each in _kernels(module) if each.name not in same]
-    told = f"; NumPy's stay: {', '.join(each.name for each in others)}" if others else ""
+    told = _others([each.name for each in _kernels(module) if each.name not in same])
     if not same:
         return f"nothing to compile{told}"
     place = library(module)
@@ -94,8 +112,7 @@ def compiled(module: str) -> str:
         compared = differences(module, ctypes.CDLL(str(made)))
         os.replace(made, place)
     _delete(module, place)
-    count = f"{len(same)} kernel{'s' if len(same) > 1 else ''}"
-    return f"{count} in C, {compared:,} results compared with NumPy's: the same bits{told}"
+    return f"{_counted(same)} in C, {compared:,} results compared with NumPy's: the same bits{told}"
 
 
 def differences(module: str, loaded: ctypes.CDLL) -> int:
