@@ -22,6 +22,7 @@ from gainproof.verify.judge.freed.domain_words import domain_text
 from gainproof.verify.judge.freed.freely import VALUED, freely, refuse_without_value
 from gainproof.verify.judge.freed.induction import induction, open_sums
 from gainproof.verify.judge.freed.numbers import at_number, first_numbers
+from gainproof.verify.judge.freed.other_variables import in_other_variables
 from gainproof.verify.judge.freed.restated import put_in, restated
 from gainproof.verify.judge.freed.rewriting import has_functions
 from gainproof.verify.judge.freed.rising import rising
@@ -93,9 +94,33 @@ def _with_functions(
             return rising(statement, boxes, parameter, labels, freely)
         except Undecided as reason:
             reasons.append(str(reason))
+    if as_others and (points is None or points.verdict == "held"):
+        proved = _in_other_variables(statement, boxes, parameter, labels)
+        if proved is not None:
+            return proved
     if points is None:
         raise Undecided("; ".join(dict.fromkeys(r for r in reasons if r)))
     return points
+
+
+def _in_other_variables(
+    statement: Statement, boxes: Mapping[str, Box], parameter: str | None, labels: Mapping[str, str]
+) -> Outcome | None:
+    def proves(other: Statement, where: Mapping[str, Box]) -> bool:
+        try:
+            return freely(other, where, parameter, labels).verdict == "proved"
+        except Undecided:
+            return False
+
+    for other, where in in_other_variables(statement, boxes, proves):
+        try:
+            found = decided(other, where, parameter, labels, as_others=False)
+        except Undecided:
+            continue
+        if found.verdict == "proved" and VALUED not in found.domain:
+            method = f"in another variable; {found.method}"
+            return replace(found, domain=domain_text(statement, boxes, labels), method=method)
+    return None
 
 
 def _without_value(

@@ -57,12 +57,12 @@ def judge_monotone(claim: Claim, reading: Reading, scope: Scope) -> Finding:
         raise Undecided(f"{claim.about[1]} is not strictly monotone itself")
     # defined everywhere, hence continuous; where it has corners its slope is not asked for
     without, unknown = _without_value(subject, names, frame)
+    rises = Statement((Rel(operator, slope, number(0)),), needed=(subject,))
     if without is not None:
-        return without
+        return _between_gaps(without, rises, frame)
     within = {n: _opened(b) if n in names else b for n, b in frame.boxes.items()}
     inside = replace(frame, boxes=within)
     unknown = unknown or _unknown_slopes(slope, inside)
-    rises = Statement((Rel(operator, slope, number(0)),), needed=(subject,))
     finding = finding_of(inside.decide(rises))
     if unknown is not None and finding.verdict != "refuted":
         raise Undecided(unknown)
@@ -99,6 +99,22 @@ def _without_value(
         return None, None
     reason = f"no value everywhere between the ends of the domain: {defined.reason}"
     return replace(finding_of(defined), reason=reason), None
+
+
+def _between_gaps(without: Finding, rises: Statement, frame: Frame) -> Finding:
+    """What is told where the subject lacks a value somewhere: `conditional` only if it goes as is
+    claimed wherever it has one. Raises Undecided.
+    """
+    if without.verdict != "conditional":
+        return without
+    loose = {name: replace(box, stated=False) for name, box in frame.boxes.items()}
+    found = replace(frame, boxes=loose).decide(rises)
+    if found.verdict == "proved":
+        reason = f"{without.reason}; where it has values without a gap the trend is this one"
+        return without.told_as("conditional", reason, without.domain)
+    if found.verdict == "refuted":
+        return without.told_as("refuted", without.reason)
+    raise Undecided(without.reason)
 
 
 def _unknown_slopes(slope: Expr, inside: Frame) -> str | None:
@@ -195,6 +211,8 @@ def _from_sample_to_sample(
     _refuse_gaps(frame, {name})
     _refuse_other_samples(subject, name)
     without, unknown = _without_value(subject, {name}, frame)
+    if without is not None and without.verdict == "conditional":
+        raise Undecided(without.reason)
     if without is not None:
         return without
     if unknown is not None:

@@ -163,7 +163,7 @@ def test_a_strict_one_fails_where_both_sides_are_equal() -> None:
     for claim in ("text = 'below'", "domain = 'x > -1'"):
         found = judged("inequality", "latex = '\\ln x < x - 1'\n" + claim)
         check(found, "conditional")
-        assert found.domain == "0 < x < 1 or x > 1"
+        assert found.domain == "for 0 < x < 1 or x > 1"
 
 
 def test_the_points_are_right() -> None:

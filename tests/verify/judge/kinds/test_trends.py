@@ -30,8 +30,16 @@ from small_claims import check, judged
         ("a x^3", "x", "increasing", "a > 0", "proved"),
         ("a x^3", "x", "increasing", r"a \geq 0", "undecided"),
         ("a x", "x", "nondecreasing", r"a \geq 0", "proved"),
-        # it falls back at each of its poles
-        (r"\tan\theta", r"\theta", "increasing", "", "undecided"),
+        # it falls back at each of its poles, and rises between them
+        (r"\tan\theta", r"\theta", "increasing", "", "conditional"),
+        (r"\tan\theta", r"\theta", "decreasing", "", "refuted"),
+        (r"\frac{1}{x}", "x", "decreasing", r"x \geq 0", "conditional"),
+        (r"\frac{1}{x}", "x", "increasing", r"x \geq 0", "refuted"),
+        (r"\frac{1}{x^2}", "x", "increasing", "", "undecided"),
+        (r"\sqrt{x}", "x", "decreasing", "x > -1", "refuted"),
+        (r"\ln x", "x", "increasing", "x > -1", "conditional"),
+        (r"\ln x", "x", "decreasing", "x > -1", "refuted"),
+        (r"\frac{1}{n - 3}", "n", "decreasing", r"n \geq 0", "undecided"),
         # constant where its derivative, as a formula, has no value
         (r"-\sqrt{(x - \left|x\right|)^2}", "x", "increasing", "", "undecided"),
         (r"\sqrt[3]{x}", "x", "increasing", "", "proved"),
