@@ -44,7 +44,7 @@ key = %s
 title = "Title of the paper"
 authors = ["A. Author", "B. Author"]
 publication = "Journal 1, 23-45"
-# year, doi, url and note may follow
+# year, doi, url, note and logarithm (the base of \\log where none is printed) may follow
 
 """
 _SETTING = """\
