@@ -53,7 +53,8 @@ def decided(
     if not statement.symbols() and _is_between_numbers(statement):
         data = statement_data(statement, {}, parameter, labels)
         certificate = {"checked": "replayed", "engine": "functions", "statement": data}
-        return Outcome("proved", "everywhere", "", "balls round both sides", None, certificate)
+        reason = "both sides are numbers, which balls tell apart"
+        return Outcome("proved", "everywhere", reason, "balls round both sides", None, certificate)
     statement = statement.mapped(lambda e: without_whole_turns(e, boxes))
     narrowed, where, more = valued(statement, boxes)
     found = _with_functions(narrowed, where, parameter, labels, as_others)

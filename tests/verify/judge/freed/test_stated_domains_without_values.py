@@ -144,6 +144,12 @@ def test_what_is_false_of_logarithms_is_refuted(kind: str, latex: str) -> None:
     check(judged(kind, latex), "refuted")
 
 
+@pytest.mark.parametrize("latex", [r"\ln(x + y) = \ln(y + x)", r"\ln(x y) = \ln(y x)"])
+def test_a_stated_symbol_has_a_value_at_every_point(latex: str) -> None:
+    """With y = -1 there is none for x = 1/2."""
+    assert judged("identity", f"latex = '{latex}'\ndomain = 'x > 0'").verdict != "proved"
+
+
 @pytest.mark.parametrize(
     "latex",
     [
