@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 import html
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field, replace
 from typing import Any
 
+from gainproof.verify.judge.exact.limits import Undecided
 from gainproof.verify.judge.exact.statement import Outcome, Witness
 
 VERDICTS = (
@@ -108,6 +109,27 @@ class ClaimVerdict:
             "reason": self.reason,
             "seconds": round(self.seconds, 3),
         }
+
+
+def of_parts(parts: Iterable[Finding]) -> Finding | None:
+    """What stands against a claim that says all of these: a refutation, else a part that is not
+    proved; None if all are. Raises Undecided where several hold on parts of the domain, and what
+    the parts raise.
+
+    That one part is `conditional` says nothing of the claim before all others are known.
+    """
+    held: Finding | None = None
+    some: Finding | None = None
+    for found in parts:
+        if found.verdict == "conditional":
+            if some is not None and some.domain != found.domain:
+                raise Undecided(f"parts of it hold in different places: {found.reason}")
+            some = some or found
+        elif found.verdict == "held":
+            held = held or found
+        elif found.verdict != "proved":
+            return found
+    return held or some
 
 
 def finding_of(outcome: Outcome) -> Finding:

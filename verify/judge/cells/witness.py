@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
 from fractions import Fraction
-from itertools import product
+from itertools import chain, islice
 
 from gainproof.verify.judge.cells.piece import Piece
 from gainproof.verify.judge.cells.task import Task
@@ -23,6 +23,10 @@ from gainproof.verify.judge.exact.witness import fails, value_ball
 
 PRECISIONS = (64, 256, 1024, 4096)
 MOST_SIMPLE = 60
+MOST_LOOKED_AT = 20_000
+"""Of points that may lie outside of the domain: all, for five symbols."""
+FARTHEST = 3
+"""Of a number from one."""
 
 
 def counterexample(
@@ -55,11 +59,10 @@ def simple_points(task: Task) -> Iterator[dict[str, Fraction]]:
     names = task.names
     count = 0
     for scale in (1, 2):
-        digits = sorted(range(-2, 4), key=lambda n: (abs(n - 1), -n))
-        points = sorted(
-            product(digits, repeat=len(names)), key=lambda p: sum(abs(n - 1) for n in p)
+        steps = chain.from_iterable(
+            _points(len(names), n) for n in range(len(names) * FARTHEST + 1)
         )
-        for point in points:
+        for point in islice(steps, MOST_LOOKED_AT):
             values = [Fraction(n, scale) for n in point]
             if scale > 1 and all(v.denominator == 1 for v in values):
                 continue
@@ -68,6 +71,16 @@ def simple_points(task: Task) -> Iterator[dict[str, Fraction]]:
                 if count > MOST_SIMPLE * scale:
                     break
                 yield dict(zip(names, values, strict=True))
+
+
+def _points(count: int, steps: int) -> Iterator[tuple[int, ...]]:
+    """So many whole numbers that are together so many steps away from one, up to FARTHEST each."""
+    if not count:
+        yield from [()] if not steps else []
+        return
+    for far in range(min(steps, FARTHEST) + 1):
+        for first in sorted({1 + far, 1 - far} - {1 + FARTHEST}, reverse=True):
+            yield from ((first, *rest) for rest in _points(count - 1, steps - far))
 
 
 def _samples(piece: Piece) -> tuple[Sample | None, ...]:

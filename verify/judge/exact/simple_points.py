@@ -43,12 +43,12 @@ def simple_points(names: list[str], boxes: Mapping[str, Box]) -> Iterator[dict[s
 
 
 def at_ends(names: list[str], boxes: Mapping[str, Box]) -> Iterator[dict[str, Fraction]]:
-    """Points where a symbol is at an end of its domain that belongs to it."""
+    """Points where a symbol is 0, or at an end of its domain that belongs to it."""
     others = next(simple_points(names, boxes), None)
     if others is None:
         return
     for name in names:
-        for end in (boxes[name].lower, boxes[name].upper):
+        for end in (Fraction(0), boxes[name].lower, boxes[name].upper):
             if end is not None and boxes[name].holds(end):
                 yield {**others, name: end}
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
+from contextlib import suppress
 from dataclasses import replace
 from fractions import Fraction
 from functools import partial
@@ -14,11 +15,13 @@ from gainproof.verify.judge.exact.expression import Expr, div, mul, number, symb
 from gainproof.verify.judge.exact.limits import Undecided
 from gainproof.verify.judge.exact.points import without_value
 from gainproof.verify.judge.exact.statement import Outcome, Rel, Statement
+from gainproof.verify.judge.freed.atoms import ANGLES
 from gainproof.verify.judge.freed.circle import LABEL, PI, PRECISION, exact_angles, pi_box
+from gainproof.verify.judge.freed.monomials import monomials
+from gainproof.verify.judge.freed.rewriting import bound_names
 from gainproof.verify.judge.freed.scaled import scaled
 from gainproof.verify.judge.hypothesis import settle
 
-ANGLES = ("sin", "cos", "tan")
 TWELFTHS = (0, 6, -6, 12, -12, 3, -3, 9, -9, 4, -4, 8, -8, 2, -2, 10, -10, 18, 24)
 """Multiples of pi/12, those where functions of angles are 0 or have no value first."""
 
@@ -27,10 +30,8 @@ def without_value_at_turns(
     statement: Statement, boxes: Mapping[str, Box], labels: Mapping[str, str]
 ) -> Outcome | None:
     """What `without_value` finds where one symbol is a multiple of pi."""
-    if not any(node.kind == "call" and node.name in ANGLES for node in walk(*statement.exprs())):
-        return None
     turned = scaled(statement, boxes, labels)
-    for name in sorted(turned.statement.symbols()):
+    for name in sorted(_asked_for(turned.statement) - bound_names(statement)):
         is_turn = name not in boxes
         label = turned.labels.get(name, name) if is_turn else f"{labels.get(name, name)}/{LABEL}"
         for turn, value in _multiples(turned.boxes.get(name, Box(stated=False)), is_turn):
@@ -42,6 +43,24 @@ def without_value_at_turns(
                 reason = found.reason.replace(found.witness.text(), witness.text())
                 return replace(found, witness=witness, reason=reason)
     return None
+
+
+def _asked_for(statement: Statement) -> set[str]:
+    """Symbols on which it may depend whether a side has a value, where there are angles at all."""
+    sides = [side for rel in statement.relations for side in (rel.left, rel.right)]
+    calls = {node.name for node in walk(*sides) if node.kind == "call"}
+    if not calls & {*ANGLES, PI.name}:
+        return set()
+    return symbols_of(*(part for node in walk(*sides) for part in _risky(node)))
+
+
+def _risky(node: Expr) -> tuple[Expr, ...]:
+    """The parts that may leave it without a value."""
+    if node.kind == "div":
+        return node.parts[1:]
+    if node.kind == "call" and node.name in ("tan", "log"):
+        return node.parts
+    return node.parts if node.kind == "pow" and node.fraction < 0 else ()
 
 
 def _spoken_of(statement: Statement, boxes: Mapping[str, Box]) -> Mapping[str, Box]:
@@ -63,6 +82,9 @@ def _at_angle(expr: Expr, name: str, angle: Expr) -> Expr:
 
 def _is_zero(expr: Expr) -> bool:
     """Whether an expression of numbers only is shown to be 0 exactly."""
+    with suppress(Undecided):
+        if not monomials(expr) and all(n.kind != "div" and n.kind != "pow" for n in walk(expr)):
+            return True
     if symbols_of(expr) or any(node.kind == "call" for node in walk(expr)):
         return False
     try:

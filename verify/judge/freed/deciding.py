@@ -205,7 +205,7 @@ def _restated(
 def _inductively(
     statement: Statement, boxes: Mapping[str, Box], parameter: str | None, labels: Mapping[str, str]
 ) -> Outcome:
-    certificate = {}
+    certificate, exclusions = {}, set[str]()
     for words, part, where in induction(statement, boxes):
         plain = not has_functions(part)
         work = settle if plain else freely
@@ -213,7 +213,9 @@ def _inductively(
         if found.verdict != "proved":
             raise Undecided(f"an induction fails {words}, which refutes nothing: {found.reason}")
         certificate[words] = dict(found.certificate)
-    domain = domain_text(statement, boxes, labels)
+        exclusions |= {VALUED} & set(found.domain.split(", "))
+    own = domain_text(statement, boxes, labels)
+    domain = ", ".join([own, *exclusions]).removeprefix("everywhere, ")
     return Outcome("proved", domain, "holds on the whole domain", "induction", None, certificate)
 
 
@@ -230,6 +232,9 @@ def _for_numbers(
         except Undecided:
             continue
         if found.verdict in ("refuted", "conditional") and found.witness is not None:
+            nowhere = found.witness.left.undefined or found.witness.right.undefined
+            if nowhere and not boxes[name].stated:
+                continue  # of a number without a value nothing is said
             point = {labels.get(name, name): str(value), **found.witness.point}
             witness: Witness = replace(found.witness, point=point)
             reason = f"fails {witness.text()}; where it may hold is not determined"

@@ -105,7 +105,7 @@ def refuse_without_value(
 
 def _holds(rel: Rel, statement: Statement, boxes: Mapping[str, Box], parameter: str | None) -> bool:
     """Whether it follows from the conditions without functions."""
-    plain = [c for c in statement.conditions if not has_functions(Statement((c,)))]
+    plain = [c for c in statement.domain if not has_functions(Statement((c,)))]
     try:
         part = Statement((rel,), tuple(plain))
         outcome = settle(part, boxes, parameter, {}, only_proof=True)

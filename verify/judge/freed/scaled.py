@@ -68,10 +68,11 @@ def _box(box: Box, conditions: Iterable[Rel], name: str) -> Box | None:
     """Where the symbol over pi lives; None if it is no interval with rational ends."""
     if box.integer or any(end not in (None, 0) for end in (box.lower, box.upper)):
         return None
-    for rel in conditions:
-        bound = _bound(rel, name)
-        if bound is None:
-            return None
+    bounds = [_bound(rel, name) for rel in conditions]
+    known = [bound for bound in bounds if bound is not None]
+    if len(known) < len(bounds) or not any(end for _, end in known):
+        return None  # what is only compared with 0 is no angle
+    for bound in known:
         box = _cut(box, *bound)
     return None if box.is_empty else replace(box, stated=True)
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from dataclasses import replace
 from fractions import Fraction
 
@@ -33,7 +34,7 @@ from gainproof.verify.judge.meaning.expansion import coefficients
 from gainproof.verify.judge.scope import Scope
 from gainproof.verify.judge.series.of_expression import expanded
 from gainproof.verify.judge.series.series import EXACT, Series, leading
-from gainproof.verify.judge.verdict import Finding, finding_of
+from gainproof.verify.judge.verdict import Finding, finding_of, of_parts
 
 METHOD = "expansion near the limit"
 GAP = Fraction(1, 10**6)
@@ -67,7 +68,7 @@ def judge_asymptotics(claim: Claim, reading: Reading, scope: Scope) -> Finding:
     values = around.decide(with_values(parts))
     oracle = Coefficients(around, parts)
     approximated = relation.operator == "approx" and not errors
-    finding: Finding | None = None
+    findings: list[Finding] = []
     for side in open_sides(approach, frame, around):
         if errors:
             finding = _agree(rest, smaller, errors, approach, side, oracle)
@@ -75,16 +76,19 @@ def judge_asymptotics(claim: Claim, reading: Reading, scope: Scope) -> Finding:
             finding = _equivalent(left, right, approach, side, oracle)
         if finding.verdict == "proved" and approximated:
             finding = _beyond(rest, _terms(second), finding, approach, side, oracle)
-        if finding.verdict != "proved":
-            if dropped:
-                raise Undecided("asymptotics under conditions on the variable: false without them")
-            return finding
-    if finding is None:
+        if finding.verdict != "proved" and dropped:
+            raise Undecided("asymptotics under conditions on the variable: false without them")
+        findings.append(finding)
+        if finding.verdict == "refuted":
+            break
+    if (against := of_parts(findings)) is not None:
+        return against
+    if not findings:
         raise Undecided("the point is not in the domain")
     domain = f"as {approach.label} {approach.text}, {values.domain}".removesuffix(", everywhere")
     if values.verdict != "proved":
         return replace(finding_of(values), domain=domain)
-    return replace(finding, domain=domain)
+    return replace(findings[-1], domain=domain)
 
 
 def _distance(variable: Expr, approach: Approach) -> Expr:
@@ -220,21 +224,25 @@ def _zero_below(
     rest: Expr, order: Fraction, words: str, approach: Approach, side: int, oracle: Coefficients
 ) -> Finding | None:
     """Why what is left has a term below an order; None if it has none."""
+    return of_parts(_coefficients(rest, order, words, approach, side, oracle))
+
+
+def _coefficients(
+    rest: Expr, order: Fraction, words: str, approach: Approach, side: int, oracle: Coefficients
+) -> Iterator[Finding]:
+    """Whether those of lower orders are zero."""
     series = _reaching(approach.moved(rest, side), oracle, order)
     for exponent in series.exponents():
         if exponent >= order:
             break
         outcome = oracle.frame.decide(with_values((), Rel("=", series.terms[exponent], number(0))))
-        if outcome.verdict == "proved":
-            continue
         finding = finding_of(outcome)
         reason = f"the difference has a term of order {exponent}, {words}: {outcome.reason}"
         if outcome.witness is not None:
             note = f"coefficient of order {exponent} of the difference"
             where = {approach.label: approach.text, **outcome.witness.point}
             finding = replace(finding, witness=replace(outcome.witness, point=where, note=note))
-        return replace(finding, reason=reason, method=METHOD)
-    return None
+        yield replace(finding, reason=reason, method=METHOD)
 
 
 def _exponent(error: Expr, oracle: Coefficients) -> Fraction:

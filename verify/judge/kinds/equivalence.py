@@ -8,11 +8,12 @@ from gainproof.verify.judge.claim.record import Claim
 from gainproof.verify.judge.exact.limits import Undecided
 from gainproof.verify.judge.exact.statement import Statement
 from gainproof.verify.judge.formula import Reading
+from gainproof.verify.judge.freed.freely import VALUED
 from gainproof.verify.judge.freed.rewriting import has_functions
 from gainproof.verify.judge.kinds.framing import Frame, framed, strictly
 from gainproof.verify.judge.kinds.identity import resolved
 from gainproof.verify.judge.scope import Scope
-from gainproof.verify.judge.verdict import Finding, finding_of
+from gainproof.verify.judge.verdict import Finding, finding_of, of_parts
 
 
 def judge_equivalence(claim: Claim, reading: Reading, scope: Scope) -> Finding:
@@ -53,5 +54,12 @@ def decide_equivalence(statement: Statement, frame: Frame) -> Finding:
         return replace(
             findings[0], certificate=certificate, method="each side solved and put into the other"
         )
-    worst = next((f for f in wrong if f.verdict != "held"), wrong[0])
+    refuted = next((f for f in wrong if f.verdict == "refuted"), None)
+    if refuted is None and reasons:
+        raise reasons[0]
+    worst = refuted or of_parts(findings) or wrong[0]
+    # where one side has no value, nothing is said of the other
+    told = worst.domain or ""
+    if worst.verdict == "conditional" and has_functions(statement) and VALUED not in told:
+        worst = replace(worst, domain=", ".join(filter(None, (told, VALUED))))
     return replace(worst, reason=f"one direction only: {worst.reason}")

@@ -40,7 +40,7 @@ from gainproof.verify.judge.series.logarithmic import WithLogarithms, by_powers
 from gainproof.verify.judge.series.of_expression import expanded
 from gainproof.verify.judge.series.series import Series, leading
 from gainproof.verify.judge.setting.environment import POSITIVE
-from gainproof.verify.judge.verdict import Finding, finding_of
+from gainproof.verify.judge.verdict import Finding, finding_of, of_parts
 
 DEPTHS = (Fraction(3), Fraction(8), Fraction(16))
 
@@ -117,17 +117,18 @@ def _by_expansion(expr: Expr, approach: Approach, claimed: End, frame: Frame) ->
     refuse_real_powers(expr, frame)
     around, dropped = others_frame(frame, approach)
     needed = constant_parts(approach.name, expr)
-    finding: Finding | None = None
+    findings: list[Finding] = []
     for side in open_sides(approach, frame, around):
         found = limit_by_expansion(approach.moved(expr, side), around)
-        finding = _compared(found, claimed, needed, approach, around)
-        if finding.verdict != "proved":
-            if dropped:
-                raise Undecided("a limit under conditions on its variable that fails without them")
-            return finding
-    if finding is None:
+        findings.append(_compared(found, claimed, needed, approach, around))
+        if findings[-1].verdict == "refuted":
+            break
+    if not findings:
         raise Undecided("the point is not in the domain")
-    return finding
+    against = of_parts(findings)
+    if against is not None and dropped:
+        raise Undecided("a limit under conditions on its variable that fails without them")
+    return against or findings[-1]
 
 
 def limit_by_expansion(expr: Expr, around: Frame) -> End:

@@ -31,7 +31,10 @@ def judge_monotone(claim: Claim, reading: Reading, scope: Scope) -> Finding:
     """Whether the subject changes as the trend says, over the whole domain of its variable."""
     if claim.subject is None or claim.trend is None or len(claim.about) != 2:
         raise Undecided("what changes, and how, is not said")
-    if reading.relations and (said := judge_identity(claim, reading, scope)).verdict != "proved":
+    said = judge_identity(claim, reading, scope) if reading.relations else None
+    if said is not None and said.verdict == "conditional":
+        raise Undecided(f"a trend of what holds on a part of the domain: {said.reason}")
+    if said is not None and said.verdict != "proved":
         return said
     stated = resolved(reading.conditions, scope)
     scope.refuse_free_index(read_tree(claim.subject), claim.about[1])

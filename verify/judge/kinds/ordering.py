@@ -17,7 +17,7 @@ from gainproof.verify.judge.fixed_gain.squares import as_squares
 from gainproof.verify.judge.formula import Reading
 from gainproof.verify.judge.kinds.framing import Frame, framed, only_plain, strictly
 from gainproof.verify.judge.scope import Scope
-from gainproof.verify.judge.verdict import Finding, finding_of
+from gainproof.verify.judge.verdict import Finding, finding_of, of_parts
 
 METHOD = "each filter with gains of its own, all with the same fixed quantity"
 
@@ -101,8 +101,12 @@ def _chain(names: tuple[str, ...], copies: dict[str, _Filter], frame: Frame) -> 
             finding = _decided(Statement(rises, every), frame)
         if finding.verdict != "proved":
             reason = f"{lower} is not always below {upper}: {finding.reason}"
-            return replace(finding, reason=reason, method=f"{METHOD}; {finding.method}")
+            finding = replace(finding, reason=reason, method=f"{METHOD}; {finding.method}")
         found.append(finding)
+        if finding.verdict == "refuted":
+            break
+    if (against := of_parts(found)) is not None:
+        return against
     certificate = {
         f"{lower} < {upper}": dict(finding.certificate)
         for (lower, upper), finding in zip(pairwise(names), found, strict=True)

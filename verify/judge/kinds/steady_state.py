@@ -37,10 +37,13 @@ def judge_steady_state(claim: Claim, reading: Reading, scope: Scope) -> Finding:
     frame = framed(claim, scope, conditions)
     fixed = Rel("=", substituted(following, {BEFORE: value}), value)
     finding = finding_of(frame.decide(Statement((fixed, *within))))
-    if finding.verdict != "proved":
+    if finding.verdict not in ("proved", "conditional"):
         return finding
     slope = substituted(differentiated(following, BEFORE), {BEFORE: value})
-    return _with_attraction(finding, slope, frame)
+    attracts = _with_attraction(finding, slope, frame)
+    if finding.verdict == "conditional" and attracts.verdict != "refuted":
+        raise Undecided(f"a fixed point on a part of the domain only: {finding.reason}")
+    return attracts
 
 
 def _rule(recursion: Formula, relation: Relation, previous: str) -> Relation:

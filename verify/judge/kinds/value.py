@@ -25,7 +25,7 @@ from gainproof.verify.judge.kinds.limit import limit_by_expansion
 from gainproof.verify.judge.kinds.near_limit import open_sides, others_frame
 from gainproof.verify.judge.kinds.printed_number import PrintedNumber
 from gainproof.verify.judge.scope import Scope
-from gainproof.verify.judge.verdict import Finding, finding_of
+from gainproof.verify.judge.verdict import Finding, finding_of, of_parts
 
 PRECISION = 512
 
@@ -38,14 +38,10 @@ def judge_value(claim: Claim, reading: Reading, scope: Scope) -> Finding:
     printed = tuple(scope.relation(r) for r in reading.conditions)
     only_plain(printed)
     frame = framed(claim, scope, printed)
-    finding: Finding | None = None
-    for exact, shown in printed_numbers:
-        finding = _within(exact, shown, frame)
-        if finding.verdict != "proved":
-            return finding
-    if finding is None:
+    if not printed_numbers:
         raise Undecided("no number is printed")
-    return finding
+    findings = [_within(exact, shown, frame) for exact, shown in printed_numbers]
+    return of_parts(findings) or findings[-1]
 
 
 def _of_limit(claim: Claim, reading: Reading, scope: Scope) -> Finding:
@@ -61,16 +57,15 @@ def _of_limit(claim: Claim, reading: Reading, scope: Scope) -> Finding:
     around, dropped = others_frame(frame, approach)
     if dropped:
         raise Undecided("a limit under conditions on its variable")
-    finding: Finding | None = None
+    findings: list[Finding] = []
     for side in open_sides(approach, frame, around):
         found = limit_by_expansion(approach.moved(exact, side), around)
         if isinstance(found, str):
             raise Undecided(f"a printed number for a limit that is {found}")
-        finding = _within(found, shown, around)
-        if finding.verdict != "proved":
-            break
-    if finding is None:
+        findings.append(_within(found, shown, around))
+    if not findings:
         raise Undecided("the point is not in the domain")
+    finding = of_parts(findings) or findings[-1]
     domain = f"as {approach.label} {approach.text}"
     return replace(finding, domain=domain, method=f"expansion near the limit; {finding.method}")
 

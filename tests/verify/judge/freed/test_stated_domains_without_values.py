@@ -32,7 +32,8 @@ def test_an_angle_without_a_value_is_told(kind: str, latex: str, domain: str, tu
     found = judged(kind, f"latex = '{latex}'\ndomain = '{domain}'")
     check(found, "conditional")
     assert found.witness is not None
-    assert found.witness["point"] == {r"\theta/pi": turns}
+    assert found.witness["point"] in ({r"\theta/pi": turns}, {r"\theta": turns})
+    assert turns == "0" or r"\theta/pi" in found.witness["point"]
     assert found.witness["note"] == "a side has no value"
     assert found.domain is not None
     assert "where every part has a value" in found.domain
@@ -170,6 +171,56 @@ def test_a_strict_one_fails_where_both_sides_are_equal() -> None:
         found = judged("inequality", "latex = '\\ln x < x - 1'\n" + claim)
         check(found, "conditional")
         assert found.domain == "for 0 < x < 1 or x > 1"
+
+
+@pytest.mark.parametrize(
+    ("latex", "domain", "point"),
+    [
+        (r"\frac{1}{\theta} = \frac{\theta}{\theta^2}", ALL, {r"\theta": "0"}),
+        (
+            r"\frac{\sin\theta}{\theta - \pi} = \frac{\sin\theta}{\theta - \pi}",
+            ALL,
+            {r"\theta/pi": "1"},
+        ),
+        (r"\frac{e^x - 1}{e^x - 1} = 1", r"x \geq -1", {"x": "0"}),
+    ],
+)
+def test_other_points_of_a_domain(latex: str, domain: str, point: dict[str, str]) -> None:
+    found = judged("identity", f"latex = '{latex}'\ndomain = '{domain}'")
+    check(found, "conditional")
+    assert found.witness is not None
+    assert {k.replace("/pi", ""): v for k, v in found.witness["point"].items()} == {
+        k.replace("/pi", ""): v for k, v in point.items()
+    }
+
+
+@pytest.mark.parametrize(
+    "latex",
+    [
+        r"\ln(x y) = \ln(y x)",
+        r"\frac{d}{dx} \ln(x^2) = \frac{2}{x}",
+        r"\ln(x^2 - y^2) = \ln(x - y) + \ln(x + y)",
+    ],
+)
+def test_a_condition_that_is_no_bound(latex: str) -> None:
+    found = judged("identity", latex)
+    check(found, "proved")
+    assert found.domain == "where every part has a value"
+
+
+def test_an_induction_says_where_too() -> None:
+    latex = r"\sum_{k=0}^{n} e^{k x} = \frac{e^{(n+1) x} - 1}{e^x - 1}"
+    found = judged("identity", f"latex = '{latex}'\ndomain = 'n \\geq 0'")
+    check(found, "proved")
+    assert found.domain == "n >= 0, n an integer, where every part has a value"
+
+
+def test_what_is_compared_with_0_alone_is_no_angle() -> None:
+    latex = r"x > 0 \Rightarrow \frac{x}{\cos\theta} = x \sec\theta"
+    found = judged("implication", f"latex = '{latex}'\ndomain = '{ALL}'")
+    check(found, "conditional")
+    assert found.witness is not None
+    assert "x" in found.witness["point"]
 
 
 def test_the_points_are_right() -> None:

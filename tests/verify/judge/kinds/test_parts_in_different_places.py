@@ -1,0 +1,79 @@
+"""Claims of several parts: that one of them holds on a part of the domain says nothing of the claim
+before all others are known.
+"""
+
+from __future__ import annotations
+
+import pytest
+from small_claims import check, judged
+
+from gainproof.verify.judge.exact.limits import Undecided
+from gainproof.verify.judge.verdict import Finding, of_parts
+
+SOME, OTHER = (Finding("conditional", "x", domain) for domain in ("x > 0", "x > 1"))
+TRUE, FALSE, HELD = (Finding(verdict, "x") for verdict in ("proved", "refuted", "held"))
+
+
+def test_what_stands_against_all_parts() -> None:
+    assert of_parts([TRUE, TRUE]) is None
+    assert of_parts([]) is None
+    assert of_parts([SOME, FALSE]) == of_parts([HELD, FALSE]) == FALSE
+    assert of_parts([TRUE, SOME, TRUE]) == of_parts([SOME, SOME]) == SOME
+    assert of_parts([SOME, HELD]) == of_parts([HELD, SOME]) == HELD
+    with pytest.raises(Undecided, match="different places"):
+        of_parts([SOME, OTHER])
+
+
+@pytest.mark.parametrize(
+    ("latex", "domain"),
+    [
+        (r"\tan\theta + 2 x = \tan\theta + x + O(x^2)", r"-\pi < \theta \leq \pi"),
+        (r"\ln(y) + 2 x = \ln(y) + x + O(x^2)", "y > -1"),
+        (r"\sqrt{y} + \sin x = \sqrt{y} + 2 x + O(x^2)", r"y \geq -1"),
+    ],
+)
+def test_a_later_term_refutes_where_an_earlier_one_lacks_a_value(latex: str, domain: str) -> None:
+    claim = f"latex = '{latex} \\quad (x \\to 0)'\ndomain = '{domain}'"
+    check(judged("asymptotics", claim), "refuted")
+
+
+@pytest.mark.parametrize(
+    "latex",
+    [
+        r"e^x > 2 y \Leftrightarrow x > \ln y",
+        r"x > y \Leftrightarrow \ln x \geq \ln y",
+        r"x > y + 1 \Leftrightarrow \ln x > \ln y",
+    ],
+)
+def test_the_other_direction_refutes(latex: str) -> None:
+    check(judged("equivalence", latex), "refuted")
+    left, right = latex.split(r"\Leftrightarrow")
+    check(judged("equivalence", rf"{right} \Leftrightarrow {left}"), "refuted")
+
+
+def test_a_direction_that_is_not_known_is_not_passed_over() -> None:
+    latex = r"x > 2 \Leftrightarrow \ln(x - y) > \ln(2 - y)"
+    assert judged("equivalence", latex).verdict in ("held", "undecided")
+
+
+@pytest.mark.parametrize(
+    ("subject", "trend", "domain"),
+    [
+        (r"x \ln x", "increasing", r"x \geq 0"),
+        (r"x \ln x", "decreasing", "x > -1"),
+        (r"\frac{\ln x}{x}", "decreasing", "x > -1"),
+        (r"\ln(1 + x)", "decreasing", "x > -2"),
+        (r"\frac{1}{e^x - 1}", "increasing", r"x \geq 0"),
+    ],
+)
+def test_a_trend_that_is_wrong_where_there_are_values(
+    subject: str, trend: str, domain: str
+) -> None:
+    fields = f"about = ['{subject}', 'x']\ntrend = '{trend}'\ntext = 'x'\ndomain = '{domain}'"
+    check(judged("monotone", fields), "refuted")
+
+
+def test_a_trend_of_what_holds_somewhere_is_not_told() -> None:
+    fields = "about = ['-x', 'x']\ntrend = 'increasing'\nlatex = 'e^{\\ln x} = x'"
+    found = judged("monotone", fields + "\ndomain = 'x \\geq 0'")
+    assert found.verdict in ("refuted", "undecided")
