@@ -16,18 +16,23 @@ from gainproof.verify.judge.exact.points import (
     with_values,
     without_value,
 )
-from gainproof.verify.judge.exact.statement import Outcome, Statement, Witness
+from gainproof.verify.judge.exact.statement import Outcome, Statement
 from gainproof.verify.judge.freed.at_turns import without_value_at_turns
 from gainproof.verify.judge.freed.domain_words import domain_text
-from gainproof.verify.judge.freed.freely import VALUED, freely, refuse_without_value
-from gainproof.verify.judge.freed.induction import induction, open_sums
-from gainproof.verify.judge.freed.numbers import at_number, first_numbers
+from gainproof.verify.judge.freed.freely import (
+    VALUED,
+    freely,
+    refuse_without_value,
+    where_valued,
+)
+from gainproof.verify.judge.freed.induction import open_sums
 from gainproof.verify.judge.freed.other_variables import in_other_variables
 from gainproof.verify.judge.freed.restated import put_in, restated
 from gainproof.verify.judge.freed.rewriting import has_functions
 from gainproof.verify.judge.freed.rising import rising
 from gainproof.verify.judge.freed.scaled import scaled
 from gainproof.verify.judge.freed.valued import valued
+from gainproof.verify.judge.freed.whole_numbers import for_numbers, inductively
 from gainproof.verify.judge.freed.whole_turns import without_whole_turns
 from gainproof.verify.judge.hypothesis import settle
 from gainproof.verify.judge.meaning.sequences import is_term
@@ -60,9 +65,8 @@ def decided(
     found = _with_functions(narrowed, where, parameter, labels, as_others)
     if found.verdict == "proved" and (narrowed, where) != (statement, boxes):
         refuse_without_value(narrowed, where, parameter, labels)
-        if more and VALUED not in found.domain:
-            domain = f"{found.domain}, {VALUED}".removeprefix("everywhere, ")
-            return replace(found, domain=domain)
+    if more and found.verdict in ("proved", "conditional"):
+        return replace(found, domain=where_valued(found.domain))
     return found
 
 
@@ -76,8 +80,8 @@ def _with_functions(
     reasons: list[str] = []
     sums = open_sums(statement)
     ways = [freely] if all(_is_total(s.parts[0]) for s in sums) else []
-    ways += [_inductively] if sums else [_restated] if as_others else []
-    ways.append(_for_numbers)
+    ways += [inductively] if sums else [_restated] if as_others else []
+    ways.append(for_numbers)
     for attempt in ways:
         try:
             return attempt(statement, boxes, parameter, labels)
@@ -154,12 +158,10 @@ def _but_where_it_has(
         return found
     if found.verdict != "proved":
         return nowhere
-    where = [found.domain] if found.domain != "everywhere" else []
-    words = [*turned.words, *where, *([VALUED] * (VALUED not in found.domain))]
     return replace(
         found,
         verdict="conditional",
-        domain=", ".join(words),
+        domain=", ".join([*turned.words, where_valued(found.domain)]),
         reason=f"fails {nowhere.witness.text() if nowhere.witness else ''}; holds {VALUED}",
         witness=nowhere.witness,
     )
@@ -192,51 +194,11 @@ def _restated(
         except Undecided:
             continue
         if found.verdict == "proved":
-            own = [domain_text(statement, boxes, labels), *([VALUED] * (VALUED in found.domain))]
-            return replace(found, domain=", ".join(own).removeprefix("everywhere, "))
+            own = domain_text(statement, boxes, labels)
+            return replace(found, domain=where_valued(own) if VALUED in found.domain else own)
     put = put_in(statement, boxes)
     fails = None if put is None else try_points(put.within, boxes, labels, exactly=True)
     if put is None or fails is None or fails.verdict != "refuted" or fails.witness is None:
         raise Undecided("")
     values = {labels.get(name, name): value for name, value in put.values.items()}
     return replace(fails, witness=with_values(fails.witness, values, labels))
-
-
-def _inductively(
-    statement: Statement, boxes: Mapping[str, Box], parameter: str | None, labels: Mapping[str, str]
-) -> Outcome:
-    certificate, exclusions = {}, set[str]()
-    for words, part, where in induction(statement, boxes):
-        plain = not has_functions(part)
-        work = settle if plain else freely
-        found = work(part, where, parameter, labels)
-        if found.verdict != "proved":
-            raise Undecided(f"an induction fails {words}, which refutes nothing: {found.reason}")
-        certificate[words] = dict(found.certificate)
-        exclusions |= {VALUED} & set(found.domain.split(", "))
-    own = domain_text(statement, boxes, labels)
-    domain = ", ".join([own, *exclusions]).removeprefix("everywhere, ")
-    return Outcome("proved", domain, "holds on the whole domain", "induction", None, certificate)
-
-
-def _for_numbers(
-    statement: Statement, boxes: Mapping[str, Box], parameter: str | None, labels: Mapping[str, str]
-) -> Outcome:
-    """The statement for the first whole numbers that a symbol may be: one that fails refutes it."""
-    for name, value in first_numbers(statement, boxes):
-        part = at_number(statement, name, value)
-        if has_functions(part):
-            continue
-        try:
-            found = settle(part, boxes, parameter, labels)
-        except Undecided:
-            continue
-        if found.verdict in ("refuted", "conditional") and found.witness is not None:
-            nowhere = found.witness.left.undefined or found.witness.right.undefined
-            if nowhere and not boxes[name].stated:
-                continue  # of a number without a value nothing is said
-            point = {labels.get(name, name): str(value), **found.witness.point}
-            witness: Witness = replace(found.witness, point=point)
-            reason = f"fails {witness.text()}; where it may hold is not determined"
-            return replace(found, verdict="refuted", domain="", reason=reason, witness=witness)
-    raise Undecided("")

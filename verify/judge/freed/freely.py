@@ -25,6 +25,13 @@ MOST_ANGLES = 3
 VALUED = "where every part has a value"
 
 
+def where_valued(domain: str) -> str:
+    """The words of a domain of which only those points are spoken of."""
+    if VALUED in domain:
+        return domain
+    return VALUED if domain in ("", "everywhere") else f"{domain}, {VALUED}"
+
+
 def freely(
     statement: Statement, boxes: Mapping[str, Box], parameter: str | None, labels: Mapping[str, str]
 ) -> Outcome:

@@ -8,7 +8,7 @@ from gainproof.verify.judge.claim.record import Claim
 from gainproof.verify.judge.exact.limits import Undecided
 from gainproof.verify.judge.exact.statement import Statement
 from gainproof.verify.judge.formula import Reading
-from gainproof.verify.judge.freed.freely import VALUED
+from gainproof.verify.judge.freed.freely import where_valued
 from gainproof.verify.judge.freed.rewriting import has_functions
 from gainproof.verify.judge.kinds.framing import Frame, framed, strictly
 from gainproof.verify.judge.kinds.identity import resolved
@@ -43,10 +43,11 @@ def decide_equivalence(statement: Statement, frame: Frame) -> Finding:
             findings.append(finding_of(strictly(frame).decide(one_way)))
         except Undecided as reason:
             reasons.append(reason)
-    if reasons and all(f.verdict in ("proved", "held") for f in findings):
+    refuted = next((f for f in findings if f.verdict == "refuted"), None)
+    if reasons and refuted is None:
         raise reasons[0]
-    wrong = [f for f in findings if f.verdict != "proved"]
-    if not wrong:
+    against = refuted or of_parts(findings)
+    if against is None:
         certificate = {
             "there": dict(findings[0].certificate),
             "back": dict(findings[1].certificate),
@@ -54,12 +55,7 @@ def decide_equivalence(statement: Statement, frame: Frame) -> Finding:
         return replace(
             findings[0], certificate=certificate, method="each side solved and put into the other"
         )
-    refuted = next((f for f in wrong if f.verdict == "refuted"), None)
-    if refuted is None and reasons:
-        raise reasons[0]
-    worst = refuted or of_parts(findings) or wrong[0]
     # where one side has no value, nothing is said of the other
-    told = worst.domain or ""
-    if worst.verdict == "conditional" and has_functions(statement) and VALUED not in told:
-        worst = replace(worst, domain=", ".join(filter(None, (told, VALUED))))
-    return replace(worst, reason=f"one direction only: {worst.reason}")
+    if against.verdict == "conditional" and has_functions(statement):
+        against = replace(against, domain=where_valued(against.domain or ""))
+    return replace(against, reason=f"one direction only: {against.reason}")
