@@ -60,6 +60,11 @@ def test_where_every_angle_has_a_value_it_is_proved(latex: str, domain: str) -> 
     check(judged("identity", f"latex = '{latex}'\ndomain = '{domain}'"), "proved")
 
 
+def test_of_no_stated_domain_an_angle_without_a_value_is_no_counterexample() -> None:
+    found = judged("inequality", r"\frac{1}{\cos^2\theta} + e^{\theta} > \theta")
+    assert found.verdict in ("held", "proved"), found.reason
+
+
 @pytest.mark.parametrize(
     "latex",
     [

@@ -35,6 +35,7 @@ def test_true_of_all_whole_numbers(latex: str) -> None:
         r"\sin(k\pi - x) = (-1)^k \sin x",
         r"\cos(k\pi) \cos(n\pi) = (-1)^k",
         r"\cos\frac{k\pi}{2} = 0",
+        r"\cos\frac{k\pi}{2} = (-1)^k",
         r"((-1)^k)^3 = 1",
         r"\cos(x\pi) \cos(x\pi) = 1",
         r"\sin(x\pi) = 0",
