@@ -92,3 +92,23 @@ def test_a_definition_that_mixes_dimensions_is_named() -> None:
 def test_a_base_that_is_none(base: str) -> None:
     with pytest.raises(ClaimFileError, match=r"source\.logarithm"):
         verdict("q = q", f"logarithm = {base}")
+
+
+@pytest.mark.parametrize(
+    ("old", "new"),
+    [
+        ("latex = 'CLAIM'", "plain = 'log(100 G) = 2 + log(G)'"),
+        ("latex = 'CLAIM'", r"latex = 'G > 9'" + "\n" + r"domain = '\log G > 1'"),
+        ("domain = 'G > 0'", r"domain = '\log G > 1'"),
+    ],
+)
+def test_the_base_is_meant_in_every_field(old: str, new: str) -> None:
+    text = FILE.replace("BANDWIDTH", "Hz").replace('kind = "identity"', 'kind = "KIND"')
+    text = text.replace(old, new).replace("CLAIM", "G > 9")
+    text = text.replace("KIND", "identity" if "plain" in new else "inequality")
+    told = [
+        judge_file(read_claim_text(text.replace("SOURCE", source)), [])[0].verdict
+        for source in ("logarithm = 10", "")
+    ]
+    assert told[0] == "proved"
+    assert told[1] != "proved"
