@@ -7,7 +7,6 @@ from dataclasses import replace
 
 from gainproof.verify.judge.exact.box import Box
 from gainproof.verify.judge.exact.certificate import statement_data
-from gainproof.verify.judge.exact.expression import Expr, walk
 from gainproof.verify.judge.exact.free_names import with_tokens
 from gainproof.verify.judge.exact.limits import Undecided
 from gainproof.verify.judge.exact.points import (
@@ -31,11 +30,11 @@ from gainproof.verify.judge.freed.restated import put_in, restated
 from gainproof.verify.judge.freed.rewriting import has_functions
 from gainproof.verify.judge.freed.rising import rising
 from gainproof.verify.judge.freed.scaled import scaled
+from gainproof.verify.judge.freed.total import is_total
 from gainproof.verify.judge.freed.valued import valued
 from gainproof.verify.judge.freed.whole_numbers import for_numbers, inductively
 from gainproof.verify.judge.freed.whole_turns import without_whole_turns
 from gainproof.verify.judge.hypothesis import settle
-from gainproof.verify.judge.meaning.sequences import is_term
 
 
 def decided(
@@ -79,7 +78,7 @@ def _with_functions(
 ) -> Outcome:
     reasons: list[str] = []
     sums = open_sums(statement)
-    ways = [freely] if all(_is_total(s.parts[0]) for s in sums) else []
+    ways = [freely] if all(is_total(s.parts[0]) for s in sums) else []
     ways += [inductively] if sums else [_restated] if as_others else []
     ways.append(for_numbers)
     for attempt in ways:
@@ -172,16 +171,6 @@ def _is_between_numbers(statement: Statement) -> bool:
     if statement.connective != "if" or statement.domain or statement.needed:
         return False
     return all(map(is_seen, statement.relations))
-
-
-def _is_total(summand: Expr) -> bool:
-    """Whether all terms have a value, at a glance: then so has the sum, whatever it is."""
-    return all(
-        n.kind in ("number", "symbol", "add", "mul", "neg")
-        or (n.kind == "pow" and n.fraction.denominator == 1 and n.fraction >= 0)
-        or is_term(n)
-        for n in walk(summand)
-    )
 
 
 def _restated(

@@ -6,11 +6,12 @@ from collections.abc import Mapping
 
 from gainproof.verify.judge.exact.box import Box
 from gainproof.verify.judge.exact.calculus import rebuilt
-from gainproof.verify.judge.exact.expression import Expr, mul, number, walk
+from gainproof.verify.judge.exact.expression import Expr, mul, number
 from gainproof.verify.judge.exact.limits import Undecided
 from gainproof.verify.judge.freed.atoms import ANGLES, MINUS
 from gainproof.verify.judge.freed.circle import PI
 from gainproof.verify.judge.freed.monomials import Monomial, monomial_expr, monomials, terms_expr
+from gainproof.verify.judge.freed.total import is_total
 from gainproof.verify.judge.meaning.domains import is_whole
 
 
@@ -18,7 +19,7 @@ def without_whole_turns(expr: Expr, boxes: Mapping[str, Box]) -> Expr:
     """The same value, with signs in the place of half turns as often as a whole number says."""
 
     def change(node: Expr, parts: tuple[Expr, ...]) -> Expr | None:
-        if node.kind != "call" or node.name not in ANGLES or not _is_total(parts[0]):
+        if node.kind != "call" or node.name not in ANGLES or not is_total(parts[0]):
             return None
         try:
             terms = monomials(parts[0])
@@ -33,17 +34,6 @@ def without_whole_turns(expr: Expr, boxes: Mapping[str, Box]) -> Expr:
         return mul(*signs, rest)
 
     return rebuilt(expr, change)
-
-
-def _is_total(angle: Expr) -> bool:
-    """Whether it has a value wherever its symbols have, at a glance: what cancels is gone."""
-    return all(
-        n.kind in ("number", "symbol", "add", "mul", "neg")
-        or n == PI
-        or (n.kind == "pow" and n.fraction.denominator == 1 and n.fraction > 0)
-        or (n.kind == "div" and n.parts[1].kind == "number" and n.parts[1].fraction != 0)
-        for n in walk(angle)
-    )
 
 
 def _is_whole(monomial: Monomial, boxes: Mapping[str, Box]) -> bool:

@@ -7,7 +7,10 @@ from __future__ import annotations
 import pytest
 from small_claims import check, judged
 
+from gainproof.verify.judge.exact.expression import number, symbol
 from gainproof.verify.judge.exact.limits import Undecided
+from gainproof.verify.judge.exact.statement import Outcome, Rel, Statement
+from gainproof.verify.judge.kinds import equivalence
 from gainproof.verify.judge.verdict import Finding, of_parts
 
 SOME, OTHER = (Finding("conditional", "x", domain) for domain in ("x > 0", "x > 1"))
@@ -77,3 +80,33 @@ def test_a_trend_of_what_holds_somewhere_is_not_told() -> None:
     fields = "about = ['-x', 'x']\ntrend = 'increasing'\nlatex = 'e^{\\ln x} = x'"
     found = judged("monotone", fields + "\ndomain = 'x \\geq 0'")
     assert found.verdict in ("refuted", "undecided")
+
+
+class Frame:
+    """Says of both directions what it is told to say."""
+
+    conditions = ()
+
+    def __init__(self, *told: str) -> None:
+        self.told = list(told)
+
+    def decide_alone(self, _: Statement) -> Outcome:
+        raise Undecided("both at once")
+
+    def decide(self, _: Statement) -> Outcome:
+        verdict = self.told.pop(0)
+        if verdict == "undecided":
+            raise Undecided("an open direction")
+        return Outcome(verdict, "x > 0", "", "")
+
+
+@pytest.mark.parametrize("known", ["proved", "conditional", "held"])
+@pytest.mark.parametrize("order", [1, -1])
+def test_an_undecided_direction(known: str, order: int, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(equivalence, "strictly", lambda frame: frame)
+    rels = [(Rel(">", symbol(name), number(0)),) for name in ("x", "y")]
+    both = Statement(rels[0], rels[1], "iff")
+    with pytest.raises(Undecided, match="an open direction"):
+        equivalence.decide_equivalence(both, Frame(*[known, "undecided"][::order]))  # type: ignore[arg-type]
+    refuted = Frame(*["refuted", "undecided"][::order])
+    assert equivalence.decide_equivalence(both, refuted).verdict == "refuted"  # type: ignore[arg-type]
