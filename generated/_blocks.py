@@ -8,6 +8,7 @@ its own, or spread into a buffer.
 from __future__ import annotations
 
 import math
+from itertools import pairwise
 from typing import TYPE_CHECKING, Any, NamedTuple, TypeAlias
 
 import numpy as np
@@ -19,10 +20,10 @@ Span: TypeAlias = tuple[int, int]
 """Of a block, its first element and the one after its last."""
 FEW = 8
 """Of a last axis shorter than this NumPy spreads column by column faster than row by row."""
-BLOCK = 32768
-"""Elements of a block. By `gainproof bench --against length`, with 1 MB of second-level cache: on
-one processor blocks of 16,384 elements take 1 % more time, of 65,536 6 % and of 98,304 10 %, with
-many arrays up to a third; on another blocks of 16,384 take 4 % more, longer ones 4 % less.
+BLOCK = 24576
+"""Elements of a block. With 1 MB of second-level cache, by `gainproof bench --against length` and
+all kernels alike, blocks of 32,768 elements take 2 % more time, of 16,384 as much; shorter ones
+more, since each call of NumPy costs a microsecond, and two threads wait for each other at each.
 """
 LINE = 64
 """Bytes of a line of the cache. Where a buffer begins within one, a sum or product that is written
@@ -74,14 +75,20 @@ def rows(count: int, length: int, kind: np.dtype[Any]) -> list[Array]:
     line = LINE // kind.itemsize
     step = -(-length // line) * line
     piece = np.empty(count * step + line, kind)
-    first = -piece.ctypes.data % LINE // kind.itemsize
+    first = lead(piece)
     return [*piece[first : first + count * step].reshape(count, step)[:, :length]]
 
 
-def cut(
-    inputs: Arrays, shape: tuple[int, ...], length: int, *, in_one_piece: bool = True
-) -> Blocks:
-    """Blocks of at most `length` elements; whether each result is in one piece."""
+def lead(x: Array) -> int:
+    """How many elements lie before the first one that begins a line of the cache."""
+    return int(-x.ctypes.data % LINE // x.itemsize)
+
+
+def cut(inputs: Arrays, shape: tuple[int, ...], length: int, *, results: Arrays = ()) -> Blocks:
+    """Blocks of at most `length` elements; where all is in one piece they begin, but the first, as
+    a line of the cache does in the first of the results.
+    """
+    in_one_piece = all(y.flags.c_contiguous for y in results)
     plain = [x.size == 1 or (x.shape == shape and x.flags.c_contiguous) for x in inputs]
     laid = [
         x.reshape(-1) if straight else x.reshape((1,) * (len(shape) - x.ndim) + x.shape)
@@ -90,7 +97,10 @@ def cut(
     each = [straight and x.size > 1 for x, straight in zip(inputs, plain, strict=True)]
     size = math.prod(shape)
     if (all(plain) and in_one_piece) or not size:
-        spans = [(start, min(start + length, size)) for start in range(0, size, length)]
+        first = length
+        if results and size > length > LINE:
+            first -= (length - lead(results[0])) % (LINE // results[0].itemsize)
+        spans = list(pairwise([0, *range(first, size, length), size])) if size else []
         return Blocks((size,), 0, 1, laid, plain, each, spans)
     axis, beyond = len(shape) - 1, 1
     while axis and shape[axis] * beyond <= length:
@@ -112,6 +122,8 @@ class Parts:
 
     def __init__(self, blocks: Blocks) -> None:
         self.blocks = blocks
+        places = range(len(blocks.inputs))
+        self._inputs = list(zip(places, blocks.inputs, blocks.each, strict=True))
         others = [place for place, straight in enumerate(blocks.plain) if not straight]
         self._buffers: dict[int, Array] = {}
         if others:
@@ -121,10 +133,9 @@ class Parts:
 
     def all(self, start: int, stop: int) -> list[Array]:
         """Of every input."""
-        inputs = zip(self.blocks.inputs, self.blocks.each, strict=True)
+        here = slice(start, stop)
         return [
-            x[start:stop] if each else x if x.size == 1 else self.one(place, start, stop)
-            for place, (x, each) in enumerate(inputs)
+            x[here] if each else self.one(place, start, stop) for place, x, each in self._inputs
         ]
 
     def one(self, place: int, start: int, stop: int) -> Array:

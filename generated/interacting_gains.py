@@ -6,7 +6,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-import numpy as np
+from numpy import add, divide
 
 from gainproof.generated._runtime import evaluate
 from gainproof.generated._signature import Domain, Signature
@@ -76,9 +76,9 @@ def _position_gain_block(given: Arrays, out: Arrays, work: Arrays, _single: bool
     (variance_ratio,) = given
     gain, rest = out
     (w0,) = work
-    t2 = np.add(1.0, variance_ratio, w0)
-    np.divide(variance_ratio, t2, gain)
-    np.divide(1.0, t2, rest)
+    t2 = add(1.0, variance_ratio, w0)
+    divide(variance_ratio, t2, gain)
+    divide(1.0, t2, rest)
 
 
 _POSITION_GAIN = Signature(

@@ -6,7 +6,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-import numpy as np
+from numpy import add, divide, multiply
 
 from gainproof.generated._runtime import evaluate
 from gainproof.generated._signature import Domain, Signature
@@ -91,14 +91,14 @@ def _gains_block(given: Arrays, out: Arrays, work: Arrays, _single: bool) -> Non
     (sample_number,) = given
     alpha, beta = out
     w0, w1, w2 = work
-    t2 = np.multiply(sample_number, 2.0, w0)
-    t4 = np.add(t2, 1.0, w0)
-    t5 = np.add(sample_number, 1.0, w1)
-    t6 = np.add(sample_number, 2.0, w2)
-    t7 = np.multiply(t4, 2.0, w0)
-    t8 = np.multiply(t5, t6, w1)
-    np.divide(t7, t8, alpha)
-    np.divide(6.0, t8, beta)
+    t2 = multiply(sample_number, 2.0, w0)
+    t4 = add(t2, 1.0, w0)
+    t5 = add(sample_number, 1.0, w1)
+    t6 = add(sample_number, 2.0, w2)
+    t7 = multiply(t4, 2.0, w0)
+    t8 = multiply(t5, t6, w1)
+    divide(t7, t8, alpha)
+    divide(6.0, t8, beta)
 
 
 _GAINS = Signature(
@@ -160,17 +160,17 @@ def _updated_covariance_block(given: Arrays, out: Arrays, work: Arrays, _single:
     (sample_number,) = given
     updated_11, updated_12, updated_22 = out
     w0, w1, w2, w3 = work
-    t2 = np.multiply(sample_number, 2.0, w0)
-    t4 = np.add(t2, 1.0, w0)
-    t5 = np.add(sample_number, 1.0, w1)
-    t6 = np.add(sample_number, 2.0, w2)
-    t7 = np.multiply(t4, 2.0, w0)
-    t8 = np.multiply(t5, t6, w3)
-    t13 = np.multiply(sample_number, t5, w1)
-    t14 = np.divide(12.0, t13, updated_22)
-    np.divide(t7, t8, updated_11)
-    np.divide(6.0, t8, updated_12)
-    np.divide(t14, t6, updated_22)
+    t2 = multiply(sample_number, 2.0, w0)
+    t4 = add(t2, 1.0, w0)
+    t5 = add(sample_number, 1.0, w1)
+    t6 = add(sample_number, 2.0, w2)
+    t7 = multiply(t4, 2.0, w0)
+    t8 = multiply(t5, t6, w3)
+    t13 = multiply(sample_number, t5, w1)
+    t14 = divide(12.0, t13, updated_22)
+    divide(t7, t8, updated_11)
+    divide(6.0, t8, updated_12)
+    divide(t14, t6, updated_22)
 
 
 _UPDATED_COVARIANCE = Signature(
@@ -232,16 +232,16 @@ def _predicted_covariance_block(given: Arrays, out: Arrays, work: Arrays, _singl
     (sample_number,) = given
     predicted_11, predicted_12, predicted_22 = out
     w0, w1, w2 = work
-    t2 = np.multiply(sample_number, 2.0, w0)
-    t4 = np.add(t2, 1.0, w0)
-    t6 = np.add(sample_number, -1.0, w1)
-    t7 = np.multiply(t4, 2.0, w0)
-    t8 = np.multiply(t6, sample_number, w1)
-    t12 = np.add(sample_number, 1.0, w2)
-    t14 = np.divide(12.0, t8, predicted_22)
-    np.divide(t7, t8, predicted_11)
-    np.divide(6.0, t8, predicted_12)
-    np.divide(t14, t12, predicted_22)
+    t2 = multiply(sample_number, 2.0, w0)
+    t4 = add(t2, 1.0, w0)
+    t6 = add(sample_number, -1.0, w1)
+    t7 = multiply(t4, 2.0, w0)
+    t8 = multiply(t6, sample_number, w1)
+    t12 = add(sample_number, 1.0, w2)
+    t14 = divide(12.0, t8, predicted_22)
+    divide(t7, t8, predicted_11)
+    divide(6.0, t8, predicted_12)
+    divide(t14, t12, predicted_22)
 
 
 _PREDICTED_COVARIANCE = Signature(

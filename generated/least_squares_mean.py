@@ -6,7 +6,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-import numpy as np
+from numpy import add, divide
 
 from gainproof.generated._runtime import evaluate
 from gainproof.generated._signature import Domain, Signature
@@ -83,8 +83,8 @@ def _gains_block(given: Arrays, out: Arrays, work: Arrays, _single: bool) -> Non
     (sample_number,) = given
     (alpha,) = out
     (w0,) = work
-    t2 = np.add(sample_number, 1.0, w0)
-    np.divide(1.0, t2, alpha)
+    t2 = add(sample_number, 1.0, w0)
+    divide(1.0, t2, alpha)
 
 
 _GAINS = Signature(
@@ -136,8 +136,8 @@ def _updated_covariance_block(given: Arrays, out: Arrays, work: Arrays, _single:
     (sample_number,) = given
     (updated_11,) = out
     (w0,) = work
-    t2 = np.add(sample_number, 1.0, w0)
-    np.divide(1.0, t2, updated_11)
+    t2 = add(sample_number, 1.0, w0)
+    divide(1.0, t2, updated_11)
 
 
 _UPDATED_COVARIANCE = Signature(
@@ -188,7 +188,7 @@ def predicted_covariance(
 def _predicted_covariance_block(given: Arrays, out: Arrays, _work: Arrays, _single: bool) -> None:
     (sample_number,) = given
     (predicted_11,) = out
-    np.divide(1.0, sample_number, predicted_11)
+    divide(1.0, sample_number, predicted_11)
 
 
 _PREDICTED_COVARIANCE = Signature(

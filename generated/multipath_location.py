@@ -6,7 +6,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-import numpy as np
+from numpy import add, divide, sqrt
 
 from gainproof.generated._runtime import evaluate
 from gainproof.generated._signature import Domain, Signature
@@ -76,9 +76,9 @@ def _bias_deviation_block(given: Arrays, out: Arrays, work: Arrays, _single: boo
     (variance_ratio,) = given
     deviation, share = out
     (w0,) = work
-    t2 = np.add(1.0, variance_ratio, w0)
-    np.sqrt(t2, deviation)
-    np.divide(1.0, t2, share)
+    t2 = add(1.0, variance_ratio, w0)
+    sqrt(t2, deviation)
+    divide(1.0, t2, share)
 
 
 _BIAS_DEVIATION = Signature(

@@ -6,7 +6,20 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-import numpy as np
+from numpy import (
+    add,
+    arctan2,
+    cos,
+    divide,
+    exp,
+    expm1,
+    multiply,
+    negative,
+    sin,
+    sqrt,
+    square,
+    subtract,
+)
 
 from gainproof.generated._runtime import evaluate
 from gainproof.generated._signature import Domain, Required, Signature
@@ -224,14 +237,14 @@ def _to_cartesian_block(given: Arrays, out: Arrays, work: Arrays, _single: bool)
     slant_range, elevation, bearing = given
     x, y, z = out
     w0, w1, w2, w3 = work
-    cos_elevation = np.cos(elevation, w0)
-    sin_elevation = np.sin(elevation, w1)
-    cos_bearing = np.cos(bearing, w2)
-    sin_bearing = np.sin(bearing, w3)
-    t7 = np.multiply(slant_range, cos_elevation, w0)
-    np.multiply(t7, sin_bearing, x)
-    np.multiply(t7, cos_bearing, y)
-    np.multiply(slant_range, sin_elevation, z)
+    cos_elevation = cos(elevation, w0)
+    sin_elevation = sin(elevation, w1)
+    cos_bearing = cos(bearing, w2)
+    sin_bearing = sin(bearing, w3)
+    t7 = multiply(slant_range, cos_elevation, w0)
+    multiply(t7, sin_bearing, x)
+    multiply(t7, cos_bearing, y)
+    multiply(slant_range, sin_elevation, z)
 
 
 _TO_CARTESIAN = Signature(
@@ -298,15 +311,15 @@ def _to_polar_block(given: Arrays, out: Arrays, work: Arrays, _single: bool) -> 
     x, y, z = given
     slant_range, elevation, bearing = out
     w0, w1 = work
-    t3 = np.square(x, w0)
-    t4 = np.square(y, w1)
-    t5 = np.add(t3, t4, w0)
-    horizontal_distance = np.sqrt(t5, elevation)
-    t7 = np.square(z, w1)
-    t8 = np.add(t5, t7, w0)
-    np.sqrt(t8, slant_range)
-    np.arctan2(z, horizontal_distance, elevation)
-    np.arctan2(x, y, bearing)
+    t3 = square(x, w0)
+    t4 = square(y, w1)
+    t5 = add(t3, t4, w0)
+    horizontal_distance = sqrt(t5, elevation)
+    t7 = square(z, w1)
+    t8 = add(t5, t7, w0)
+    sqrt(t8, slant_range)
+    arctan2(z, horizontal_distance, elevation)
+    arctan2(x, y, bearing)
 
 
 _TO_POLAR = Signature(
@@ -413,21 +426,21 @@ def _cartesian_derivatives_block(given: Arrays, out: Arrays, work: Arrays, _sing
         z_D_elevation,
     ) = out
     w0, w1, w2, w3, w4, w5 = work
-    cos_elevation = np.cos(elevation, w0)
-    np.sin(elevation, z_D_slant_range)
-    cos_bearing = np.cos(bearing, w1)
-    sin_bearing = np.sin(bearing, w2)
-    np.multiply(slant_range, cos_elevation, z_D_elevation)
-    t8 = np.multiply(slant_range, z_D_slant_range, w3)
-    t11 = np.multiply(t8, sin_bearing, w4)
-    t14 = np.multiply(t8, cos_bearing, w3)
-    t16 = np.multiply(z_D_elevation, sin_bearing, w5)
-    np.multiply(cos_elevation, sin_bearing, x_D_slant_range)
-    np.multiply(cos_elevation, cos_bearing, y_D_slant_range)
-    np.negative(t11, x_D_elevation)
-    np.multiply(z_D_elevation, cos_bearing, x_D_bearing)
-    np.negative(t14, y_D_elevation)
-    np.negative(t16, y_D_bearing)
+    cos_elevation = cos(elevation, w0)
+    sin(elevation, z_D_slant_range)
+    cos_bearing = cos(bearing, w1)
+    sin_bearing = sin(bearing, w2)
+    multiply(slant_range, cos_elevation, z_D_elevation)
+    t8 = multiply(slant_range, z_D_slant_range, w3)
+    t11 = multiply(t8, sin_bearing, w4)
+    t14 = multiply(t8, cos_bearing, w3)
+    t16 = multiply(z_D_elevation, sin_bearing, w5)
+    multiply(cos_elevation, sin_bearing, x_D_slant_range)
+    multiply(cos_elevation, cos_bearing, y_D_slant_range)
+    negative(t11, x_D_elevation)
+    multiply(z_D_elevation, cos_bearing, x_D_bearing)
+    negative(t14, y_D_elevation)
+    negative(t16, y_D_bearing)
 
 
 _CARTESIAN_DERIVATIVES = Signature(
@@ -535,29 +548,29 @@ def _polar_derivatives_block(given: Arrays, out: Arrays, work: Arrays, _single: 
         bearing_D_y,
     ) = out
     w0, w1, w2, w3 = work
-    t3 = np.square(x, w0)
-    t4 = np.square(y, w1)
-    t5 = np.add(t3, t4, w0)
-    horizontal_distance = np.sqrt(t5, bearing_D_x)
-    t7 = np.square(horizontal_distance, w0)
-    t8 = np.square(z, w1)
-    t9 = np.add(t7, t8, w0)
-    slant_range = np.sqrt(t9, elevation_D_z)
-    t11 = np.divide(horizontal_distance, slant_range, bearing_D_y)
-    np.divide(z, slant_range, slant_range_D_z)
-    t13 = np.divide(y, horizontal_distance, w0)
-    t14 = np.divide(x, horizontal_distance, slant_range_D_x)
-    t15 = np.divide(slant_range_D_z, slant_range, slant_range_D_y)
-    t18 = np.multiply(t15, t14, w1)
-    t20 = np.multiply(t15, t13, w2)
-    t24 = np.divide(t14, horizontal_distance, w3)
-    np.divide(x, slant_range, slant_range_D_x)
-    np.divide(y, slant_range, slant_range_D_y)
-    np.negative(t18, elevation_D_x)
-    np.negative(t20, elevation_D_y)
-    np.divide(t11, slant_range, elevation_D_z)
-    np.divide(t13, horizontal_distance, bearing_D_x)
-    np.negative(t24, bearing_D_y)
+    t3 = square(x, w0)
+    t4 = square(y, w1)
+    t5 = add(t3, t4, w0)
+    horizontal_distance = sqrt(t5, bearing_D_y)
+    t7 = square(horizontal_distance, w0)
+    t8 = square(z, w1)
+    t9 = add(t7, t8, w0)
+    slant_range = sqrt(t9, elevation_D_z)
+    t11 = divide(horizontal_distance, slant_range, w0)
+    divide(z, slant_range, slant_range_D_z)
+    t13 = divide(y, horizontal_distance, bearing_D_x)
+    t14 = divide(x, horizontal_distance, w1)
+    t15 = divide(slant_range_D_z, slant_range, slant_range_D_x)
+    t18 = multiply(t15, t14, w2)
+    t20 = multiply(t15, t13, w3)
+    divide(x, slant_range, slant_range_D_x)
+    divide(y, slant_range, slant_range_D_y)
+    negative(t18, elevation_D_x)
+    negative(t20, elevation_D_y)
+    divide(t11, slant_range, elevation_D_z)
+    divide(t13, horizontal_distance, bearing_D_x)
+    t24 = divide(t14, horizontal_distance, bearing_D_y)
+    negative(t24, bearing_D_y)
 
 
 def _polar_derivatives_horizontal_distance_block(
@@ -566,10 +579,10 @@ def _polar_derivatives_horizontal_distance_block(
     x, y, _z = given
     (horizontal_distance,) = out
     w0, w1 = work
-    t3 = np.square(x, w0)
-    t4 = np.square(y, w1)
-    t5 = np.add(t3, t4, w0)
-    np.sqrt(t5, horizontal_distance)
+    t3 = square(x, w0)
+    t4 = square(y, w1)
+    t5 = add(t3, t4, w0)
+    sqrt(t5, horizontal_distance)
 
 
 _POLAR_DERIVATIVES = Signature(
@@ -699,42 +712,42 @@ def _noise_covariance_block(given: Arrays, out: Arrays, work: Arrays, _single: b
     slant_range, elevation, bearing, range_deviation, elevation_deviation, bearing_deviation = given
     covariance_xx, covariance_xy, covariance_xz, covariance_yy, covariance_yz, covariance_zz = out
     w0, w1, w2, w3, w4, w5, w6, w7, w8, w9, w10, w11, w12 = work
-    cos_elevation = np.cos(elevation, w0)
-    sin_elevation = np.sin(elevation, w1)
-    cos_bearing = np.cos(bearing, w2)
-    sin_bearing = np.sin(bearing, w3)
-    t10 = np.multiply(slant_range, elevation_deviation, w4)
-    t11 = np.multiply(slant_range, cos_elevation, w5)
-    t12 = np.multiply(t11, bearing_deviation, w5)
-    t13 = np.multiply(cos_elevation, range_deviation, w6)
-    t14 = np.multiply(sin_elevation, t10, w7)
-    t15 = np.square(t13, w6)
-    t16 = np.square(t14, w7)
-    t17 = np.add(t15, t16, w6)
-    t18 = np.square(t12, w5)
-    t19 = np.multiply(sin_elevation, range_deviation, w7)
-    t20 = np.multiply(cos_elevation, t10, w8)
-    t21 = np.multiply(cos_elevation, sin_elevation, w0)
-    t22 = np.square(range_deviation, w1)
-    t23 = np.square(t10, w4)
-    t24 = np.subtract(t22, t23, w1)
-    t25 = np.multiply(t21, t24, w0)
-    t26 = np.square(sin_bearing, w1)
-    t27 = np.square(cos_bearing, w4)
-    t28 = np.multiply(t26, t17, w9)
-    t29 = np.multiply(t27, t18, w10)
-    t31 = np.multiply(sin_bearing, cos_bearing, w11)
-    t32 = np.subtract(t17, t18, w12)
-    t35 = np.multiply(t27, t17, w4)
-    t36 = np.multiply(t26, t18, w1)
-    t39 = np.square(t19, w7)
-    t40 = np.square(t20, w8)
-    np.add(t28, t29, covariance_xx)
-    np.multiply(t31, t32, covariance_xy)
-    np.multiply(sin_bearing, t25, covariance_xz)
-    np.add(t35, t36, covariance_yy)
-    np.multiply(cos_bearing, t25, covariance_yz)
-    np.add(t39, t40, covariance_zz)
+    cos_elevation = cos(elevation, w0)
+    sin_elevation = sin(elevation, w1)
+    cos_bearing = cos(bearing, w2)
+    sin_bearing = sin(bearing, w3)
+    t10 = multiply(slant_range, elevation_deviation, w4)
+    t11 = multiply(slant_range, cos_elevation, w5)
+    t12 = multiply(t11, bearing_deviation, w5)
+    t13 = multiply(cos_elevation, range_deviation, w6)
+    t14 = multiply(sin_elevation, t10, w7)
+    t15 = square(t13, w6)
+    t16 = square(t14, w7)
+    t17 = add(t15, t16, w6)
+    t18 = square(t12, w5)
+    t19 = multiply(sin_elevation, range_deviation, w7)
+    t20 = multiply(cos_elevation, t10, w8)
+    t21 = multiply(cos_elevation, sin_elevation, w0)
+    t22 = square(range_deviation, w1)
+    t23 = square(t10, w4)
+    t24 = subtract(t22, t23, w1)
+    t25 = multiply(t21, t24, w0)
+    t26 = square(sin_bearing, w1)
+    t27 = square(cos_bearing, w4)
+    t28 = multiply(t26, t17, w9)
+    t29 = multiply(t27, t18, w10)
+    t31 = multiply(sin_bearing, cos_bearing, w11)
+    t32 = subtract(t17, t18, w12)
+    t35 = multiply(t27, t17, w4)
+    t36 = multiply(t26, t18, w1)
+    t39 = square(t19, w7)
+    t40 = square(t20, w8)
+    add(t28, t29, covariance_xx)
+    multiply(t31, t32, covariance_xy)
+    multiply(sin_bearing, t25, covariance_xz)
+    add(t35, t36, covariance_yy)
+    multiply(cos_bearing, t25, covariance_yz)
+    add(t39, t40, covariance_zz)
 
 
 _NOISE_COVARIANCE = Signature(
@@ -849,31 +862,31 @@ def _mean_of_converted_block(given: Arrays, out: Arrays, work: Arrays, _single: 
     slant_range, elevation, bearing, elevation_deviation, bearing_deviation = given
     mean_x, mean_y, mean_z, bias_x, bias_y, bias_z = out
     w0, w1, w2, w3, w4, w5, w6 = work
-    cos_elevation = np.cos(elevation, w0)
-    sin_elevation = np.sin(elevation, w1)
-    cos_bearing = np.cos(bearing, w2)
-    sin_bearing = np.sin(bearing, w3)
-    t9 = np.multiply(slant_range, cos_elevation, w0)
-    t10 = np.multiply(t9, sin_bearing, w3)
-    t11 = np.multiply(t9, cos_bearing, w0)
-    t12 = np.multiply(slant_range, sin_elevation, w1)
-    t13 = np.square(elevation_deviation, w2)
-    t14 = np.negative(t13, w4)
-    t16 = np.multiply(t14, 0.5, w4)
-    t17 = np.square(bearing_deviation, w5)
-    t18 = np.add(t13, t17, w2)
-    t19 = np.negative(t18, w2)
-    t20 = np.multiply(t19, 0.5, w2)
-    kept_upwards = np.exp(t16, w5)
-    kept_level = np.exp(t20, w6)
-    change_upwards = np.expm1(t16, w4)
-    change_level = np.expm1(t20, w2)
-    np.multiply(t10, kept_level, mean_x)
-    np.multiply(t11, kept_level, mean_y)
-    np.multiply(t12, kept_upwards, mean_z)
-    np.multiply(t10, change_level, bias_x)
-    np.multiply(t11, change_level, bias_y)
-    np.multiply(t12, change_upwards, bias_z)
+    cos_elevation = cos(elevation, w0)
+    sin_elevation = sin(elevation, w1)
+    cos_bearing = cos(bearing, w2)
+    sin_bearing = sin(bearing, w3)
+    t9 = multiply(slant_range, cos_elevation, w0)
+    t10 = multiply(t9, sin_bearing, w3)
+    t11 = multiply(t9, cos_bearing, w0)
+    t12 = multiply(slant_range, sin_elevation, w1)
+    t13 = square(elevation_deviation, w2)
+    t14 = negative(t13, w4)
+    t16 = multiply(t14, 0.5, w4)
+    t17 = square(bearing_deviation, w5)
+    t18 = add(t13, t17, w2)
+    t19 = negative(t18, w2)
+    t20 = multiply(t19, 0.5, w2)
+    kept_upwards = exp(t16, w5)
+    kept_level = exp(t20, w6)
+    change_upwards = expm1(t16, w4)
+    change_level = expm1(t20, w2)
+    multiply(t10, kept_level, mean_x)
+    multiply(t11, kept_level, mean_y)
+    multiply(t12, kept_upwards, mean_z)
+    multiply(t10, change_level, bias_x)
+    multiply(t11, change_level, bias_y)
+    multiply(t12, change_upwards, bias_z)
 
 
 _MEAN_OF_CONVERTED = Signature(
@@ -986,52 +999,52 @@ def _straight_course_rates_block(given: Arrays, out: Arrays, work: Arrays, _sing
         bearing_acceleration,
     ) = out
     w0, w1, w2, w3 = work
-    t3 = np.square(x, w0)
-    t4 = np.square(y, w1)
-    t5 = np.add(t3, t4, w0)
-    horizontal_distance = np.sqrt(t5, range_acceleration)
-    t7 = np.square(horizontal_distance, w0)
-    t8 = np.square(z, w1)
-    t9 = np.add(t7, t8, w0)
-    slant_range = np.sqrt(t9, elevation_acceleration)
-    t14 = np.divide(horizontal_distance, slant_range, elevation_rate)
-    t15 = np.divide(z, slant_range, bearing_acceleration)
-    t16 = np.divide(y, horizontal_distance, bearing_rate)
-    t17 = np.divide(x, horizontal_distance, w0)
-    t18 = np.multiply(t17, velocity_x, w1)
-    t19 = np.multiply(t16, velocity_y, w2)
-    t20 = np.add(t18, t19, w1)
-    t21 = np.divide(x, slant_range, range_rate)
-    t22 = np.multiply(t21, velocity_x, range_rate)
-    t23 = np.divide(y, slant_range, w2)
-    t24 = np.multiply(t23, velocity_y, w2)
-    t25 = np.add(t22, t24, range_rate)
-    t26 = np.multiply(t15, velocity_z, w2)
-    np.add(t25, t26, range_rate)
-    t28 = np.multiply(t14, velocity_z, elevation_rate)
-    t29 = np.multiply(t15, t20, w2)
-    t30 = np.subtract(t28, t29, w2)
-    t31 = np.multiply(t16, velocity_x, bearing_rate)
-    t32 = np.multiply(t17, velocity_y, w0)
-    t33 = np.subtract(t31, t32, w0)
-    np.divide(t30, slant_range, elevation_rate)
-    np.divide(t33, horizontal_distance, bearing_rate)
-    t36 = np.divide(t33, slant_range, w3)
-    t37 = np.square(t30, w2)
-    t38 = np.square(t33, w0)
-    t39 = np.add(t37, t38, w2)
-    t41 = np.divide(range_rate, slant_range, w0)
-    t43 = np.multiply(t41, 2.0, w0)
-    t44 = np.multiply(t43, elevation_rate, w0)
-    t45 = np.multiply(bearing_rate, t36, w3)
-    t46 = np.multiply(t15, t45, bearing_acceleration)
-    t47 = np.add(t44, t46, w0)
-    t49 = np.multiply(bearing_rate, 2.0, w3)
-    t50 = np.divide(t20, horizontal_distance, w1)
-    t51 = np.multiply(t49, t50, w3)
-    np.divide(t39, slant_range, range_acceleration)
-    np.negative(t47, elevation_acceleration)
-    np.negative(t51, bearing_acceleration)
+    t3 = square(x, w0)
+    t4 = square(y, w1)
+    t5 = add(t3, t4, w0)
+    horizontal_distance = sqrt(t5, range_acceleration)
+    t7 = square(horizontal_distance, w0)
+    t8 = square(z, w1)
+    t9 = add(t7, t8, w0)
+    slant_range = sqrt(t9, elevation_acceleration)
+    t14 = divide(horizontal_distance, slant_range, elevation_rate)
+    t15 = divide(z, slant_range, bearing_acceleration)
+    t16 = divide(y, horizontal_distance, bearing_rate)
+    t17 = divide(x, horizontal_distance, w0)
+    t18 = multiply(t17, velocity_x, w1)
+    t19 = multiply(t16, velocity_y, w2)
+    t20 = add(t18, t19, w1)
+    t21 = divide(x, slant_range, range_rate)
+    t22 = multiply(t21, velocity_x, range_rate)
+    t23 = divide(y, slant_range, w2)
+    t24 = multiply(t23, velocity_y, w2)
+    t25 = add(t22, t24, range_rate)
+    t26 = multiply(t15, velocity_z, w2)
+    add(t25, t26, range_rate)
+    t28 = multiply(t14, velocity_z, elevation_rate)
+    t29 = multiply(t15, t20, w2)
+    t30 = subtract(t28, t29, w2)
+    t31 = multiply(t16, velocity_x, bearing_rate)
+    t32 = multiply(t17, velocity_y, w0)
+    t33 = subtract(t31, t32, w0)
+    divide(t30, slant_range, elevation_rate)
+    divide(t33, horizontal_distance, bearing_rate)
+    t36 = divide(t33, slant_range, w3)
+    t37 = square(t30, w2)
+    t38 = square(t33, w0)
+    t39 = add(t37, t38, w2)
+    t41 = divide(range_rate, slant_range, w0)
+    t43 = multiply(t41, 2.0, w0)
+    t44 = multiply(t43, elevation_rate, w0)
+    t45 = multiply(bearing_rate, t36, w3)
+    t46 = multiply(t15, t45, bearing_acceleration)
+    t47 = add(t44, t46, w0)
+    t49 = multiply(bearing_rate, 2.0, w3)
+    t50 = divide(t20, horizontal_distance, w1)
+    t51 = multiply(t49, t50, w3)
+    divide(t39, slant_range, range_acceleration)
+    negative(t47, elevation_acceleration)
+    negative(t51, bearing_acceleration)
 
 
 def _straight_course_rates_horizontal_distance_block(
@@ -1040,10 +1053,10 @@ def _straight_course_rates_horizontal_distance_block(
     x, y, _z, _velocity_x, _velocity_y, _velocity_z = given
     (horizontal_distance,) = out
     w0, w1 = work
-    t3 = np.square(x, w0)
-    t4 = np.square(y, w1)
-    t5 = np.add(t3, t4, w0)
-    np.sqrt(t5, horizontal_distance)
+    t3 = square(x, w0)
+    t4 = square(y, w1)
+    t5 = add(t3, t4, w0)
+    sqrt(t5, horizontal_distance)
 
 
 _STRAIGHT_COURSE_RATES = Signature(
@@ -1130,10 +1143,10 @@ def _to_cartesian_in_plane_block(given: Arrays, out: Arrays, work: Arrays, _sing
     slant_range, bearing = given
     x, y = out
     w0, w1 = work
-    cos_bearing = np.cos(bearing, w0)
-    sin_bearing = np.sin(bearing, w1)
-    np.multiply(slant_range, sin_bearing, x)
-    np.multiply(slant_range, cos_bearing, y)
+    cos_bearing = cos(bearing, w0)
+    sin_bearing = sin(bearing, w1)
+    multiply(slant_range, sin_bearing, x)
+    multiply(slant_range, cos_bearing, y)
 
 
 _TO_CARTESIAN_IN_PLANE = Signature(
@@ -1188,11 +1201,11 @@ def _to_polar_in_plane_block(given: Arrays, out: Arrays, work: Arrays, _single: 
     x, y = given
     slant_range, bearing = out
     w0, w1 = work
-    t2 = np.square(x, w0)
-    t3 = np.square(y, w1)
-    t4 = np.add(t2, t3, w0)
-    np.sqrt(t4, slant_range)
-    np.arctan2(x, y, bearing)
+    t2 = square(x, w0)
+    t3 = square(y, w1)
+    t4 = add(t2, t3, w0)
+    sqrt(t4, slant_range)
+    arctan2(x, y, bearing)
 
 
 _TO_POLAR_IN_PLANE = Signature(
@@ -1266,11 +1279,11 @@ def _cartesian_derivatives_in_plane_block(
 ) -> None:
     slant_range, bearing = given
     x_D_slant_range, x_D_bearing, y_D_slant_range, y_D_bearing = out
-    np.cos(bearing, y_D_slant_range)
-    np.sin(bearing, x_D_slant_range)
-    t5 = np.multiply(slant_range, x_D_slant_range, y_D_bearing)
-    np.multiply(slant_range, y_D_slant_range, x_D_bearing)
-    np.negative(t5, y_D_bearing)
+    cos(bearing, y_D_slant_range)
+    sin(bearing, x_D_slant_range)
+    t5 = multiply(slant_range, x_D_slant_range, y_D_bearing)
+    multiply(slant_range, y_D_slant_range, x_D_bearing)
+    negative(t5, y_D_bearing)
 
 
 _CARTESIAN_DERIVATIVES_IN_PLANE = Signature(
@@ -1339,15 +1352,15 @@ def _polar_derivatives_in_plane_block(
     x, y = given
     slant_range_D_x, slant_range_D_y, bearing_D_x, bearing_D_y = out
     w0, w1 = work
-    t2 = np.square(x, w0)
-    t3 = np.square(y, w1)
-    t4 = np.add(t2, t3, w0)
-    slant_range = np.sqrt(t4, bearing_D_x)
-    np.divide(x, slant_range, slant_range_D_x)
-    np.divide(y, slant_range, slant_range_D_y)
-    t9 = np.divide(slant_range_D_x, slant_range, bearing_D_y)
-    np.divide(slant_range_D_y, slant_range, bearing_D_x)
-    np.negative(t9, bearing_D_y)
+    t2 = square(x, w0)
+    t3 = square(y, w1)
+    t4 = add(t2, t3, w0)
+    slant_range = sqrt(t4, bearing_D_x)
+    divide(x, slant_range, slant_range_D_x)
+    divide(y, slant_range, slant_range_D_y)
+    t9 = divide(slant_range_D_x, slant_range, bearing_D_y)
+    divide(slant_range_D_y, slant_range, bearing_D_x)
+    negative(t9, bearing_D_y)
 
 
 def _polar_derivatives_in_plane_slant_range_block(
@@ -1356,10 +1369,10 @@ def _polar_derivatives_in_plane_slant_range_block(
     x, y = given
     (slant_range,) = out
     w0, w1 = work
-    t2 = np.square(x, w0)
-    t3 = np.square(y, w1)
-    t4 = np.add(t2, t3, w0)
-    np.sqrt(t4, slant_range)
+    t2 = square(x, w0)
+    t3 = square(y, w1)
+    t4 = add(t2, t3, w0)
+    sqrt(t4, slant_range)
 
 
 _POLAR_DERIVATIVES_IN_PLANE = Signature(
@@ -1452,22 +1465,22 @@ def _noise_covariance_in_plane_block(
     slant_range, bearing, range_deviation, bearing_deviation = given
     covariance_xx, covariance_xy, covariance_yy = out
     w0, w1, w2, w3, w4, w5, w6, w7 = work
-    cos_bearing = np.cos(bearing, w0)
-    sin_bearing = np.sin(bearing, w1)
-    t6 = np.multiply(slant_range, bearing_deviation, w2)
-    t7 = np.square(range_deviation, w3)
-    t8 = np.square(t6, w2)
-    t9 = np.square(sin_bearing, w4)
-    t10 = np.square(cos_bearing, w5)
-    t11 = np.multiply(t9, t7, w6)
-    t12 = np.multiply(t10, t8, w7)
-    t14 = np.multiply(sin_bearing, cos_bearing, w1)
-    t15 = np.subtract(t7, t8, w0)
-    t17 = np.multiply(t10, t7, w5)
-    t18 = np.multiply(t9, t8, w4)
-    np.add(t11, t12, covariance_xx)
-    np.multiply(t14, t15, covariance_xy)
-    np.add(t17, t18, covariance_yy)
+    cos_bearing = cos(bearing, w0)
+    sin_bearing = sin(bearing, w1)
+    t6 = multiply(slant_range, bearing_deviation, w2)
+    t7 = square(range_deviation, w3)
+    t8 = square(t6, w2)
+    t9 = square(sin_bearing, w4)
+    t10 = square(cos_bearing, w5)
+    t11 = multiply(t9, t7, w6)
+    t12 = multiply(t10, t8, w7)
+    t14 = multiply(sin_bearing, cos_bearing, w1)
+    t15 = subtract(t7, t8, w0)
+    t17 = multiply(t10, t7, w5)
+    t18 = multiply(t9, t8, w4)
+    add(t11, t12, covariance_xx)
+    multiply(t14, t15, covariance_xy)
+    add(t17, t18, covariance_yy)
 
 
 _NOISE_COVARIANCE_IN_PLANE = Signature(
@@ -1552,19 +1565,19 @@ def _mean_of_converted_in_plane_block(
     slant_range, bearing, bearing_deviation = given
     mean_x, mean_y, bias_x, bias_y = out
     w0, w1, w2, w3 = work
-    cos_bearing = np.cos(bearing, w0)
-    sin_bearing = np.sin(bearing, w1)
-    t5 = np.multiply(slant_range, sin_bearing, w1)
-    t6 = np.multiply(slant_range, cos_bearing, w0)
-    t7 = np.square(bearing_deviation, w2)
-    t8 = np.negative(t7, w2)
-    t10 = np.multiply(t8, 0.5, w2)
-    kept_level = np.exp(t10, w3)
-    change_level = np.expm1(t10, w2)
-    np.multiply(t5, kept_level, mean_x)
-    np.multiply(t6, kept_level, mean_y)
-    np.multiply(t5, change_level, bias_x)
-    np.multiply(t6, change_level, bias_y)
+    cos_bearing = cos(bearing, w0)
+    sin_bearing = sin(bearing, w1)
+    t5 = multiply(slant_range, sin_bearing, w1)
+    t6 = multiply(slant_range, cos_bearing, w0)
+    t7 = square(bearing_deviation, w2)
+    t8 = negative(t7, w2)
+    t10 = multiply(t8, 0.5, w2)
+    kept_level = exp(t10, w3)
+    change_level = expm1(t10, w2)
+    multiply(t5, kept_level, mean_x)
+    multiply(t6, kept_level, mean_y)
+    multiply(t5, change_level, bias_x)
+    multiply(t6, change_level, bias_y)
 
 
 _MEAN_OF_CONVERTED_IN_PLANE = Signature(
@@ -1644,25 +1657,25 @@ def _straight_course_rates_in_plane_block(
     x, y, velocity_x, velocity_y = given
     range_rate, bearing_rate, range_acceleration, bearing_acceleration = out
     w0, w1 = work
-    t4 = np.square(x, w0)
-    t5 = np.square(y, w1)
-    t6 = np.add(t4, t5, w0)
-    slant_range = np.sqrt(t6, range_acceleration)
-    t8 = np.divide(x, slant_range, bearing_rate)
-    t9 = np.divide(y, slant_range, bearing_acceleration)
-    t10 = np.multiply(t8, velocity_x, w0)
-    t11 = np.multiply(t9, velocity_y, w1)
-    np.add(t10, t11, range_rate)
-    t13 = np.multiply(t9, velocity_x, bearing_acceleration)
-    t14 = np.multiply(t8, velocity_y, bearing_rate)
-    t15 = np.subtract(t13, t14, bearing_acceleration)
-    np.divide(t15, slant_range, bearing_rate)
-    t17 = np.square(t15, bearing_acceleration)
-    t20 = np.multiply(bearing_rate, 2.0, w0)
-    t21 = np.divide(range_rate, slant_range, w1)
-    t22 = np.multiply(t20, t21, w0)
-    np.divide(t17, slant_range, range_acceleration)
-    np.negative(t22, bearing_acceleration)
+    t4 = square(x, w0)
+    t5 = square(y, w1)
+    t6 = add(t4, t5, w0)
+    slant_range = sqrt(t6, bearing_acceleration)
+    t8 = divide(x, slant_range, bearing_rate)
+    t9 = divide(y, slant_range, range_acceleration)
+    t10 = multiply(t8, velocity_x, w0)
+    t11 = multiply(t9, velocity_y, w1)
+    add(t10, t11, range_rate)
+    t13 = multiply(t9, velocity_x, range_acceleration)
+    t14 = multiply(t8, velocity_y, bearing_rate)
+    t15 = subtract(t13, t14, range_acceleration)
+    divide(t15, slant_range, bearing_rate)
+    t17 = square(t15, range_acceleration)
+    t20 = multiply(bearing_rate, 2.0, w0)
+    divide(t17, slant_range, range_acceleration)
+    t21 = divide(range_rate, slant_range, bearing_acceleration)
+    t22 = multiply(t20, t21, bearing_acceleration)
+    negative(t22, bearing_acceleration)
 
 
 def _straight_course_rates_in_plane_slant_range_block(
@@ -1671,10 +1684,10 @@ def _straight_course_rates_in_plane_slant_range_block(
     x, y, _velocity_x, _velocity_y = given
     (slant_range,) = out
     w0, w1 = work
-    t4 = np.square(x, w0)
-    t5 = np.square(y, w1)
-    t6 = np.add(t4, t5, w0)
-    np.sqrt(t6, slant_range)
+    t4 = square(x, w0)
+    t5 = square(y, w1)
+    t6 = add(t4, t5, w0)
+    sqrt(t6, slant_range)
 
 
 _STRAIGHT_COURSE_RATES_IN_PLANE = Signature(

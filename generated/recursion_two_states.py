@@ -6,7 +6,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-import numpy as np
+from numpy import add, copyto, divide, multiply, sqrt, square, subtract
 
 from gainproof.generated._runtime import evaluate
 from gainproof.generated._signature import Domain, Signature
@@ -156,10 +156,10 @@ def covariance(
 def _covariance_block(given: Arrays, out: Arrays, _work: Arrays, _single: bool) -> None:
     diagonal_1, shear, diagonal_2 = given
     covariance_11, covariance_12, covariance_22 = out
-    np.multiply(shear, diagonal_2, covariance_12)
-    t4 = np.multiply(shear, covariance_12, covariance_11)
-    np.add(diagonal_1, t4, covariance_11)
-    np.copyto(covariance_22, diagonal_2)
+    multiply(shear, diagonal_2, covariance_12)
+    t4 = multiply(shear, covariance_12, covariance_11)
+    add(diagonal_1, t4, covariance_11)
+    copyto(covariance_22, diagonal_2)
 
 
 _COVARIANCE = Signature(
@@ -233,12 +233,12 @@ def _gains_block(given: Arrays, out: Arrays, work: Arrays, _single: bool) -> Non
     diagonal_1, shear, diagonal_2, measurement_variance = given
     position_gain, velocity_gain, innovation_variance = out
     w0, w1 = work
-    t3 = np.multiply(shear, diagonal_2, w0)
-    t5 = np.multiply(shear, t3, w1)
-    t6 = np.add(diagonal_1, t5, w1)
-    np.add(t6, measurement_variance, innovation_variance)
-    np.divide(t6, innovation_variance, position_gain)
-    np.divide(t3, innovation_variance, velocity_gain)
+    t3 = multiply(shear, diagonal_2, w0)
+    t5 = multiply(shear, t3, w1)
+    t6 = add(diagonal_1, t5, w1)
+    add(t6, measurement_variance, innovation_variance)
+    divide(t6, innovation_variance, position_gain)
+    divide(t3, innovation_variance, velocity_gain)
 
 
 _GAINS = Signature(
@@ -312,16 +312,16 @@ def _update_block(given: Arrays, out: Arrays, work: Arrays, _single: bool) -> No
     diagonal_1, shear, diagonal_2, measurement_variance = given
     diagonal_1_, shear_, diagonal_2_ = out
     w0, w1 = work
-    t3 = np.multiply(shear, diagonal_2, w0)
-    t5 = np.add(diagonal_1, measurement_variance, w1)
-    t6 = np.multiply(shear, t3, w0)
-    t7 = np.add(diagonal_1, t6, w0)
-    t8 = np.add(t7, measurement_variance, w0)
-    t9 = np.divide(measurement_variance, t5, shear_)
-    t12 = np.divide(t5, t8, diagonal_2_)
-    np.multiply(diagonal_1, t9, diagonal_1_)
-    np.multiply(shear, t9, shear_)
-    np.multiply(diagonal_2, t12, diagonal_2_)
+    t3 = multiply(shear, diagonal_2, w0)
+    t5 = add(diagonal_1, measurement_variance, w1)
+    t6 = multiply(shear, t3, w0)
+    t7 = add(diagonal_1, t6, w0)
+    t8 = add(t7, measurement_variance, w0)
+    t9 = divide(measurement_variance, t5, shear_)
+    t12 = divide(t5, t8, diagonal_2_)
+    multiply(diagonal_1, t9, diagonal_1_)
+    multiply(shear, t9, shear_)
+    multiply(diagonal_2, t12, diagonal_2_)
 
 
 _UPDATE = Signature(
@@ -392,15 +392,15 @@ def _start_random_velocity_block(given: Arrays, out: Arrays, work: Arrays, _sing
     interval, strength, measurement_variance = given
     diagonal_1, shear, diagonal_2 = out
     (w0,) = work
-    t3 = np.square(interval, w0)
-    t4 = np.divide(measurement_variance, t3, diagonal_1)
-    t6 = np.multiply(t4, 2.0, w0)
-    np.add(t6, strength, diagonal_2)
-    t8 = np.divide(measurement_variance, interval, shear)
-    t9 = np.add(t4, strength, diagonal_1)
-    t10 = np.divide(t9, diagonal_2, diagonal_1)
-    np.multiply(measurement_variance, t10, diagonal_1)
-    np.divide(t8, diagonal_2, shear)
+    t3 = square(interval, w0)
+    t4 = divide(measurement_variance, t3, diagonal_1)
+    t6 = multiply(t4, 2.0, w0)
+    add(t6, strength, diagonal_2)
+    t8 = divide(measurement_variance, interval, shear)
+    t9 = add(t4, strength, diagonal_1)
+    t10 = divide(t9, diagonal_2, diagonal_1)
+    multiply(measurement_variance, t10, diagonal_1)
+    divide(t8, diagonal_2, shear)
 
 
 _START_RANDOM_VELOCITY = Signature(
@@ -478,18 +478,18 @@ def _start_random_acceleration_block(
     interval, strength, measurement_variance = given
     diagonal_1, shear, diagonal_2 = out
     w0, w1 = work
-    t3 = np.square(interval, w0)
-    t4 = np.divide(measurement_variance, t3, diagonal_1)
-    t5 = np.multiply(strength, t3, w0)
-    t7 = np.multiply(t5, 1.0, w0)
-    t9 = np.multiply(t7, 0.25, w0)
-    t11 = np.multiply(t4, 2.0, w1)
-    np.add(t11, t9, diagonal_2)
-    t13 = np.divide(measurement_variance, interval, shear)
-    t14 = np.add(t4, t9, diagonal_1)
-    t15 = np.divide(t14, diagonal_2, diagonal_1)
-    np.multiply(measurement_variance, t15, diagonal_1)
-    np.divide(t13, diagonal_2, shear)
+    t3 = square(interval, w0)
+    t4 = divide(measurement_variance, t3, diagonal_1)
+    t5 = multiply(strength, t3, w0)
+    t7 = multiply(t5, 1.0, w0)
+    t9 = multiply(t7, 0.25, w0)
+    t11 = multiply(t4, 2.0, w1)
+    add(t11, t9, diagonal_2)
+    t13 = divide(measurement_variance, interval, shear)
+    t14 = add(t4, t9, diagonal_1)
+    t15 = divide(t14, diagonal_2, diagonal_1)
+    multiply(measurement_variance, t15, diagonal_1)
+    divide(t13, diagonal_2, shear)
 
 
 _START_RANDOM_ACCELERATION = Signature(
@@ -567,18 +567,18 @@ def _start_continuous_white_acceleration_block(
     interval, strength, measurement_variance = given
     diagonal_1, shear, diagonal_2 = out
     (w0,) = work
-    t3 = np.square(interval, w0)
-    t4 = np.divide(measurement_variance, t3, diagonal_1)
-    t5 = np.multiply(strength, interval, w0)
-    t7 = np.multiply(t5, 1.0, w0)
-    t9 = np.divide(t7, 3.0, shear)
-    t11 = np.multiply(t4, 2.0, w0)
-    np.add(t11, t9, diagonal_2)
-    t13 = np.divide(measurement_variance, interval, w0)
-    t14 = np.add(t4, t9, diagonal_1)
-    t15 = np.divide(t14, diagonal_2, diagonal_1)
-    np.multiply(measurement_variance, t15, diagonal_1)
-    np.divide(t13, diagonal_2, shear)
+    t3 = square(interval, w0)
+    t4 = divide(measurement_variance, t3, diagonal_1)
+    t5 = multiply(strength, interval, w0)
+    t7 = multiply(t5, 1.0, w0)
+    t9 = divide(t7, 3.0, shear)
+    t11 = multiply(t4, 2.0, w0)
+    add(t11, t9, diagonal_2)
+    t13 = divide(measurement_variance, interval, w0)
+    t14 = add(t4, t9, diagonal_1)
+    t15 = divide(t14, diagonal_2, diagonal_1)
+    multiply(measurement_variance, t15, diagonal_1)
+    divide(t13, diagonal_2, shear)
 
 
 _START_CONTINUOUS_WHITE_ACCELERATION = Signature(
@@ -661,15 +661,15 @@ def _predict_random_velocity_block(given: Arrays, out: Arrays, work: Arrays, _si
     diagonal_1, shear, diagonal_2, interval, strength = given
     diagonal_1_, shear_, diagonal_2_ = out
     w0, w1 = work
-    np.add(diagonal_2, strength, diagonal_2_)
-    t6 = np.add(shear, interval, w0)
-    t7 = np.multiply(t6, diagonal_2, w1)
-    t8 = np.square(t6, w0)
-    t9 = np.divide(strength, diagonal_2_, diagonal_1_)
-    t10 = np.multiply(diagonal_2, t9, diagonal_1_)
-    t11 = np.multiply(t8, t10, w0)
-    np.add(diagonal_1, t11, diagonal_1_)
-    np.divide(t7, diagonal_2_, shear_)
+    add(diagonal_2, strength, diagonal_2_)
+    t6 = add(shear, interval, w0)
+    t7 = multiply(t6, diagonal_2, w1)
+    t8 = square(t6, w0)
+    divide(t7, diagonal_2_, shear_)
+    t9 = divide(strength, diagonal_2_, diagonal_1_)
+    t10 = multiply(diagonal_2, t9, diagonal_1_)
+    t11 = multiply(t8, t10, diagonal_1_)
+    add(diagonal_1, t11, diagonal_1_)
 
 
 _PREDICT_RANDOM_VELOCITY = Signature(
@@ -754,21 +754,21 @@ def _predict_random_acceleration_block(
     diagonal_1, shear, diagonal_2, interval, strength = given
     diagonal_1_, shear_, diagonal_2_ = out
     w0, w1, w2, w3 = work
-    t5 = np.square(interval, w0)
-    t6 = np.multiply(strength, t5, w0)
-    np.add(diagonal_2, t6, diagonal_2_)
-    t8 = np.add(shear, interval, w1)
-    t9 = np.multiply(t8, diagonal_2, w1)
-    t11 = np.multiply(interval, 0.5, w2)
-    t12 = np.add(shear, t11, w3)
-    t13 = np.multiply(t11, t6, w2)
-    t14 = np.add(t9, t13, w1)
-    t15 = np.square(t12, w3)
-    t16 = np.divide(t6, diagonal_2_, diagonal_1_)
-    t17 = np.multiply(diagonal_2, t16, diagonal_1_)
-    t18 = np.multiply(t15, t17, w3)
-    np.add(diagonal_1, t18, diagonal_1_)
-    np.divide(t14, diagonal_2_, shear_)
+    t5 = square(interval, w0)
+    t6 = multiply(strength, t5, w0)
+    add(diagonal_2, t6, diagonal_2_)
+    t8 = add(shear, interval, w1)
+    t9 = multiply(t8, diagonal_2, w1)
+    t11 = multiply(interval, 0.5, w2)
+    t12 = add(shear, t11, w3)
+    t13 = multiply(t11, t6, w2)
+    t14 = add(t9, t13, w1)
+    t15 = square(t12, w3)
+    divide(t14, diagonal_2_, shear_)
+    t16 = divide(t6, diagonal_2_, diagonal_1_)
+    t17 = multiply(diagonal_2, t16, diagonal_1_)
+    t18 = multiply(t15, t17, diagonal_1_)
+    add(diagonal_1, t18, diagonal_1_)
 
 
 _PREDICT_RANDOM_ACCELERATION = Signature(
@@ -853,26 +853,26 @@ def _predict_continuous_white_acceleration_block(
     diagonal_1, shear, diagonal_2, interval, strength = given
     diagonal_1_, shear_, diagonal_2_ = out
     w0, w1, w2, w3 = work
-    t5 = np.multiply(strength, interval, w0)
-    np.add(diagonal_2, t5, diagonal_2_)
-    t7 = np.add(shear, interval, w1)
-    t8 = np.multiply(t7, diagonal_2, w1)
-    t10 = np.multiply(interval, 0.5, w2)
-    t11 = np.add(shear, t10, w3)
-    t12 = np.multiply(t10, t5, w2)
-    t13 = np.add(t8, t12, w1)
-    t14 = np.square(t11, w3)
-    t15 = np.divide(t5, diagonal_2_, diagonal_1_)
-    t16 = np.multiply(diagonal_2, t15, diagonal_1_)
-    t17 = np.multiply(t14, t16, w3)
-    t18 = np.square(interval, w0)
-    t19 = np.multiply(interval, t18, w0)
-    t20 = np.multiply(strength, t19, w0)
-    t22 = np.multiply(t20, 1.0, w0)
-    t24 = np.divide(t22, 12.0, shear_)
-    t25 = np.add(t17, t24, w3)
-    np.add(diagonal_1, t25, diagonal_1_)
-    np.divide(t13, diagonal_2_, shear_)
+    t5 = multiply(strength, interval, w0)
+    add(diagonal_2, t5, diagonal_2_)
+    t7 = add(shear, interval, w1)
+    t8 = multiply(t7, diagonal_2, w1)
+    t10 = multiply(interval, 0.5, w2)
+    t11 = add(shear, t10, w3)
+    t12 = multiply(t10, t5, w2)
+    t13 = add(t8, t12, w1)
+    t14 = square(t11, w3)
+    t15 = divide(t5, diagonal_2_, w0)
+    t16 = multiply(diagonal_2, t15, w0)
+    t17 = multiply(t14, t16, w3)
+    t18 = square(interval, w0)
+    t19 = multiply(interval, t18, w0)
+    t20 = multiply(strength, t19, w0)
+    t22 = multiply(t20, 1.0, w0)
+    divide(t13, diagonal_2_, shear_)
+    t24 = divide(t22, 12.0, diagonal_1_)
+    t25 = add(t17, t24, diagonal_1_)
+    add(diagonal_1, t25, diagonal_1_)
 
 
 _PREDICT_CONTINUOUS_WHITE_ACCELERATION = Signature(
@@ -973,26 +973,26 @@ def _step_random_velocity_block(given: Arrays, out: Arrays, work: Arrays, _singl
     diagonal_1, shear, diagonal_2, interval, strength, measurement_variance = given
     diagonal_1_, shear_, diagonal_2_, position_gain, velocity_gain, innovation_variance = out
     w0, w1, w2, w3, w4 = work
-    t5 = np.add(diagonal_2, strength, w0)
-    t6 = np.add(shear, interval, w1)
-    t7 = np.multiply(t6, diagonal_2, w2)
-    t8 = np.square(t6, w1)
-    t9 = np.divide(strength, t5, innovation_variance)
-    t10 = np.multiply(diagonal_2, t9, innovation_variance)
-    t11 = np.multiply(t8, t10, w1)
-    t12 = np.add(diagonal_1, t11, w1)
-    t13 = np.divide(t7, t5, shear_)
-    t15 = np.add(t12, measurement_variance, w3)
-    t16 = np.multiply(t13, t7, innovation_variance)
-    t17 = np.add(t12, t16, w4)
-    np.add(t17, measurement_variance, innovation_variance)
-    t19 = np.divide(measurement_variance, t15, diagonal_2_)
-    t22 = np.divide(t15, innovation_variance, position_gain)
-    np.multiply(t12, t19, diagonal_1_)
-    np.multiply(t13, t19, shear_)
-    np.multiply(t5, t22, diagonal_2_)
-    np.divide(t17, innovation_variance, position_gain)
-    np.divide(t7, innovation_variance, velocity_gain)
+    t5 = add(diagonal_2, strength, w0)
+    t6 = add(shear, interval, w1)
+    t7 = multiply(t6, diagonal_2, w2)
+    t8 = square(t6, w1)
+    t9 = divide(strength, t5, innovation_variance)
+    t10 = multiply(diagonal_2, t9, innovation_variance)
+    t11 = multiply(t8, t10, w1)
+    t12 = add(diagonal_1, t11, w1)
+    t13 = divide(t7, t5, shear_)
+    t15 = add(t12, measurement_variance, w3)
+    t16 = multiply(t13, t7, innovation_variance)
+    t17 = add(t12, t16, w4)
+    add(t17, measurement_variance, innovation_variance)
+    t19 = divide(measurement_variance, t15, diagonal_2_)
+    t22 = divide(t15, innovation_variance, position_gain)
+    multiply(t12, t19, diagonal_1_)
+    multiply(t13, t19, shear_)
+    multiply(t5, t22, diagonal_2_)
+    divide(t17, innovation_variance, position_gain)
+    divide(t7, innovation_variance, velocity_gain)
 
 
 _STEP_RANDOM_VELOCITY = Signature(
@@ -1102,32 +1102,32 @@ def _step_random_acceleration_block(
     diagonal_1, shear, diagonal_2, interval, strength, measurement_variance = given
     diagonal_1_, shear_, diagonal_2_, position_gain, velocity_gain, innovation_variance = out
     w0, w1, w2, w3, w4 = work
-    t5 = np.square(interval, w0)
-    t6 = np.multiply(strength, t5, w0)
-    t7 = np.add(diagonal_2, t6, w1)
-    t8 = np.add(shear, interval, w2)
-    t9 = np.multiply(t8, diagonal_2, w2)
-    t11 = np.multiply(interval, 0.5, w3)
-    t12 = np.add(shear, t11, w4)
-    t13 = np.multiply(t11, t6, w3)
-    t14 = np.add(t9, t13, w2)
-    t15 = np.square(t12, w4)
-    t16 = np.divide(t6, t7, innovation_variance)
-    t17 = np.multiply(diagonal_2, t16, innovation_variance)
-    t18 = np.multiply(t15, t17, w4)
-    t19 = np.add(diagonal_1, t18, w4)
-    t20 = np.divide(t14, t7, shear_)
-    t22 = np.add(t19, measurement_variance, w0)
-    t23 = np.multiply(t20, t14, w3)
-    t24 = np.add(t19, t23, w3)
-    np.add(t24, measurement_variance, innovation_variance)
-    t26 = np.divide(measurement_variance, t22, diagonal_2_)
-    t29 = np.divide(t22, innovation_variance, position_gain)
-    np.multiply(t19, t26, diagonal_1_)
-    np.multiply(t20, t26, shear_)
-    np.multiply(t7, t29, diagonal_2_)
-    np.divide(t24, innovation_variance, position_gain)
-    np.divide(t14, innovation_variance, velocity_gain)
+    t5 = square(interval, w0)
+    t6 = multiply(strength, t5, w0)
+    t7 = add(diagonal_2, t6, w1)
+    t8 = add(shear, interval, w2)
+    t9 = multiply(t8, diagonal_2, w2)
+    t11 = multiply(interval, 0.5, w3)
+    t12 = add(shear, t11, w4)
+    t13 = multiply(t11, t6, w3)
+    t14 = add(t9, t13, w2)
+    t15 = square(t12, w4)
+    t16 = divide(t6, t7, innovation_variance)
+    t17 = multiply(diagonal_2, t16, innovation_variance)
+    t18 = multiply(t15, t17, w4)
+    t19 = add(diagonal_1, t18, w4)
+    t20 = divide(t14, t7, shear_)
+    t22 = add(t19, measurement_variance, w0)
+    t23 = multiply(t20, t14, w3)
+    t24 = add(t19, t23, w3)
+    add(t24, measurement_variance, innovation_variance)
+    t26 = divide(measurement_variance, t22, diagonal_2_)
+    t29 = divide(t22, innovation_variance, position_gain)
+    multiply(t19, t26, diagonal_1_)
+    multiply(t20, t26, shear_)
+    multiply(t7, t29, diagonal_2_)
+    divide(t24, innovation_variance, position_gain)
+    divide(t14, innovation_variance, velocity_gain)
 
 
 _STEP_RANDOM_ACCELERATION = Signature(
@@ -1237,37 +1237,37 @@ def _step_continuous_white_acceleration_block(
     diagonal_1, shear, diagonal_2, interval, strength, measurement_variance = given
     diagonal_1_, shear_, diagonal_2_, position_gain, velocity_gain, innovation_variance = out
     w0, w1, w2, w3, w4 = work
-    t5 = np.multiply(strength, interval, w0)
-    t6 = np.add(diagonal_2, t5, w1)
-    t7 = np.add(shear, interval, w2)
-    t8 = np.multiply(t7, diagonal_2, w2)
-    t10 = np.multiply(interval, 0.5, w3)
-    t11 = np.add(shear, t10, w4)
-    t12 = np.multiply(t10, t5, w3)
-    t13 = np.add(t8, t12, w2)
-    t14 = np.square(t11, w4)
-    t15 = np.divide(t5, t6, innovation_variance)
-    t16 = np.multiply(diagonal_2, t15, innovation_variance)
-    t17 = np.multiply(t14, t16, w4)
-    t18 = np.square(interval, w0)
-    t19 = np.multiply(interval, t18, w0)
-    t20 = np.multiply(strength, t19, w0)
-    t22 = np.multiply(t20, 1.0, w0)
-    t24 = np.divide(t22, 12.0, diagonal_1_)
-    t25 = np.add(t17, t24, w4)
-    t26 = np.add(diagonal_1, t25, w4)
-    t27 = np.divide(t13, t6, shear_)
-    t29 = np.add(t26, measurement_variance, w0)
-    t30 = np.multiply(t27, t13, w3)
-    t31 = np.add(t26, t30, w3)
-    np.add(t31, measurement_variance, innovation_variance)
-    t33 = np.divide(measurement_variance, t29, diagonal_2_)
-    t36 = np.divide(t29, innovation_variance, position_gain)
-    np.multiply(t26, t33, diagonal_1_)
-    np.multiply(t27, t33, shear_)
-    np.multiply(t6, t36, diagonal_2_)
-    np.divide(t31, innovation_variance, position_gain)
-    np.divide(t13, innovation_variance, velocity_gain)
+    t5 = multiply(strength, interval, w0)
+    t6 = add(diagonal_2, t5, w1)
+    t7 = add(shear, interval, w2)
+    t8 = multiply(t7, diagonal_2, w2)
+    t10 = multiply(interval, 0.5, w3)
+    t11 = add(shear, t10, w4)
+    t12 = multiply(t10, t5, w3)
+    t13 = add(t8, t12, w2)
+    t14 = square(t11, w4)
+    t15 = divide(t5, t6, innovation_variance)
+    t16 = multiply(diagonal_2, t15, innovation_variance)
+    t17 = multiply(t14, t16, w4)
+    t18 = square(interval, w0)
+    t19 = multiply(interval, t18, w0)
+    t20 = multiply(strength, t19, w0)
+    t22 = multiply(t20, 1.0, w0)
+    t24 = divide(t22, 12.0, diagonal_1_)
+    t25 = add(t17, t24, w4)
+    t26 = add(diagonal_1, t25, w4)
+    t27 = divide(t13, t6, shear_)
+    t29 = add(t26, measurement_variance, w0)
+    t30 = multiply(t27, t13, w3)
+    t31 = add(t26, t30, w3)
+    add(t31, measurement_variance, innovation_variance)
+    t33 = divide(measurement_variance, t29, diagonal_2_)
+    t36 = divide(t29, innovation_variance, position_gain)
+    multiply(t26, t33, diagonal_1_)
+    multiply(t27, t33, shear_)
+    multiply(t6, t36, diagonal_2_)
+    divide(t31, innovation_variance, position_gain)
+    divide(t13, innovation_variance, velocity_gain)
 
 
 _STEP_CONTINUOUS_WHITE_ACCELERATION = Signature(
@@ -1324,16 +1324,16 @@ def _hand_over_block(given: Arrays, out: Arrays, work: Arrays, _single: bool) ->
     (alpha,) = given
     (last_sample,) = out
     w0, w1, w2 = work
-    t2 = np.subtract(1.0, alpha, w0)
-    t4 = np.multiply(t2, 16.0, w1)
-    t5 = np.square(alpha, w2)
-    t6 = np.add(t4, t5, w1)
-    root = np.sqrt(t6, last_sample)
-    t9 = np.multiply(t2, 3.0, w0)
-    t10 = np.add(1.0, t9, w0)
-    t11 = np.add(t10, root, w0)
-    t13 = np.multiply(alpha, 2.0, w1)
-    np.divide(t11, t13, last_sample)
+    t2 = subtract(1.0, alpha, w0)
+    t4 = multiply(t2, 16.0, w1)
+    t5 = square(alpha, w2)
+    t6 = add(t4, t5, w1)
+    root = sqrt(t6, last_sample)
+    t9 = multiply(t2, 3.0, w0)
+    t10 = add(1.0, t9, w0)
+    t11 = add(t10, root, w0)
+    t13 = multiply(alpha, 2.0, w1)
+    divide(t11, t13, last_sample)
 
 
 _HAND_OVER = Signature(

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import keyword
 import re
-from collections.abc import Iterator
+from collections.abc import Collection, Iterator
 from fractions import Fraction
 
 from gainproof.derive.printer.affine import AffineSum, in_two_parts
@@ -29,28 +29,39 @@ UFUNC = {
 }
 
 
+NUMPYS = frozenset(UFUNC.values()) | {"square", "minimum", "less", "copyto"}
+"""Functions of NumPy that a module imports by name: looked up in NumPy they take longer at each
+call, a fiftieth of a kernel's time in all.
+"""
+
+
 class Arithmetic:
     """The body of a block function, its `lines` without indentation, and its `work` buffers.
 
     The last argument of each NumPy call is the array that it fills: by position, since keywords
-    are a good part of what compiling and calling a block costs.
+    are a good part of what compiling and calling a block costs. Functions of NumPy are called by
+    their bare names, unless the module has something of its `own` by that name; `numpys` are those
+    that it imports, NumPy itself as np.
     """
 
-    def __init__(self, kernel: Kernel) -> None:
-        self.kernel = kernel
+    def __init__(self, kernel: Kernel, own: Collection[str] = ()) -> None:
+        self.kernel, self.own = kernel, own
         self.program = plain(kernel.program)
         ends = [self.program.outputs[output.name] for output in kernel.outputs]
         self.plan = plan(self.program, ends)
-        self.taken = {"np", "given", "out", "work", "single", "choose", "mask_of", "near_cbrt"}
+        ours = {"given", "out", "work", "single", "choose", "mask_of", "near_cbrt"}
+        self.taken = {"np", *ours, *NUMPYS}
         self.inputs = [self._fresh(given.name) for given in kernel.inputs]
         self.outputs = [self._fresh(output.name) for output in kernel.outputs]
         self.buffers = [self._fresh(f"w{i}") for i in range(self.plan.work)]
         self.names: dict[int, str] = {}
         self.masks: dict[str, str] = {}
         self.nears = False
+        self.called: set[str] = set()
         statements = list(self._body())
         body = [*self._unpacking(statements), *statements]
         self.lines = [line for each in _without_unused_names(body) for line in fitted(each)]
+        self.numpys = {"np" if name in own else name for name in self.called}
         self.chooses = bool(self.masks)
         self.uses_type = (
             self.chooses or self.nears or any(" if single else " in line for line in body)
@@ -59,6 +70,10 @@ class Arithmetic:
     @property
     def work(self) -> int:
         return self.plan.work
+
+    def _numpy(self, name: str) -> str:
+        self.called.add(name)
+        return f"np.{name}" if name in self.own else name
 
     def _fresh(self, wanted: str) -> str:
         name = wanted
@@ -100,7 +115,7 @@ class Arithmetic:
             self.names[number] = name
         for output, number in self.plan.copies:
             yield from self._prepared(number)
-            yield f"np.copyto({self.outputs[output]}, {self._operand(number)})"
+            yield f"{self._numpy('copyto')}({self.outputs[output]}, {self._operand(number)})"
 
     def _ends(self) -> list[int]:
         return [self.program.outputs[output.name] for output in self.kernel.outputs]
@@ -128,7 +143,7 @@ class Arithmetic:
         name = UFUNC[step.operation]
         if step.operation == "mul" and operands[0] == operands[1]:
             name, operands = "square", operands[:1]  # the same product, read once
-        yield f"{target}np.{name}({', '.join(operands)}, {register})"
+        yield f"{target}{self._numpy(name)}({', '.join(operands)}, {register})"
 
     def _two_parts(self, number: int, step: Step, target: str, affine: AffineSum) -> Iterator[str]:
         """A difference with a constant in two parts, the nearest number and the rest."""
@@ -143,8 +158,8 @@ class Arithmetic:
             high if fixed else self._operand(part)
             for part, fixed in zip(step.operands, constant, strict=True)
         ]
-        yield f"np.{UFUNC[step.operation]}({', '.join(operands)}, {register})"
-        yield f"{target}np.add({register}, {rest}, {register})"
+        yield f"{self._numpy(UFUNC[step.operation])}({', '.join(operands)}, {register})"
+        yield f"{target}{self._numpy('add')}({register}, {rest}, {register})"
 
     def _select(self, number: int, step: Step, target: str) -> Iterator[str]:
         register = self._register(number)
@@ -153,7 +168,8 @@ class Arithmetic:
             yield from self._prepared(part)
         if is_least(self.program, step):
             operands = f"{self._operand(x)}, {self._operand(y)}"
-            yield f"{target}np.minimum({operands}, out={register})"  # NumPy wants it named
+            least = self._numpy("minimum")
+            yield f"{target}{least}({operands}, out={register})"  # NumPy wants it named
             return
         limits = [threshold(self.program, step, form) for form in FORMATS]
         value, lines = self._by_type("limit", [limit.value for limit in limits])
@@ -161,7 +177,7 @@ class Arithmetic:
         input_first = limits[0].input_first
         compared = self._operand(step.operands[0 if input_first else 1])
         first, second = (compared, value) if input_first else (value, compared)
-        condition = f"np.less({first}, {second})"
+        condition = f"{self._numpy('less')}({first}, {second})"
         if condition not in self.masks:
             self.masks[condition] = self._fresh("mask")
             yield f"{self.masks[condition]} = mask_of({condition}, single)"
@@ -215,9 +231,5 @@ def _without_unused_names(lines: list[str]) -> list[str]:
     for at, line in enumerate(lines):
         name, equals, rest = line.partition(" = ")
         unused = name.isidentifier() and not any(name in later for later in words[at + 1 :])
-        kept.append(
-            rest
-            if equals and unused and rest.startswith(("np.", "choose(", "near_cbrt("))
-            else line
-        )
+        kept.append(rest if equals and unused and re.match(r"[\w.]+\(", rest) else line)
     return [line for line in kept if line]

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
+from itertools import chain
 
 from gainproof.derive.printer.arithmetic import Arithmetic
 from gainproof.derive.printer.bound import KernelBound
@@ -14,7 +15,7 @@ from gainproof.derive.printer.kernel import Kernel, Module
 from gainproof.derive.printer.layout import WIDTH, call, listed, row
 from gainproof.derive.printer.numpy_domains import kernel_domains, module_domains, named_domain
 from gainproof.derive.printer.numpy_results import NAMED, imported_results, result_class
-from gainproof.derive.printer.requirements import requirements
+from gainproof.derive.printer.requirements import Printed, requirements
 from gainproof.derive.printer.together import prove_all
 
 
@@ -30,12 +31,25 @@ def printed(module: Module, bounds: Sequence[Sequence[KernelBound]]) -> str:
     names = [kernel.name for kernel in module.kernels]
     results = [kernel.result for kernel in module.kernels]
     domains = module_domains(module.kernels, bounds)
-    arithmetics = [Arithmetic(kernel) for kernel in module.kernels]
+    arithmetics = [Arithmetic(kernel, names) for kernel in module.kernels]
+    needed = [requirements(kernel, names) for kernel in module.kernels]
+    numpys: set[str] = set().union(*(each.numpys for each in arithmetics))
+    numpys |= set().union(*(each.numpys for each in chain(*needed)))
+    numpys |= {"np" for kernel in module.kernels if kernel.accurate}
     chooses = any(arithmetic.chooses for arithmetic in arithmetics)
     nears = any(arithmetic.nears for arithmetic in arithmetics)
     bits = (["choose", "mask_of"] if chooses else []) + (["near_cbrt"] if nears else [])
-    required = "Required, " if any(kernel.requirements for kernel in module.kernels) else ""
-    lines = [
+    requires = "Required, " if any(needed) else ""
+    body: list[str] = []
+    printed_parts = zip(module.kernels, arithmetics, needed, bounds, strict=True)
+    for kernel, arithmetic, required, pair in printed_parts:
+        if not module.results:
+            body += ["", "", *result_class(kernel)]
+        own = [domains[domain] for domain in kernel_domains(kernel, pair)]
+        body += ["", "", *_kernel(kernel, arithmetic, required, pair, own)]
+        if kernel.accurate:
+            body += ["", "", *_accurate(kernel, domains[accurate_domain(kernel.accurate)])]
+    head = [
         f"# Made by: {_one_line(module.command)}",
         f"# From: {_one_line(module.derivation)}",
         f'"""{module.title}."""' if not module.title.endswith(".") else f'"""{module.title}"""',
@@ -44,11 +58,12 @@ def printed(module: Module, bounds: Sequence[Sequence[KernelBound]]) -> str:
         "",
         "from typing import TYPE_CHECKING",
         "",
-        "import numpy as np",
+        *(["import numpy as np"] if "np" in numpys else []),
+        *_imported(sorted(numpys - {"np"})),
         "",
         *([f"from gainproof.generated._bits import {', '.join(bits)}"] if bits else ()),
         "from gainproof.generated._runtime import evaluate",
-        f"from gainproof.generated._signature import Domain, {required}Signature",
+        f"from gainproof.generated._signature import Domain, {requires}Signature",
         *(imported_results(module.results, results) if module.results else ()),
         "",
         "if TYPE_CHECKING:",
@@ -62,14 +77,7 @@ def printed(module: Module, bounds: Sequence[Sequence[KernelBound]]) -> str:
         "",
         *(line for domain, name in domains.items() for line in named_domain(name, domain)),
     ]
-    for kernel, arithmetic, pair in zip(module.kernels, arithmetics, bounds, strict=True):
-        if not module.results:
-            lines += ["", "", *result_class(kernel)]
-        own = [domains[domain] for domain in kernel_domains(kernel, pair)]
-        lines += ["", "", *_kernel(kernel, arithmetic, pair, own)]
-        if kernel.accurate:
-            lines += ["", "", *_accurate(kernel, domains[accurate_domain(kernel.accurate)])]
-    return "\n".join(lines) + "\n"
+    return "\n".join(head + body) + "\n"
 
 
 def _one_line(text: str) -> str:
@@ -78,12 +86,23 @@ def _one_line(text: str) -> str:
     return text
 
 
+def _imported(numpys: Sequence[str]) -> list[str]:
+    line = f"from numpy import {', '.join(numpys)}"
+    if len(line) > WIDTH:
+        return ["from numpy import (", *(f"    {name}," for name in numpys), ")"]
+    return [line] if numpys else []
+
+
 def _all(names: Sequence[str]) -> list[str]:
     return listed("__all__ = [", [f'"{name}"' for name in sorted(names)], "]")
 
 
 def _kernel(
-    kernel: Kernel, arithmetic: Arithmetic, bounds: Sequence[KernelBound], domains: Sequence[str]
+    kernel: Kernel,
+    arithmetic: Arithmetic,
+    required: Sequence[Printed],
+    bounds: Sequence[KernelBound],
+    domains: Sequence[str],
 ) -> Iterator[str]:
     block, signature = f"_{kernel.name}_block", f"_{kernel.name.upper()}"
     yield from _function(kernel, bounds, signature)
@@ -94,7 +113,6 @@ def _kernel(
     head = f"def {block}({arguments}) -> None:"
     yield from [head] if len(head) <= WIDTH else [f"def {block}(", f"    {arguments}", ") -> None:"]
     yield from (f"    {line}" for line in arithmetic.lines)
-    required = requirements(kernel)
     for each in required:
         yield from ("", "", *each.function)
     yield from ("", "")

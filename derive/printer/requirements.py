@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Collection, Iterator
 from dataclasses import dataclass, replace
 
 from gainproof.derive.printer.arithmetic import Arithmetic, literal
@@ -16,25 +16,28 @@ from gainproof.derive.printer.layout import WIDTH
 
 @dataclass(frozen=True)
 class Printed:
-    """The lines of the function of what is required, and of its entry."""
+    """The lines of the function of what is required, and of its entry; what it calls of NumPy."""
 
     function: tuple[str, ...]
     entry: tuple[str, ...]
+    numpys: frozenset[str]
 
 
-def requirements(kernel: Kernel) -> list[Printed]:
-    """Of each requirement of a kernel, in order."""
-    return [_printed(kernel, each) for each in kernel.requirements]
+def requirements(kernel: Kernel, own: Collection[str] = ()) -> list[Printed]:
+    """Of each requirement of a kernel, in order; `own` are the names of its module."""
+    return [_printed(kernel, each, own) for each in kernel.requirements]
 
 
-def _printed(kernel: Kernel, required: Requirement) -> Printed:
+def _printed(kernel: Kernel, required: Requirement, own: Collection[str]) -> Printed:
     block = f"_{kernel.name}_{required.name}_block"
     outputs = (Output(required.name, required.meaning),)
-    arithmetic = Arithmetic(replace(kernel, outputs=outputs))
+    arithmetic = Arithmetic(replace(kernel, outputs=outputs), own)
     names = [each.name for each in kernel.inputs]
     leg = tuple(names.index(name) for name in first_leg(kernel.graph, required.name))
     return Printed(
-        tuple(_function(block, arithmetic)), tuple(_entry(block, arithmetic, required, leg))
+        tuple(_function(block, arithmetic)),
+        tuple(_entry(block, arithmetic, required, leg)),
+        frozenset(arithmetic.numpys),
     )
 
 

@@ -127,8 +127,9 @@ counts the inputs for which no bound is stated, the true value being no normal n
 `undocumented` those of them for which the result is not 0, subnormal or infinite. Kernels named
 together are the same arithmetic on the same inputs, and were swept once; inputs count for each.
 
-The digest beside a kernel says what was swept: its arithmetic, domain and ranges, and what is
-measured. A row says nothing of a kernel that has another digest by now:
+The digest beside a kernel says what was swept: what it computes, domain and ranges, and what is
+measured; not in which buffers, which is no part of a formula. It is found by running the block on
+names. A row says nothing of a kernel that has another digest by now:
 `python tests/campaigns/float32_record.py` drops such rows, and brings in those of a finished
 sweep. It wrote this file.
 

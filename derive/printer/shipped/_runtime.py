@@ -8,8 +8,9 @@ NumPy escapes. The arithmetic runs in blocks through a few buffers that are used
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from functools import partial
+from functools import cache, partial
 from itertools import pairwise
+from types import FunctionType
 from typing import TYPE_CHECKING, Any, NamedTuple, TypeAlias
 
 import numpy as np
@@ -23,7 +24,7 @@ if TYPE_CHECKING:
     from numpy.typing import ArrayLike
 
     from gainproof.derive.printer.shipped._blocks import Span
-    from gainproof.derive.printer.shipped._signature import Array, Real, Signature
+    from gainproof.derive.printer.shipped._signature import Array, Block, Real, Signature
 
     Spans: TypeAlias = Sequence[Span]
 
@@ -75,8 +76,7 @@ def evaluate(
             results = [np.empty(shape, kind) for _ in kernel.outputs]
         else:
             results = checked(kernel, out, shape, kind)
-        straight = all(y.flags.c_contiguous for y in results)
-        blocks = cut(inputs, shape, BLOCK, in_one_piece=straight)
+        blocks = cut(inputs, shape, BLOCK, results=results)
         call = Call(kernel, inputs, blocks, results, out is None)
         spans = blocks.spans
         count = max(1, min(int(workers), len(spans)))
@@ -130,31 +130,42 @@ def _fill(call: Call, doubtful: Sequence[int], kept: Sequence[int], spans: Spans
     kind, length = results[0].dtype, call.blocks.length
     single = kind == np.float32
     # an output that is not contiguous is filled through a buffer
-    direct = [y.flags.c_contiguous for y in results]
-    count = kernel.work + len(kept) + direct.count(False)
-    work = rows(count, length, kind)
-    copies = [work.pop() for _ in kept]
+    through = [place for place, y in enumerate(results) if not y.flags.c_contiguous]
+    work = rows(kernel.work + len(kept) + len(through), length, kind)
+    copies = [(place, work.pop()) for place in kept]
+    buffers = [(place, work.pop()) for place in through]
     targets: list[Array] = [
-        np.asarray(y).reshape(-1) if straight else work.pop()
-        for y, straight in zip(results, direct, strict=True)
+        y if place in through else np.asarray(y).reshape(-1) for place, y in enumerate(results)
     ]
     each = Parts(call.blocks)
+    block = _with_arrays(kernel.block, kind)
     # what was looked at last is still in the cache: it is computed first
     for start, stop in spans if call.fresh else reversed(spans):
         if call.fresh:
             admit(kernel, each, [(start, stop)], doubtful, call.inputs, shape)
-        parts = each.all(start, stop)
-        filled = [
-            y[start:stop] if straight else y[: stop - start]
-            for y, straight in zip(targets, direct, strict=True)
-        ]
-        for place, copy in zip(kept, copies, strict=True):
-            np.copyto(copy[: stop - start], parts[place])
-            parts[place] = copy[: stop - start]
-        kernel.block(parts, filled, [w[: stop - start] for w in work], single)
-        for y, straight, result in zip(filled, direct, results, strict=True):
-            if not straight:
-                call.blocks.window(np.asarray(result), start, stop)[...] = call.blocks.box(y)
+        size = stop - start
+        here = slice(start, stop)
+        parts, filled = each.all(start, stop), [y[here] for y in targets]
+        for place, buffer in buffers:
+            filled[place] = buffer[:size]
+        for place, copy in copies:
+            np.copyto(copy[:size], parts[place])
+            parts[place] = copy[:size]
+        block(parts, filled, work if size == length else [w[:size] for w in work], single)
+        for place, _ in buffers:
+            window = call.blocks.window(np.asarray(results[place]), start, stop)
+            window[...] = call.blocks.box(filled[place])
+
+
+@cache
+def _with_arrays(block: Block, kind: np.dtype[Any]) -> Block:
+    """A block function with an array of no axes for each of its numbers: NumPy makes one at every
+    call, which takes half as long as the call.
+    """
+    code = block.__code__
+    constants = (np.array(x, kind) if isinstance(x, float) else x for x in code.co_consts)
+    own = code.replace(co_consts=tuple(constants))
+    return FunctionType(own, block.__globals__, closure=block.__closure__)
 
 
 def _elsewhere(x: Array, y: Array) -> bool:

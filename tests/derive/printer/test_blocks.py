@@ -63,7 +63,8 @@ def test_every_block_has_what_broadcasting_gives(
     data: st.DataObject, shape: tuple[int, ...], length: int
 ) -> None:
     inputs = [data.draw(layouts(shape)) for _ in range(3)]
-    blocks = cut(inputs, shape, length, in_one_piece=not shape or data.draw(st.booleans()))
+    result = np.empty((*shape, 2))[..., 0] if data.draw(st.booleans()) else np.empty(shape)
+    blocks = cut(inputs, shape, length, results=[result])
     ends = [0, *(stop for _, stop in blocks.spans)]
     assert [start for start, _ in blocks.spans] == ends[:-1]
     assert ends[-1] == math.prod(shape)
@@ -171,6 +172,23 @@ def test_buffers_begin_at_lines_of_the_cache(kind: Any, length: int) -> None:
     for number, y in enumerate(buffers):
         y[:] = number
     assert all((y == number).all() for number, y in enumerate(buffers))
+
+
+@pytest.mark.parametrize("kind", [np.float64, np.float32])
+@pytest.mark.parametrize("shift", [0, 1, 3, 7, 8, 15])
+def test_blocks_begin_at_lines_of_the_cache(kind: Any, shift: int) -> None:
+    """All but the first, in the first of the results; a call of one block is not cut in two."""
+    pool = np.empty(1100, kind)
+    x = np.ones(1000, kind)
+    result = pool[shift : shift + 1000]
+    for length in (100, 128, 999):
+        (first, *others) = cut([x], x.shape, length, results=[result]).spans
+        assert first[0] == 0
+        assert length - 16 < first[1] <= length
+        assert others
+        assert all(result[start:].ctypes.data % 64 == 0 for start, _ in others if length == 128)
+        assert result[others[0][0] :].ctypes.data % 64 == 0
+    assert cut([x], x.shape, 1000, results=[result]).spans == [(0, 1000)]
 
 
 def test_of_nothing_nothing_is_asked() -> None:

@@ -84,7 +84,7 @@ def test_the_first_block_with_a_bad_number_is_told_of() -> None:
     count = (LONG + 2) * BLOCK + 5
     given = {name: np.ones(count) for name in ("position", "observed")}
     given["position"][BLOCK + 7] = np.nan
-    given["observed"][BLOCK - 1] = 1e41
+    given["observed"][BLOCK - 20] = 1e41  # the first block ends where a line of the cache does
     out = tuple(np.full(count, -7.0) for _ in range(2))
 
     def step(**options: Any) -> None:
@@ -92,14 +92,14 @@ def test_the_first_block_with_a_bad_number_is_told_of() -> None:
         filter_step.step_two_states(x, 1.0, 1.0, z, 0.5, 0.1, **options)
 
     for options in ({}, {"out": out}):
-        told = rf"observed must be .* got 1e\+41 at index {BLOCK - 1}$"
+        told = rf"observed must be .* got 1e\+41 at index {BLOCK - 20}$"
         with pytest.raises(ValueError, match=told):
             step(**options)
-        given["observed"][BLOCK - 1] = 1.0
+        given["observed"][BLOCK - 20] = 1.0
         with pytest.raises(ValueError, match=rf"position must be .* got nan at index {BLOCK + 7}$"):
             step(**options)
-        given["observed"][BLOCK - 1] = 1e41
-    given["position"][BLOCK + 7] = given["observed"][BLOCK - 1] = 1.0
+        given["observed"][BLOCK - 20] = 1e41  # the first block ends where a line of the cache does
+    given["position"][BLOCK + 7] = given["observed"][BLOCK - 20] = 1.0
     given["observed"][(LONG + 1) * BLOCK] = -np.inf
     with pytest.raises(
         ValueError, match=rf"observed must be .* got -inf at index {(LONG + 1) * BLOCK}$"

@@ -7,6 +7,7 @@ import re
 import shutil
 import subprocess
 import sys
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -14,7 +15,7 @@ import pytest
 from graph_kernels import function_of, kernel_of, text_of
 
 from gainproof.derive.printer.graph import GraphBuilder
-from gainproof.derive.printer.kernel import Kernel
+from gainproof.derive.printer.kernel import Input, Kernel
 from gainproof.derive.printer.program import program
 from gainproof.derive.printer.registers import plan
 
@@ -44,7 +45,7 @@ def test_header_and_names() -> None:
     assert lines[0] == "# Made by: a command"
     assert lines[1] == "# From: a derivation"
     assert ast.get_docstring(ast.parse(text)) == "Made for a test."
-    assert "gap = np.absolute(" in text
+    assert "gap = absolute(" in text
     assert "lambda_ = choose(mask, " in text
     assert re.search(r"rest = .* if single else ", text)
     assert max(map(len, lines)) <= 100
@@ -130,10 +131,25 @@ def test_a_quotient_waits_in_the_array_to_which_it_leads() -> None:
     assert chosen.register[quotient] == 1
 
 
+def test_a_kernel_that_is_named_like_a_function_of_numpy_calls_that_function() -> None:
+    """Of the same name are the kernel, its input, and what the kernel calls."""
+    b = GraphBuilder()
+    x = b.symbol("sqrt")
+    kernel = replace(
+        kernel_of(b.graph({"divide": b.sqrt(x) / 3, "square": x * x}), upper=100),
+        name="square",
+        inputs=(Input("sqrt", "the argument", "0", "100"),),
+    )
+    text = text_of(kernel)
+    assert "from numpy import divide, sqrt\n" in text
+    assert "np.square(sqrt_, square_)" in text
+    assert list(function_of(kernel)(9.0)) == [1.0, 81.0]
+
+
 def test_a_product_with_itself_is_a_square() -> None:
     b = GraphBuilder()
     x = b.symbol("x")
-    assert "np.square(x, y)" in text_of(kernel_of(b.graph({"y": x * x}), upper=100))
+    assert " square(x, y)" in text_of(kernel_of(b.graph({"y": x * x}), upper=100))
 
 
 def test_the_text_is_formatted_and_clean(tmp_path: Path) -> None:

@@ -6,6 +6,7 @@ import warnings
 from concurrent.futures import ThreadPoolExecutor
 from fractions import Fraction
 from functools import cache
+from importlib import import_module
 from typing import Any
 
 import numpy as np
@@ -16,6 +17,7 @@ from numpy.lib.stride_tricks import as_strided
 from gainproof.derive.printer.graph import GraphBuilder
 from gainproof.derive.printer.shipped._bits import choose, mask_of
 from gainproof.derive.printer.shipped._blocks import BLOCK
+from gainproof.generated._runtime import _with_arrays
 
 
 @cache
@@ -55,6 +57,29 @@ def test_arrays_keep_shape_and_type() -> None:
     assert two()([1, 4]).root.dtype == np.float64
     assert two()(np.arange(1, 5, dtype=np.uint8)).square.tolist() == [1, 4, 9, 16]
     assert two()(np.array([4.0], ">f8")).root.tolist() == [2]
+
+
+@pytest.mark.parametrize("kind", [np.float32, np.float64])
+@pytest.mark.parametrize("name", ["random_jerk", "random_velocity"])
+def test_numbers_of_a_block_are_arrays_of_the_type(kind: Any, name: str) -> None:
+    """The same bits as with Python numbers; the function that was printed stays as it is."""
+    signature = import_module(f"gainproof.generated.{name}")._GAINS
+    printed = signature.block.__code__.co_consts
+    own = _with_arrays(signature.block, np.dtype(kind))
+    numbers = own.__code__.co_consts
+    floats = [at for at, each in enumerate(printed) if isinstance(each, float)]
+    assert len(floats) > 5
+    assert all(numbers[at].dtype == kind and numbers[at].shape == () for at in floats)
+    assert signature.block.__code__.co_consts is printed
+    assert _with_arrays(signature.block, np.dtype(kind)) is own
+    x = np.geomspace(1e-20, 1e20, 999).astype(kind)
+    found = []
+    for block in (signature.block, own):
+        out, work = (np.empty((count, x.size), kind) for count in (3, signature.work))
+        with np.errstate(all="ignore"):
+            block([x], [*out[: len(signature.outputs)]], [*work], kind is np.float32)
+        found.append(out[: len(signature.outputs)])
+    assert np.array_equal(found[0], found[1])
 
 
 def test_every_layout_gives_the_same() -> None:

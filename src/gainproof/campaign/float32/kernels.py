@@ -18,6 +18,7 @@ import numpy as np
 import gainproof.generated
 from gainproof.bad_input import unknown_name
 from gainproof.campaign.float32.stated import Stated, stated
+from gainproof.campaign.float32.traced import OURS, computed
 from gainproof.generated import _bits
 
 MEASURING = ("sweep.py", "tally.py", "c_text.py")
@@ -58,19 +59,19 @@ class Swept:
         return stated(self.function.__doc__)
 
     def digest(self) -> str:
-        """Of what the results rest on: the kernel's arithmetic, the numbers it takes, and for which
-        of them its bounds are stated; and how errors are measured.
+        """Of what the results rest on: what the kernel computes, the numbers it takes, for which of
+        them its bounds are stated, and how errors are measured.
 
-        Not of the bounds themselves, with which errors are compared when they are reported; not of
+        Not of where values lie between the steps and how NumPy is called; not of the bounds
+        themselves, with which errors are compared when they are reported; not of
         what brings blocks to the arithmetic and back (guards, threads, `out`), which is tested by
         itself; and not of NumPy's version: sums, products, quotients and roots are rounded
         correctly in each, and `test_campaign_float32` says so if a kernel takes anything else.
         """
-        found = hashlib.sha256(source_of(self.signature.block).encode())
-        for name in self.signature.block.__code__.co_names:
-            called = getattr(_bits, name, None)
-            if inspect.isfunction(called):
-                found.update(source_of(called).encode())
+        found = hashlib.sha256(computed(self.signature, single=True).encode())
+        for name in OURS:
+            if name in self.signature.block.__code__.co_names:
+                found.update(source_of(getattr(_bits, name)).encode())
         domain = self.signature.inputs[0]
         ranges = [(each.scale, each.lowest, each.highest) for each in self.stated]
         found.update(repr((domain.single, domain.whole, self.signature.outputs, ranges)).encode())

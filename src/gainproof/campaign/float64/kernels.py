@@ -15,9 +15,9 @@ from gainproof.campaign.float32.kernels import (
     Swept,
     chosen,
     code_of,
-    source_of,
     swept_kernels,
 )
+from gainproof.campaign.float32.traced import computed
 from gainproof.certify.printed_bound import PrintedBound, printed_bounds
 from gainproof.places import generated_folder
 
@@ -49,7 +49,7 @@ class Sampled:
 
     def digest(self) -> str:
         """Of what the results rest on: arithmetic, domain, ranges, and how errors are measured."""
-        found = hashlib.sha256(source_of(self.swept.signature.block).encode())
+        found = hashlib.sha256(computed(self.swept.signature, single=False).encode())
         found.update(repr((self.bits, self.swept.signature.outputs, self.ends)).encode())
         found.update(_measuring_code())
         return found.hexdigest()[:16]

@@ -1,0 +1,70 @@
+"""What a block function computes, told by running it on names in the place of numbers."""
+
+from __future__ import annotations
+
+import hashlib
+from collections.abc import Callable
+from types import FunctionType
+from typing import Any
+
+import numpy as np
+
+OURS = ("mask_of", "choose", "near_cbrt")
+"""Functions of `_bits` that blocks call, which look at the bits of arrays."""
+
+
+class Traced:
+    """An array that knows what was computed for it; `formula` is a digest of that.
+
+    A buffer that is filled again has another formula from then on: what reads a value too late, or
+    in the wrong place, computes something else.
+    """
+
+    def __init__(self, formula: str) -> None:
+        self.formula = formula
+
+    def __array_ufunc__(
+        self, function: np.ufunc, method: str, *operands: Any, out: tuple[Traced, ...] = ()
+    ) -> Any:
+        if method != "__call__":
+            return NotImplemented
+        return _filled(function.__name__, operands, out[0] if out else Traced(""))
+
+    def __array_function__(
+        self, function: Callable[..., Any], _types: Any, given: Any, _options: Any
+    ) -> Any:
+        if function is not np.copyto:
+            return NotImplemented
+        return _filled("copyto", given[1:], given[0])
+
+
+def computed(signature: Any, single: bool) -> str:
+    """The formulas of a kernel's outputs in float32 or float64.
+
+    Where values lie between the steps, and how NumPy is called, says nothing of what is computed.
+    TypeError where a block does something else than to call NumPy.
+    """
+    block = signature.block
+    recorded = {name: _recorder(name) for name in OURS}
+    traced = FunctionType(
+        block.__code__, block.__globals__ | recorded, block.__name__, None, block.__closure__
+    )
+    given = [Traced(f"input {place}") for place in range(len(signature.inputs))]
+    out = [Traced("an output, not filled yet") for _ in signature.outputs]
+    traced(given, out, [Traced("a buffer, not filled yet") for _ in range(signature.work)], single)
+    return " ".join(each.formula for each in out)
+
+
+def _filled(name: str, operands: Any, out: Traced) -> Traced:
+    """The array to be filled with what a function of this name gives."""
+    parts = [x.formula if isinstance(x, Traced) else repr(float(x)) for x in operands]
+    out.formula = hashlib.sha256(f"{name}({', '.join(parts)})".encode()).hexdigest()
+    return out
+
+
+def _recorder(name: str) -> Callable[..., Traced]:
+    if name == "mask_of":
+        return lambda condition, _single: _filled(name, [condition], Traced(""))
+    if name == "choose":
+        return lambda mask, x, y, out: _filled(name, [mask, x, y], out)
+    return lambda x, out, _single: _filled(name, [x], out)
