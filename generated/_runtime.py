@@ -133,39 +133,46 @@ def _fill(call: Call, doubtful: Sequence[int], kept: Sequence[int], spans: Spans
     through = [place for place, y in enumerate(results) if not y.flags.c_contiguous]
     work = rows(kernel.work + len(kept) + len(through), length, kind)
     copies = [(place, work.pop()) for place in kept]
-    buffers = [(place, work.pop()) for place in through]
-    targets: list[Array] = [
-        y if place in through else np.asarray(y).reshape(-1) for place, y in enumerate(results)
-    ]
+    buffers = {place: work.pop() for place in through}
+    flat = [np.asarray(y).reshape(-1) for y in results if y.flags.c_contiguous]
     each = Parts(call.blocks)
-    block = _with_arrays(kernel.block, kind)
+    block = with_arrays(kernel.block, kind)
     # what was looked at last is still in the cache: it is computed first
     for start, stop in spans if call.fresh else reversed(spans):
         if call.fresh:
             admit(kernel, each, [(start, stop)], doubtful, call.inputs, shape)
         size = stop - start
         here = slice(start, stop)
-        parts, filled = each.all(start, stop), [y[here] for y in targets]
-        for place, buffer in buffers:
-            filled[place] = buffer[:size]
+        parts, filled = each.all(start, stop), [y[here] for y in flat]
+        for place, buffer in buffers.items():
+            filled.insert(place, buffer[:size])
         for place, copy in copies:
             np.copyto(copy[:size], parts[place])
             parts[place] = copy[:size]
         block(parts, filled, work if size == length else [w[:size] for w in work], single)
-        for place, _ in buffers:
+        for place in buffers:
             window = call.blocks.window(np.asarray(results[place]), start, stop)
             window[...] = call.blocks.box(filled[place])
 
 
+class Number(np.ndarray[Any, Any]):
+    """An array without axes that may be a constant of a function, which debuggers hash."""
+
+    def __hash__(self) -> int:  # type: ignore[override]  # arrays have none
+        return id(self)
+
+
 @cache
-def _with_arrays(block: Block, kind: np.dtype[Any]) -> Block:
-    """A block function with an array of no axes for each of its numbers: NumPy makes one at every
-    call, which takes half as long as the call.
+def with_arrays(block: Block, kind: np.dtype[Any]) -> Block:
+    """A block function with an array without axes for each of its numbers: NumPy makes one of a
+    number at every call, which takes half as long as the call.
     """
     code = block.__code__
-    constants = (np.array(x, kind) if isinstance(x, float) else x for x in code.co_consts)
-    own = code.replace(co_consts=tuple(constants))
-    return FunctionType(own, block.__globals__, closure=block.__closure__)
+    numbers = (
+        np.array(x, kind).view(Number) if isinstance(x, float) else x for x in code.co_consts
+    )
+    own = code.replace(co_consts=tuple(numbers))
+    return FunctionType(own, block.__globals__, None, block.__defaults__, block.__closure__)
 
 
 def _elsewhere(x: Array, y: Array) -> bool:

@@ -30,8 +30,8 @@ UFUNC = {
 
 
 NUMPYS = frozenset(UFUNC.values()) | {"square", "minimum", "less", "copyto"}
-"""Functions of NumPy that a module imports by name: looked up in NumPy they take longer at each
-call, a fiftieth of a kernel's time in all.
+"""Functions of NumPy that blocks call by their bare names, which nothing else in a block may have:
+looked up in NumPy they take longer at each call, a fiftieth of a kernel's time in all.
 """
 
 
@@ -40,8 +40,8 @@ class Arithmetic:
 
     The last argument of each NumPy call is the array that it fills: by position, since keywords
     are a good part of what compiling and calling a block costs. Functions of NumPy are called by
-    their bare names, unless the module has something of its `own` by that name; `numpys` are those
-    that it imports, NumPy itself as np.
+    their bare names, unless the module has something of its `own` by that name; `numpys` is what it
+    has to import, with "np" for NumPy itself.
     """
 
     def __init__(self, kernel: Kernel, own: Collection[str] = ()) -> None:

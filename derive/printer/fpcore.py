@@ -17,7 +17,7 @@ from gainproof.derive.printer.kernel import Input, Kernel, Module
 from gainproof.derive.printer.near_cbrt import ERROR
 from gainproof.derive.printer.plain import plain
 from gainproof.derive.printer.program import Program, Step
-from gainproof.derive.printer.registers import plan
+from gainproof.derive.printer.register_plan import late
 from gainproof.derive.printer.threshold import threshold
 
 PRECISION = {"float64": "binary64", "float32": "binary32"}
@@ -49,7 +49,7 @@ def _core(module: str, kernel: Kernel, bound: KernelBound, row: int) -> Iterator
     form, output = bound.format, kernel.outputs[row]
     steps = plain(kernel.program)
     end = steps.outputs[output.name]
-    order = plan(steps, [end]).order
+    order = late(steps, [end])
     starts = [number for number in order if steps.steps[number].operation == "near_cbrt"]
     yield f"(FPCore ({' '.join(given.name for given in kernel.inputs)})"
     yield f'  :name "{module}.{kernel.name}.{output.name} {form.name}"'
@@ -63,7 +63,7 @@ def _core(module: str, kernel: Kernel, bound: KernelBound, row: int) -> Iterator
 
 def _let(steps: Program, end: int, form: Format, last: str) -> str:
     """The steps that a value needs as bindings, and what becomes of the value."""
-    order = plan(steps, [end]).order
+    order = late(steps, [end])
     value = last.format(_operand(steps, end, form))
     if not order:
         return value

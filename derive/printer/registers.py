@@ -12,18 +12,19 @@ from gainproof.derive.printer.register_plan import SLOW, Plan, late, lives
 def plan(program: Program, outputs: Sequence[int]) -> Plan:
     """Registers for the steps that the outputs need; operands may be overwritten when they die.
 
-    The usual plan has the fewest buffers. In the place of it comes one in which an output holds
-    steps on the way to it, or else one in which outputs hold little beside what becomes of them, if
-    steps touch a tenth fewer arrays by that, more of them being done in place, and no fewer outputs
-    are first written by what hides their way into the cache.
+    The usual plan has few buffers. One in which an output holds steps on the way to it comes in its
+    place if steps touch a tenth fewer arrays by that, more of them being done in place; or else one
+    in which outputs hold little beside what becomes of them, if fewer sums and products fill an
+    output by that, with no more buffers and no more arrays touched. Neither does if fewer outputs
+    are then first written by what hides their way into the cache.
     """
     usual, straight = (_Planner(program, outputs, straight).run() for straight in (False, True))
-    other = apart(program, outputs)
     count = len(outputs)
     touched, hidden = _touched(program, usual), _hidden(program, usual, count)
     tenth = 10 * _touched(program, straight) <= 9 * touched
     if tenth and hidden <= _hidden(program, straight, count):
         return straight
+    other = apart(program, outputs)
     fits = other.work <= usual.work and _touched(program, other) <= touched
     fewer = _filled(program, other, count) < _filled(program, usual, count)
     if fits and fewer and hidden <= _hidden(program, other, count):
@@ -51,8 +52,10 @@ def _filled(program: Program, plan: Plan, outputs: int) -> int:
     """How many sums and products fill an output array with what is made of others."""
     at = plan.register
     sums = [step for step in plan.order if program.steps[step].operation not in SLOW]
-    apart = [step for step in sums if at[step] not in map(at.get, program.steps[step].operands)]
-    return sum(at[step] < outputs for step in apart)
+    return sum(
+        at[step] < outputs and at[step] not in map(at.get, program.steps[step].operands)
+        for step in sums
+    )
 
 
 class _Planner:

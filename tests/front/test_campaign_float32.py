@@ -190,8 +190,16 @@ def test_the_digest_is_of_what_is_computed_and_not_of_where() -> None:
         != kernel.digest()
     )
     assert harmed(kernel, f"    {place}\n", "") != kernel.digest()
-    with pytest.raises(TypeError):
-        harmed(kernel, "0.25", "np.sum(tracking_index)")
+    # a value may be copied on the way; what is more than functions of one result is refused
+    twice = f"multiply({one}, {other}, w0)\n    np.copyto({out}, w0)"
+    assert harmed(kernel, place, twice) == kernel.digest()
+    for refused in (
+        f"np.copyto({out}, w0, where=less(w0, w1))",
+        f"np.modf({one}, {out}, w0)",
+        f"np.concatenate([w0, w1], out={out})",
+    ):
+        with pytest.raises(TypeError):
+            harmed(kernel, place, refused)
 
 
 def test_words_are_no_code() -> None:

@@ -128,7 +128,7 @@ counts the inputs for which no bound is stated, the true value being no normal n
 together are the same arithmetic on the same inputs, and were swept once; inputs count for each.
 
 The digest beside a kernel says what was swept: what it computes, domain and ranges, and what is
-measured; not in which buffers, which is no part of a formula. It is found by running the block on
+measured; where values are kept on the way does not count. It is found by running the block on
 names. A row says nothing of a kernel that has another digest by now:
 `python tests/campaigns/float32_record.py` drops such rows, and brings in those of a finished
 sweep. It wrote this file.

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 
 from gainproof.derive.printer.affine import in_two_parts
@@ -12,7 +12,7 @@ from gainproof.derive.printer.kernel import Kernel
 from gainproof.derive.printer.near_cbrt import added_bits
 from gainproof.derive.printer.plain import plain
 from gainproof.derive.printer.program import FUNCTIONS, Program, Step
-from gainproof.derive.printer.registers import plan
+from gainproof.derive.printer.register_plan import late
 from gainproof.derive.printer.threshold import threshold
 
 SIGN = {"add": "+", "sub": "-", "mul": "*", "div": "/"}
@@ -33,9 +33,9 @@ def body(kernel: Kernel, flavour: Flavour, names: Mapping[str, str]) -> Body:
     steps = plain(kernel.program)
     ends = [steps.outputs[output.name] for output in kernel.outputs]
     printer = _Printer(steps, flavour, names)
-    used = [steps.steps[number] for number in plan(steps, ends).order]
-    lines = tuple(printer.lines(plan(steps, ends).order))
-    near = any(step.operation == "near_cbrt" for step in used)
+    order = late(steps, ends)
+    lines = tuple(printer.lines(order))
+    near = any(steps.steps[number].operation == "near_cbrt" for number in order)
     return Body(lines, tuple(printer.operand(end) for end in ends), near)
 
 
@@ -45,7 +45,7 @@ class _Printer:
     flavour: Flavour
     names: Mapping[str, str]
 
-    def lines(self, order: tuple[int, ...]) -> Iterator[str]:
+    def lines(self, order: Sequence[int]) -> Iterator[str]:
         for number in order:
             step = self.steps.steps[number]
             remark = f" /* {step.label} */" if step.label else ""

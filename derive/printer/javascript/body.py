@@ -6,7 +6,7 @@ rounding of `Math.sqrt` to the engine; all that are known take the processor's, 
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
 from gainproof.derive.printer.affine import in_two_parts
@@ -15,7 +15,7 @@ from gainproof.derive.printer.formats import FLOAT64
 from gainproof.derive.printer.kernel import Kernel
 from gainproof.derive.printer.plain import plain
 from gainproof.derive.printer.program import FUNCTIONS, Program, Step
-from gainproof.derive.printer.registers import plan
+from gainproof.derive.printer.register_plan import late
 from gainproof.derive.printer.threshold import threshold
 
 SIGN = {"add": "+", "sub": "-", "mul": "*", "div": "/"}
@@ -48,7 +48,7 @@ def body(kernel: Kernel) -> Body:
     """The steps that a kernel's outputs need."""
     steps = plain(kernel.program)
     ends = [steps.outputs[output.name] for output in kernel.outputs]
-    order = plan(steps, ends).order
+    order = late(steps, ends)
     printer = _Printer(steps, _names(kernel, steps, order))
     inputs = _argument_names(kernel)
     lines = tuple(printer.lines(order))
@@ -69,7 +69,7 @@ def _fresh(wanted: str, taken: set[str]) -> str:
     return name
 
 
-def _names(kernel: Kernel, steps: Program, order: tuple[int, ...]) -> dict[int, str]:
+def _names(kernel: Kernel, steps: Program, order: Sequence[int]) -> dict[int, str]:
     """Of every input, and of every step: its label if it has one."""
     arguments = _argument_names(kernel)
     taken = set(arguments.values())
@@ -88,7 +88,7 @@ class _Printer:
     steps: Program
     names: dict[int, str]
 
-    def lines(self, order: tuple[int, ...]) -> Iterator[str]:
+    def lines(self, order: Sequence[int]) -> Iterator[str]:
         for number in order:
             text = self._expression(number, self.steps.steps[number])
             yield f"const {self.names[number]} = {text};"

@@ -85,8 +85,8 @@ def lead(x: Array) -> int:
 
 
 def cut(inputs: Arrays, shape: tuple[int, ...], length: int, *, results: Arrays = ()) -> Blocks:
-    """Blocks of at most `length` elements; where all is in one piece they begin, but the first, as
-    a line of the cache does in the first of the results.
+    """Blocks of at most `length` elements. Where all is in one piece, those after the first begin
+    at lines of the cache in the first of the results, if `length` is some lines.
     """
     in_one_piece = all(y.flags.c_contiguous for y in results)
     plain = [x.size == 1 or (x.shape == shape and x.flags.c_contiguous) for x in inputs]
@@ -98,8 +98,9 @@ def cut(inputs: Arrays, shape: tuple[int, ...], length: int, *, results: Arrays 
     size = math.prod(shape)
     if (all(plain) and in_one_piece) or not size:
         first = length
-        if results and size > length > LINE:
-            first -= (length - lead(results[0])) % (LINE // results[0].itemsize)
+        line = LINE // inputs[0].itemsize
+        if results and size > length > line:
+            first -= (length - lead(results[0])) % line
         spans = list(pairwise([0, *range(first, size, length), size])) if size else []
         return Blocks((size,), 0, 1, laid, plain, each, spans)
     axis, beyond = len(shape) - 1, 1

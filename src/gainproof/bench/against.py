@@ -14,7 +14,7 @@ from gainproof.bench.timing import best_times
 from gainproof.generated._blocks import BLOCK, cut
 from gainproof.generated._runtime import Call, run
 
-LENGTHS = (4096, 8192, 16384, 32768, 65536, 98304, 131072, 262144)
+LENGTHS = (4096, 8192, 16384, BLOCK, 32768, 49152, 65536, 98304, 131072)
 SIZES = (100_000, 300_000, 1_000_000, 3_000_000, 10_000_000)
 POINTS = 15 * SIZE
 """How many points a number is measured at, all its rounds together, so that none takes long."""
@@ -49,7 +49,7 @@ def lengths(item: Measured, constant: str | None = None) -> dict[int, float]:
     outputs = [np.empty(SIZE) for _ in item.kernel.outputs]
 
     def filled(length: int) -> Callable[[], object]:
-        blocks = cut(inputs, outputs[0].shape, length)
+        blocks = cut(inputs, outputs[0].shape, length, results=outputs)
         return lambda: run(Call(item.signature, inputs, blocks, outputs, False), [blocks.spans])
 
     with np.errstate(all="ignore"):

@@ -20,7 +20,7 @@ from gainproof.derive.printer.c_language.loop import c_loop
 from gainproof.derive.printer.c_language.module import c_function
 from gainproof.derive.printer.library import functions_of
 from gainproof.generated._blocks import BLOCK, Parts, cut, rows
-from gainproof.generated._runtime import evaluate
+from gainproof.generated._runtime import evaluate, with_arrays
 from gainproof.standalone.in_c._compiled import FLAGS, in_c
 
 SIZE = 1_000_000
@@ -167,9 +167,10 @@ def bare_passes(item: Measured, given: Arguments) -> Callable[[], object]:
     given_back = len(item.kernel.outputs)
     buffers = rows(given_back + item.signature.work, length, np.dtype(np.float64))
     outputs, work = buffers[:given_back], buffers[given_back:]
+    block = with_arrays(item.signature.block, outputs[0].dtype)
 
     def call() -> None:
         for _ in range(SIZE // length):
-            item.signature.block(parts, outputs, work, False)
+            block(parts, outputs, work, False)
 
     return call

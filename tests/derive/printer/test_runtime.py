@@ -17,7 +17,7 @@ from numpy.lib.stride_tricks import as_strided
 from gainproof.derive.printer.graph import GraphBuilder
 from gainproof.derive.printer.shipped._bits import choose, mask_of
 from gainproof.derive.printer.shipped._blocks import BLOCK
-from gainproof.generated._runtime import _with_arrays
+from gainproof.generated._runtime import with_arrays
 
 
 @cache
@@ -65,13 +65,14 @@ def test_numbers_of_a_block_are_arrays_of_the_type(kind: Any, name: str) -> None
     """The same bits as with Python numbers; the function that was printed stays as it is."""
     signature = import_module(f"gainproof.generated.{name}")._GAINS
     printed = signature.block.__code__.co_consts
-    own = _with_arrays(signature.block, np.dtype(kind))
+    own = with_arrays(signature.block, np.dtype(kind))
     numbers = own.__code__.co_consts
     floats = [at for at, each in enumerate(printed) if isinstance(each, float)]
     assert len(floats) > 5
     assert all(numbers[at].dtype == kind and numbers[at].shape == () for at in floats)
     assert signature.block.__code__.co_consts is printed
-    assert _with_arrays(signature.block, np.dtype(kind)) is own
+    assert own.__code__ in {own.__code__: "as debuggers do"}
+    assert with_arrays(signature.block, np.dtype(kind)) is own
     x = np.geomspace(1e-20, 1e20, 999).astype(kind)
     found = []
     for block in (signature.block, own):

@@ -14,7 +14,7 @@ from gainproof.derive.printer.formats import FLOAT64, FORMATS
 from gainproof.derive.printer.kernel import Kernel
 from gainproof.derive.printer.plain import plain
 from gainproof.derive.printer.program import Program
-from gainproof.derive.printer.registers import plan
+from gainproof.derive.printer.register_plan import late
 from gainproof.derive.printer.threshold import threshold
 from gainproof.generated._bits import near_cbrt
 
@@ -25,7 +25,7 @@ def evaluator(kernel: Kernel) -> Callable[[Doubles], list[Doubles]]:
     """The outputs of a kernel of one input, from inputs; rounded as in the float64 kernel."""
     steps = plain(kernel.program)
     ends = [steps.outputs[output.name] for output in kernel.outputs]
-    order = plan(steps, ends).order
+    order = late(steps, ends)
 
     def evaluated(x: Doubles) -> list[Doubles]:
         values: dict[int, Any] = dict(_given(steps, x))

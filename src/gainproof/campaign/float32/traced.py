@@ -26,23 +26,24 @@ class Traced:
     def __array_ufunc__(
         self, function: np.ufunc, method: str, *operands: Any, out: tuple[Traced, ...] = ()
     ) -> Any:
-        if method != "__call__":
+        if method != "__call__" or function.nout != 1:
             return NotImplemented
         return _filled(function.__name__, operands, out[0] if out else Traced(""))
 
     def __array_function__(
-        self, function: Callable[..., Any], _types: Any, given: Any, _options: Any
+        self, function: Callable[..., Any], _types: Any, given: Any, options: Any
     ) -> Any:
-        if function is not np.copyto:
+        if function is not np.copyto or options:
             return NotImplemented
-        return _filled("copyto", given[1:], given[0])
+        given[0].formula = _formula(given[1])
+        return None
 
 
 def computed(signature: Any, single: bool) -> str:
     """The formulas of a kernel's outputs in float32 or float64.
 
-    Where values lie between the steps, and how NumPy is called, says nothing of what is computed.
-    TypeError where a block does something else than to call NumPy.
+    Where values are kept between the steps, and how NumPy is called, does not count. TypeError or
+    AttributeError where a block does more than to call functions of NumPy with one result.
     """
     block = signature.block
     recorded = {name: _recorder(name) for name in OURS}
@@ -57,9 +58,13 @@ def computed(signature: Any, single: bool) -> str:
 
 def _filled(name: str, operands: Any, out: Traced) -> Traced:
     """The array to be filled with what a function of this name gives."""
-    parts = [x.formula if isinstance(x, Traced) else repr(float(x)) for x in operands]
-    out.formula = hashlib.sha256(f"{name}({', '.join(parts)})".encode()).hexdigest()
+    text = f"{name}({', '.join(map(_formula, operands))})"
+    out.formula = hashlib.sha256(text.encode()).hexdigest()
     return out
+
+
+def _formula(x: Any) -> str:
+    return x.formula if isinstance(x, Traced) else repr(float(x))
 
 
 def _recorder(name: str) -> Callable[..., Traced]:
