@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, TypeAlias
 
 import numpy as np
 
@@ -19,6 +19,8 @@ if TYPE_CHECKING:
         Signature,
     )
 
+Refused: TypeAlias = tuple[int, str]
+"""The place of an element, and what is said of it."""
 ROW = 1024
 """Numbers of a sum of squares: of more, numbers of the domain would often add up to too much, and
 from 8193 on libraries take threads, which may have to wait.
@@ -45,7 +47,8 @@ def admit(
     shape: tuple[int, ...],
 ) -> None:
     """ValueError unless the elements of these blocks, which follow each other, lie in the domain of
-    every input.
+    every input: with the first that does not, wherever the blocks begin; of several inputs that are
+    wrong there, with the first.
 
     What lies in it is found in few calls, the longer the part the fewer; what does not is looked
     for block by block, as are the inputs that are `doubtful`.
@@ -66,11 +69,17 @@ def admit(
     if not wrong and not short:
         return
     for begin, end in spans:
-        for place in wrong:
-            x = parts.one(place, begin, end)
-            _guard(kernel, kernel.inputs[place], x, begin, inputs[place], shape)
-        for required in short:
+        found = [
+            _guard(kernel, kernel.inputs[x], parts.one(x, begin, end), begin, inputs[x], shape)
+            for x in wrong
+        ]
+        found += [
             _require(kernel, required, parts.all(begin, end), begin, end, shape)
+            for required in short
+        ]
+        refused = [each for each in found if each is not None]
+        if refused:
+            raise ValueError(min(refused, key=lambda each: each[0])[1])
 
 
 def _inside(domain: Domain, x: Array) -> bool:
@@ -137,8 +146,8 @@ def _apart(required: Required, leg: Arrays, size: int) -> bool:
 
 def _guard(
     kernel: Signature, domain: Domain, x: Array, start: int, whole: Array, shape: tuple[int, ...]
-) -> None:
-    """ValueError with the first element outside the domain; comparisons with NaN are false."""
+) -> Refused | None:
+    """Of the first element outside the domain; comparisons with NaN are false."""
     low, high = domain.single if x.dtype == np.float32 else domain.double
     came, x = x, np.abs(x) if domain.signed else x
     fine = (x >= low) & (x <= high)
@@ -147,7 +156,7 @@ def _guard(
     if domain.whole:
         fine &= x == np.floor(x)
     if fine.all():
-        return
+        return None
     first = int(np.argmin(fine))
     where = ""
     if whole.shape:
@@ -155,7 +164,7 @@ def _guard(
         own = tuple(int(i) for i in index[len(shape) - whole.ndim :])
         own = tuple(i if n > 1 else 0 for i, n in zip(own, whole.shape, strict=True))
         where = f" at index {own[0] if len(own) == 1 else own}"
-    raise ValueError(
+    return start + first, (
         f"{kernel.name}: {domain.name} must be {domain.wanted}, got {came[first]!s}{where}"
     )
 
@@ -167,20 +176,21 @@ def _require(
     start: int,
     stop: int,
     shape: tuple[int, ...],
-) -> None:
-    """ValueError with the first place where inputs together are not what they must be."""
+) -> Refused | None:
+    """Of the first place where inputs together are not what they must be."""
     kind = parts[0].dtype
     single = kind == np.float32
     if _apart(required, [parts[place] for place in required.leg], stop - start):
-        return
+        return None
     value: Array = np.empty(stop - start, kind)
     work: list[Array] = [np.empty_like(value) for _ in range(required.work)]
     required.block(parts, [value], work, single)
     fine = value >= (required.single if single else required.double)
-    if not fine.all():
-        first = int(np.argmin(fine))
-        place = tuple(int(i) for i in np.unravel_index(start + first, shape))
-        where = f" at index {place[0] if len(place) == 1 else place}" if shape else ""
-        raise ValueError(
-            f"{kernel.name}: {required.name} must be {required.wanted}, got {value[first]!s}{where}"
-        )
+    if fine.all():
+        return None
+    first = int(np.argmin(fine))
+    place = tuple(int(i) for i in np.unravel_index(start + first, shape))
+    where = f" at index {place[0] if len(place) == 1 else place}" if shape else ""
+    return start + first, (
+        f"{kernel.name}: {required.name} must be {required.wanted}, got {value[first]!s}{where}"
+    )

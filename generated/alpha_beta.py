@@ -161,15 +161,17 @@ def coordinates(
     return Coordinates(*evaluate(_COORDINATES, (alpha, beta), out, workers))
 
 
-def _coordinates_block(given: Arrays, out: Arrays, work: Arrays, _single: bool) -> None:
+def _coordinates_block(
+    given: Arrays, out: Arrays, work: Arrays, _single: bool, n0: float = 1.0, n1: float = 2.0
+) -> None:
     alpha, beta = given
     margin, linear_coefficient, quadratic_coefficient = out
     w0, w1 = work
-    t3 = subtract(1.0, alpha, w0)
-    t5 = multiply(t3, 2.0, w0)
-    t6 = subtract(2.0, beta, w1)
+    t3 = subtract(n0, alpha, w0)
+    t5 = multiply(t3, n1, w0)
+    t6 = subtract(n1, beta, w1)
     add(t5, t6, margin)
-    t8 = multiply(alpha, 2.0, w0)
+    t8 = multiply(alpha, n1, w0)
     divide(t8, beta, linear_coefficient)
     divide(margin, beta, quadratic_coefficient)
 
@@ -230,15 +232,23 @@ def gains_of_coordinates(
     )
 
 
-def _gains_of_coordinates_block(given: Arrays, out: Arrays, work: Arrays, _single: bool) -> None:
+def _gains_of_coordinates_block(
+    given: Arrays,
+    out: Arrays,
+    work: Arrays,
+    _single: bool,
+    n0: float = 1.0,
+    n1: float = 2.0,
+    n2: float = 4.0,
+) -> None:
     linear_coefficient, quadratic_coefficient = given
     alpha, beta = out
     w0, w1 = work
-    t3 = add(1.0, linear_coefficient, w0)
+    t3 = add(n0, linear_coefficient, w0)
     t4 = add(t3, quadratic_coefficient, w0)
-    t6 = multiply(linear_coefficient, 2.0, w1)
+    t6 = multiply(linear_coefficient, n1, w1)
     divide(t6, t4, alpha)
-    divide(4.0, t4, beta)
+    divide(n2, t4, beta)
 
 
 _GAINS_OF_COORDINATES = Signature(
@@ -316,25 +326,27 @@ def variances(
     return Variances(*evaluate(_VARIANCES, (alpha, beta), out, workers))
 
 
-def _variances_block(given: Arrays, out: Arrays, work: Arrays, _single: bool) -> None:
+def _variances_block(
+    given: Arrays, out: Arrays, work: Arrays, _single: bool, n0: float = 1.0, n1: float = 2.0
+) -> None:
     alpha, beta = given
     predicted_11, predicted_12, predicted_22, updated_11, updated_12, updated_22 = out
     w0, w1, w2, w3 = work
-    t3 = subtract(1.0, alpha, w0)
-    t5 = multiply(t3, 2.0, w1)
-    t6 = subtract(2.0, beta, w2)
+    t3 = subtract(n0, alpha, w0)
+    t5 = multiply(t3, n1, w1)
+    t6 = subtract(n1, beta, w2)
     t7 = add(t5, t6, w1)
     t8 = divide(beta, alpha, updated_12)
-    t9 = multiply(alpha, 2.0, w2)
-    t10 = multiply(t8, 2.0, w3)
+    t9 = multiply(alpha, n1, w2)
+    t10 = multiply(t8, n1, w3)
     t11 = add(t9, t10, w2)
     t12 = add(t11, beta, w2)
     divide(t12, t7, predicted_11)
-    t14 = multiply(beta, 2.0, w2)
+    t14 = multiply(beta, n1, w2)
     t15 = divide(t14, t7, predicted_12)
     t16 = multiply(t8, beta, updated_12)
     t17 = divide(t16, t7, updated_11)
-    t19 = multiply(t16, 2.0, w2)
+    t19 = multiply(t16, n1, w2)
     t22 = square(t3, w0)
     t23 = multiply(t22, predicted_11, w0)
     t24 = square(alpha, w3)
@@ -425,23 +437,30 @@ def variances_of_coordinates(
 
 
 def _variances_of_coordinates_block(
-    given: Arrays, out: Arrays, work: Arrays, _single: bool
+    given: Arrays,
+    out: Arrays,
+    work: Arrays,
+    _single: bool,
+    n0: float = 1.0,
+    n1: float = -1.0,
+    n2: float = 2.0,
+    n3: float = 4.0,
 ) -> None:
     linear_coefficient, quadratic_coefficient = given
     predicted_11, predicted_12, predicted_22, updated_11, updated_12, updated_22 = out
     w0, w1, w2, w3, w4 = work
-    t3 = add(1.0, linear_coefficient, w0)
-    t5 = add(linear_coefficient, -1.0, w1)
+    t3 = add(n0, linear_coefficient, w0)
+    t5 = add(linear_coefficient, n1, w1)
     t6 = multiply(linear_coefficient, quadratic_coefficient, w2)
     t7 = square(t3, w3)
     t8 = add(t7, quadratic_coefficient, w3)
-    t11 = multiply(t3, 2.0, w0)
+    t11 = multiply(t3, n2, w0)
     t15 = square(t5, w4)
     t16 = add(t15, quadratic_coefficient, w4)
-    t18 = multiply(t5, 2.0, w1)
+    t18 = multiply(t5, n2, w1)
     divide(t8, t6, predicted_11)
     divide(t11, t6, predicted_12)
-    divide(4.0, t6, predicted_22)
+    divide(n3, t6, predicted_22)
     divide(t16, t6, updated_11)
     divide(t18, t6, updated_12)
     copyto(updated_22, predicted_22)
@@ -545,7 +564,9 @@ def process_noise_variances(
     return ProcessNoiseVariances(*evaluate(_PROCESS_NOISE_VARIANCES, (alpha, beta), out, workers))
 
 
-def _process_noise_variances_block(given: Arrays, out: Arrays, work: Arrays, _single: bool) -> None:
+def _process_noise_variances_block(
+    given: Arrays, out: Arrays, work: Arrays, _single: bool, n0: float = 1.0, n1: float = 2.0
+) -> None:
     alpha, beta = given
     (
         predicted_11_by_q_11,
@@ -561,23 +582,23 @@ def _process_noise_variances_block(given: Arrays, out: Arrays, work: Arrays, _si
         updated_22_by_q_22,
     ) = out
     w0, w1, w2, w3, w4, w5, w6, w7, w8 = work
-    t3 = subtract(1.0, alpha, w0)
-    t5 = subtract(2.0, alpha, w1)
-    t6 = multiply(t3, 2.0, w2)
-    t7 = subtract(2.0, beta, w3)
+    t3 = subtract(n0, alpha, w0)
+    t5 = subtract(n1, alpha, w1)
+    t6 = multiply(t3, n1, w2)
+    t7 = subtract(n1, beta, w3)
     t8 = add(t6, t7, w2)
     t9 = divide(beta, alpha, predicted_12_by_q_11)
     t10 = multiply(alpha, t8, w3)
     t11 = multiply(beta, t8, w4)
-    divide(2.0, t10, predicted_11_by_q_11)
+    divide(n1, t10, predicted_11_by_q_11)
     t13 = divide(t5, alpha, predicted_11_by_q_22)
     divide(t13, t11, predicted_11_by_q_22)
     t15 = multiply(t9, t3, w5)
     t16 = add(t5, t15, w6)
-    t18 = multiply(t16, 2.0, w7)
+    t18 = multiply(t16, n1, w7)
     t19 = divide(t18, t8, predicted_22_by_q_12)
     t20 = multiply(alpha, t5, w7)
-    t21 = multiply(t15, 2.0, w8)
+    t21 = multiply(t15, n1, w8)
     t22 = add(t20, t21, w7)
     t24 = multiply(t3, t5, w8)
     t25 = divide(t24, t11, updated_12_by_q_22)
@@ -694,7 +715,16 @@ def process_noise_variances_of_coordinates(
 
 
 def _process_noise_variances_of_coordinates_block(
-    given: Arrays, out: Arrays, work: Arrays, _single: bool
+    given: Arrays,
+    out: Arrays,
+    work: Arrays,
+    _single: bool,
+    n0: float = 1.0,
+    n1: float = 4.0,
+    n2: float = 0.25,
+    n3: float = 0.0625,
+    n4: float = 0.5,
+    n5: float = 0.125,
 ) -> None:
     linear_coefficient, quadratic_coefficient = given
     (
@@ -707,25 +737,25 @@ def _process_noise_variances_of_coordinates_block(
         predicted_22_by_q_22,
     ) = out
     w0, w1 = work
-    t3 = add(quadratic_coefficient, 1.0, w0)
+    t3 = add(quadratic_coefficient, n0, w0)
     t4 = add(linear_coefficient, t3, predicted_12_by_q_22)
     t5 = multiply(linear_coefficient, quadratic_coefficient, w1)
     t6 = divide(t4, t5, predicted_12_by_q_11)
     divide(t3, t5, predicted_22_by_q_11)
-    t8 = add(predicted_22_by_q_11, 1.0, predicted_22_by_q_12)
+    t8 = add(predicted_22_by_q_11, n0, predicted_22_by_q_12)
     t9 = multiply(t6, t4, predicted_11_by_q_11)
     t12 = multiply(t9, t3, predicted_11_by_q_22)
     t17 = multiply(t4, t8, predicted_12_by_q_22)
     t21 = square(t3, w0)
     t22 = divide(t21, t5, predicted_22_by_q_22)
-    t23 = add(linear_coefficient, 4.0, w0)
+    t23 = add(linear_coefficient, n1, w0)
     t24 = add(t22, t23, predicted_22_by_q_22)
-    multiply(t9, 0.25, predicted_11_by_q_11)
-    multiply(t12, 0.0625, predicted_11_by_q_22)
-    multiply(t6, 0.5, predicted_12_by_q_11)
-    multiply(t17, 0.125, predicted_12_by_q_22)
+    multiply(t9, n2, predicted_11_by_q_11)
+    multiply(t12, n3, predicted_11_by_q_22)
+    multiply(t6, n4, predicted_12_by_q_11)
+    multiply(t17, n5, predicted_12_by_q_22)
     negative(t8, predicted_22_by_q_12)
-    multiply(t24, 0.25, predicted_22_by_q_22)
+    multiply(t24, n2, predicted_22_by_q_22)
 
 
 _PROCESS_NOISE_VARIANCES_OF_COORDINATES = Signature(
@@ -802,17 +832,19 @@ def lags(
     return Lags(*evaluate(_LAGS, (alpha, beta), out, workers))
 
 
-def _lags_block(given: Arrays, out: Arrays, work: Arrays, _single: bool) -> None:
+def _lags_block(
+    given: Arrays, out: Arrays, work: Arrays, _single: bool, n0: float = 1.0, n1: float = 2.0
+) -> None:
     alpha, beta = given
     predicted_position_lag, predicted_velocity_lag, updated_position_lag, updated_velocity_lag = out
     w0, w1, w2 = work
-    t3 = subtract(1.0, alpha, w0)
-    t5 = multiply(beta, 2.0, w1)
-    t6 = multiply(alpha, 2.0, w2)
+    t3 = subtract(n0, alpha, w0)
+    t5 = multiply(beta, n1, w1)
+    t6 = multiply(alpha, n1, w2)
     t7 = divide(t6, t5, predicted_velocity_lag)
     t8 = divide(beta, t5, updated_position_lag)
     subtract(t7, t8, updated_velocity_lag)
-    divide(1.0, beta, predicted_position_lag)
+    divide(n0, beta, predicted_position_lag)
     add(t7, t8, predicted_velocity_lag)
     divide(t3, beta, updated_position_lag)
 
@@ -885,15 +917,17 @@ def closed_loop_poles(
     return ClosedLoopPoles(*evaluate(_CLOSED_LOOP_POLES, (alpha, beta), out, workers))
 
 
-def _closed_loop_poles_block(given: Arrays, out: Arrays, work: Arrays, _single: bool) -> None:
+def _closed_loop_poles_block(
+    given: Arrays, out: Arrays, work: Arrays, _single: bool, n0: float = 1.0, n1: float = 0.5
+) -> None:
     alpha, beta = given
     half_sum, modulus, quarter_discriminant = out
     w0, w1, w2 = work
-    t3 = subtract(1.0, alpha, w0)
+    t3 = subtract(n0, alpha, w0)
     t5 = add(alpha, beta, w1)
-    t6 = multiply(t5, 0.5, w1)
+    t6 = multiply(t5, n1, w1)
     t8 = square(t6, w2)
-    subtract(1.0, t6, half_sum)
+    subtract(n0, t6, half_sum)
     subtract(t8, beta, quarter_discriminant)
     sqrt(t3, modulus)
 
@@ -954,22 +988,31 @@ def minimum_variance_by_lag(
     return MinimumVarianceByLag(*evaluate(_MINIMUM_VARIANCE_BY_LAG, (lag,), out, workers))
 
 
-def _minimum_variance_by_lag_block(given: Arrays, out: Arrays, work: Arrays, _single: bool) -> None:
+def _minimum_variance_by_lag_block(
+    given: Arrays,
+    out: Arrays,
+    work: Arrays,
+    _single: bool,
+    n0: float = 2.0,
+    n1: float = 4.0,
+    n2: float = -1.0,
+    n3: float = 1.0,
+) -> None:
     (lag,) = given
     minimum_variance_alpha, minimum_variance_beta, minimum_variance_predicted_11 = out
     w0, w1 = work
     root = sqrt(lag, w0)
-    t3 = multiply(root, 2.0, w0)
-    t5 = multiply(lag, 4.0, w1)
-    t8 = add(t5, -1.0, w1)
-    t9 = add(t3, 1.0, w0)
+    t3 = multiply(root, n0, w0)
+    t5 = multiply(lag, n1, w1)
+    t8 = add(t5, n2, w1)
+    t9 = add(t3, n3, w0)
     t10 = divide(t8, t9, minimum_variance_predicted_11)
-    t11 = multiply(lag, 2.0, w0)
-    t14 = multiply(t10, 2.0, w1)
-    t15 = add(t14, 1.0, w1)
+    t11 = multiply(lag, n0, w0)
+    t14 = multiply(t10, n0, w1)
+    t15 = add(t14, n3, w1)
     t16 = divide(t15, t10, w1)
     divide(t10, t11, minimum_variance_alpha)
-    divide(1.0, lag, minimum_variance_beta)
+    divide(n3, lag, minimum_variance_beta)
     divide(t16, t10, minimum_variance_predicted_11)
 
 
@@ -1041,7 +1084,16 @@ def minimum_smoothed_variance_by_lag(
 
 
 def _minimum_smoothed_variance_by_lag_block(
-    given: Arrays, out: Arrays, work: Arrays, _single: bool
+    given: Arrays,
+    out: Arrays,
+    work: Arrays,
+    _single: bool,
+    n0: float = 2.0,
+    n1: float = 1.0,
+    n2: float = 4.0,
+    n3: float = -2.0,
+    n4: float = 7.0,
+    n5: float = 8.0,
 ) -> None:
     (lag,) = given
     (
@@ -1052,24 +1104,24 @@ def _minimum_smoothed_variance_by_lag_block(
     ) = out
     w0, w1, w2, w3, w4 = work
     root = sqrt(lag, minimum_smoothed_variance_alpha)
-    t3 = multiply(root, 2.0, w0)
-    t5 = add(t3, 1.0, w1)
+    t3 = multiply(root, n0, w0)
+    t5 = add(t3, n1, w1)
     t6 = square(t5, w2)
-    t8 = multiply(lag, 4.0, w3)
-    t10 = add(t8, -2.0, w3)
-    t11 = multiply(t3, 2.0, w4)
-    t13 = add(t11, 7.0, w4)
+    t8 = multiply(lag, n2, w3)
+    t10 = add(t8, n3, w3)
+    t11 = multiply(t3, n0, w4)
+    t13 = add(t11, n4, w4)
     t14 = multiply(t13, t3, w4)
-    t16 = add(t14, 8.0, w4)
+    t16 = add(t14, n5, w4)
     t17 = multiply(t16, t3, w4)
-    t18 = add(t17, 2.0, w4)
-    t19 = add(t3, 2.0, w0)
+    t18 = add(t17, n0, w4)
+    t19 = add(t3, n0, w0)
     t20 = multiply(root, t19, minimum_smoothed_variance_alpha)
     t23 = divide(t18, t6, minimum_smoothed_variance_predicted_11)
-    t25 = multiply(t5, 2.0, w0)
-    t26 = add(t25, 1.0, w0)
+    t25 = multiply(t5, n0, w0)
+    t26 = add(t25, n1, w0)
     divide(t5, t20, minimum_smoothed_variance_alpha)
-    divide(1.0, lag, minimum_smoothed_variance_beta)
+    divide(n1, lag, minimum_smoothed_variance_beta)
     divide(t23, t10, minimum_smoothed_variance_predicted_11)
     divide(t26, t6, minimum_smoothed_variance_updated_11)
 
@@ -1136,27 +1188,36 @@ def random_acceleration_by_lag(
 
 
 def _random_acceleration_by_lag_block(
-    given: Arrays, out: Arrays, work: Arrays, _single: bool
+    given: Arrays,
+    out: Arrays,
+    work: Arrays,
+    _single: bool,
+    n0: float = 8.0,
+    n1: float = -1.0,
+    n2: float = 1.0,
+    n3: float = 2.0,
+    n4: float = 4.0,
+    n5: float = 3.0,
 ) -> None:
     (lag,) = given
     random_acceleration_alpha, random_acceleration_beta, random_acceleration_predicted_11 = out
     w0, w1 = work
-    t2 = multiply(lag, 8.0, w0)
+    t2 = multiply(lag, n0, w0)
     root = sqrt(t2, random_acceleration_alpha)
-    t6 = add(t2, -1.0, w0)
-    t7 = add(root, 1.0, w1)
+    t6 = add(t2, n1, w0)
+    t7 = add(root, n2, w1)
     t8 = divide(t6, t7, random_acceleration_predicted_11)
-    t10 = multiply(lag, 2.0, w0)
-    t11 = add(t10, -1.0, w1)
-    t13 = multiply(t11, 4.0, w1)
-    t14 = add(root, 2.0, random_acceleration_alpha)
+    t10 = multiply(lag, n3, w0)
+    t11 = add(t10, n1, w1)
+    t13 = multiply(t11, n4, w1)
+    t14 = add(root, n3, random_acceleration_alpha)
     t15 = divide(t13, t14, random_acceleration_beta)
-    t18 = multiply(t8, 3.0, w1)
-    t19 = add(t18, 1.0, w1)
+    t18 = multiply(t8, n5, w1)
+    t19 = add(t18, n2, w1)
     t20 = divide(t19, t8, w1)
     divide(t8, t10, random_acceleration_alpha)
     divide(t20, t15, random_acceleration_predicted_11)
-    divide(1.0, lag, random_acceleration_beta)
+    divide(n2, lag, random_acceleration_beta)
 
 
 _RANDOM_ACCELERATION_BY_LAG = Signature(
@@ -1215,20 +1276,32 @@ def random_velocity_by_lag(
     return RandomVelocityByLag(*evaluate(_RANDOM_VELOCITY_BY_LAG, (lag,), out, workers))
 
 
-def _random_velocity_by_lag_block(given: Arrays, out: Arrays, work: Arrays, single: bool) -> None:
+def _random_velocity_by_lag_block(
+    given: Arrays,
+    out: Arrays,
+    work: Arrays,
+    single: bool,
+    n0: float = 4.0,
+    n1: float = 8.0,
+    n2: float = 1.0,
+    n3: float = -2.414213562373095,
+    n4: float = 9.500605813173024e-08,
+    n5: float = -1.2537167179050217e-16,
+    n6: float = 0.41421356237309503,
+) -> None:
     (lag,) = given
     random_velocity_alpha, random_velocity_beta, random_velocity_predicted_11 = out
     w0, w1, w2, w3 = work
-    t2 = multiply(lag, 4.0, w0)
-    t4 = multiply(lag, 8.0, w1)
-    t6 = add(t4, 1.0, w2)
+    t2 = multiply(lag, n0, w0)
+    t4 = multiply(lag, n1, w1)
+    t6 = add(t4, n2, w2)
     root = sqrt(t6, random_velocity_predicted_11)
-    t8 = add(root, 1.0, w2)
+    t8 = add(root, n2, w2)
     t9 = divide(t4, t8, random_velocity_alpha)
-    rest = 9.500605813173024e-08 if single else -1.2537167179050217e-16
-    add(t2, -2.414213562373095, w1)
+    rest = n4 if single else n5
+    add(t2, n3, w1)
     t11 = add(w1, rest, w1)
-    t13 = add(t2, 0.41421356237309503, w3)
+    t13 = add(t2, n6, w3)
     t14 = multiply(t11, t13, w1)
     t15 = add(t2, root, w0)
     t16 = divide(t14, t15, random_velocity_beta)
@@ -1236,8 +1309,8 @@ def _random_velocity_by_lag_block(given: Arrays, out: Arrays, work: Arrays, sing
     t18 = add(t17, t16, random_velocity_predicted_11)
     t19 = divide(t18, t9, random_velocity_predicted_11)
     divide(t19, t16, random_velocity_predicted_11)
-    divide(4.0, t8, random_velocity_alpha)
-    divide(1.0, lag, random_velocity_beta)
+    divide(n0, t8, random_velocity_alpha)
+    divide(n2, lag, random_velocity_beta)
 
 
 _RANDOM_VELOCITY_BY_LAG = Signature(
@@ -1306,7 +1379,13 @@ def minimum_variance_by_gain(
 
 
 def _minimum_variance_by_gain_block(
-    given: Arrays, out: Arrays, work: Arrays, _single: bool
+    given: Arrays,
+    out: Arrays,
+    work: Arrays,
+    _single: bool,
+    n0: float = 2.0,
+    n1: float = 1.0,
+    n2: float = 3.0,
 ) -> None:
     (alpha,) = given
     (
@@ -1316,13 +1395,13 @@ def _minimum_variance_by_gain_block(
         fast_minimum_variance_predicted_11,
     ) = out
     w0, w1, w2 = work
-    t2 = multiply(alpha, 2.0, w0)
-    t4 = subtract(1.0, t2, w1)
+    t2 = multiply(alpha, n0, w0)
+    t4 = subtract(n1, t2, w1)
     root = sqrt(t4, slow_minimum_variance_beta)
-    t6 = add(root, 1.0, w1)
+    t6 = add(root, n1, w1)
     t7 = divide(t2, t6, slow_minimum_variance_predicted_11)
-    t8 = subtract(1.0, alpha, w0)
-    t11 = add(root, 3.0, w2)
+    t8 = subtract(n1, alpha, w0)
+    t11 = add(root, n2, w2)
     t12 = multiply(t7, t11, w2)
     square(t6, fast_minimum_variance_beta)
     t15 = add(t8, root, w0)
@@ -1400,7 +1479,14 @@ def minimum_smoothed_variance_by_gain(
 
 
 def _minimum_smoothed_variance_by_gain_block(
-    given: Arrays, out: Arrays, work: Arrays, _single: bool
+    given: Arrays,
+    out: Arrays,
+    work: Arrays,
+    _single: bool,
+    n0: float = 1.0,
+    n1: float = 2.0,
+    n2: float = 7.0,
+    n3: float = 8.0,
 ) -> None:
     (alpha,) = given
     (
@@ -1410,29 +1496,29 @@ def _minimum_smoothed_variance_by_gain_block(
     ) = out
     w0, w1, w2, w3, w4 = work
     t1 = square(alpha, w0)
-    t3 = add(1.0, t1, w1)
+    t3 = add(n0, t1, w1)
     root = sqrt(t3, minimum_smoothed_variance_predicted_11)
-    t5 = subtract(1.0, alpha, w1)
+    t5 = subtract(n0, alpha, w1)
     t6 = add(t5, root, w2)
-    t8 = multiply(alpha, 2.0, w3)
+    t8 = multiply(alpha, n1, w3)
     t9 = divide(t8, t6, minimum_smoothed_variance_beta)
-    t10 = add(1.0, root, minimum_smoothed_variance_predicted_11)
+    t10 = add(n0, root, minimum_smoothed_variance_predicted_11)
     t11 = divide(alpha, t10, minimum_smoothed_variance_updated_11)
-    t12 = multiply(t6, 2.0, w3)
-    t14 = multiply(alpha, 7.0, w4)
+    t12 = multiply(t6, n1, w3)
+    t14 = multiply(alpha, n2, w4)
     t15 = add(t12, t14, w3)
     t16 = multiply(t15, t6, w3)
-    t18 = multiply(t1, 8.0, w4)
+    t18 = multiply(t1, n3, w4)
     t19 = add(t16, t18, w3)
     t20 = multiply(t19, t6, w3)
     t21 = multiply(t1, alpha, w0)
-    t22 = multiply(t21, 2.0, w0)
+    t22 = multiply(t21, n1, w0)
     t23 = add(t20, t22, w3)
     t24 = multiply(t11, t23, w3)
-    t25 = multiply(t5, 2.0, w1)
+    t25 = multiply(t5, n1, w1)
     t26 = square(t10, minimum_smoothed_variance_predicted_11)
     t27 = multiply(t25, t26, w1)
-    t30 = add(t11, 2.0, w0)
+    t30 = add(t11, n1, w0)
     divide(t24, t27, minimum_smoothed_variance_predicted_11)
     square(t9, minimum_smoothed_variance_beta)
     multiply(t11, t30, minimum_smoothed_variance_updated_11)
@@ -1494,20 +1580,20 @@ def random_acceleration_by_gain(
 
 
 def _random_acceleration_by_gain_block(
-    given: Arrays, out: Arrays, work: Arrays, _single: bool
+    given: Arrays, out: Arrays, work: Arrays, _single: bool, n0: float = 1.0, n1: float = 2.0
 ) -> None:
     (alpha,) = given
     random_acceleration_beta, random_acceleration_predicted_11 = out
     w0, w1, w2 = work
-    t2 = subtract(1.0, alpha, w0)
+    t2 = subtract(n0, alpha, w0)
     root = sqrt(t2, random_acceleration_beta)
-    t4 = add(root, 1.0, w0)
+    t4 = add(root, n0, w0)
     t5 = divide(alpha, t4, random_acceleration_predicted_11)
     t6 = square(t5, w1)
-    t9 = add(root, 2.0, w2)
+    t9 = add(root, n1, w2)
     t10 = multiply(t5, t9, random_acceleration_predicted_11)
     t11 = multiply(root, t4, w0)
-    multiply(t6, 2.0, random_acceleration_beta)
+    multiply(t6, n1, random_acceleration_beta)
     divide(t10, t11, random_acceleration_predicted_11)
 
 
@@ -1561,16 +1647,25 @@ def random_velocity_by_gain(
     return RandomVelocityByGain(*evaluate(_RANDOM_VELOCITY_BY_GAIN, (alpha,), out, workers))
 
 
-def _random_velocity_by_gain_block(given: Arrays, out: Arrays, work: Arrays, _single: bool) -> None:
+def _random_velocity_by_gain_block(
+    given: Arrays,
+    out: Arrays,
+    work: Arrays,
+    _single: bool,
+    n0: float = 1.0,
+    n1: float = 8.0,
+    n2: float = 2.0,
+    n3: float = 6.0,
+) -> None:
     (alpha,) = given
     random_velocity_beta, random_velocity_predicted_11 = out
     w0, w1, w2, w3 = work
-    t2 = subtract(1.0, alpha, w0)
-    t4 = multiply(t2, 8.0, w0)
+    t2 = subtract(n0, alpha, w0)
+    t4 = multiply(t2, n1, w0)
     t5 = square(alpha, w1)
     t6 = add(t4, t5, w0)
-    t8 = subtract(2.0, alpha, w2)
-    t11 = subtract(6.0, alpha, w3)
+    t8 = subtract(n2, alpha, w2)
+    t11 = subtract(n3, alpha, w3)
     t12 = multiply(alpha, t11, w3)
     divide(t5, t8, random_velocity_beta)
     divide(t12, t6, random_velocity_predicted_11)

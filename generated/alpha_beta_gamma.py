@@ -202,28 +202,36 @@ def coordinates(
     return Coordinates(*evaluate(_COORDINATES, (alpha, beta, share), out, workers))
 
 
-def _coordinates_block(given: Arrays, out: Arrays, work: Arrays, _single: bool) -> None:
+def _coordinates_block(
+    given: Arrays,
+    out: Arrays,
+    work: Arrays,
+    _single: bool,
+    n0: float = 1.0,
+    n1: float = 2.0,
+    n2: float = 8.0,
+) -> None:
     alpha, beta, share = given
     gamma, margin, linear_coefficient, cubic_coefficient, hurwitz_determinant = out
     w0, w1, w2, w3 = work
-    t4 = subtract(1.0, alpha, w0)
-    t6 = subtract(2.0, alpha, w1)
-    t7 = subtract(1.0, share, w2)
-    t8 = multiply(t4, 2.0, w0)
-    t9 = subtract(2.0, beta, w3)
+    t4 = subtract(n0, alpha, w0)
+    t6 = subtract(n1, alpha, w1)
+    t7 = subtract(n0, share, w2)
+    t8 = multiply(t4, n1, w0)
+    t9 = subtract(n1, beta, w3)
     add(t8, t9, margin)
-    t11 = multiply(beta, 2.0, w0)
+    t11 = multiply(beta, n1, w0)
     t12 = divide(t11, t6, gamma)
     t13 = multiply(alpha, share, w0)
     multiply(t13, t12, gamma)
     t15 = divide(beta, gamma, linear_coefficient)
-    t17 = multiply(margin, 2.0, w0)
+    t17 = multiply(margin, n1, w0)
     t19 = divide(alpha, gamma, cubic_coefficient)
     t20 = multiply(t19, t15, cubic_coefficient)
     t21 = multiply(t20, t7, w2)
-    multiply(t15, 2.0, linear_coefficient)
+    multiply(t15, n1, linear_coefficient)
     divide(t17, gamma, cubic_coefficient)
-    multiply(t21, 8.0, hurwitz_determinant)
+    multiply(t21, n2, hurwitz_determinant)
 
 
 _COORDINATES = Signature(
@@ -295,21 +303,30 @@ def gains_of_coordinates(
     )
 
 
-def _gains_of_coordinates_block(given: Arrays, out: Arrays, work: Arrays, _single: bool) -> None:
+def _gains_of_coordinates_block(
+    given: Arrays,
+    out: Arrays,
+    work: Arrays,
+    _single: bool,
+    n0: float = 1.0,
+    n1: float = 2.0,
+    n2: float = 4.0,
+    n3: float = 8.0,
+) -> None:
     linear_coefficient, cubic_coefficient, hurwitz_determinant = given
     alpha, beta, gamma = out
     w0, w1 = work
     t3 = add(cubic_coefficient, hurwitz_determinant, w0)
     t4 = divide(t3, linear_coefficient, alpha)
-    t6 = add(1.0, linear_coefficient, w0)
+    t6 = add(n0, linear_coefficient, w0)
     t7 = add(t6, t4, w0)
     t8 = add(t7, cubic_coefficient, w0)
-    t9 = add(1.0, t4, alpha)
-    t11 = multiply(t9, 2.0, alpha)
-    t14 = multiply(linear_coefficient, 4.0, w1)
+    t9 = add(n0, t4, alpha)
+    t11 = multiply(t9, n1, alpha)
+    t14 = multiply(linear_coefficient, n2, w1)
     divide(t11, t8, alpha)
     divide(t14, t8, beta)
-    divide(8.0, t8, gamma)
+    divide(n3, t8, gamma)
 
 
 _GAINS_OF_COORDINATES = Signature(
@@ -423,7 +440,16 @@ def variances(
     return Variances(*evaluate(_VARIANCES, (alpha, beta, share), out, workers))
 
 
-def _variances_block(given: Arrays, out: Arrays, work: Arrays, _single: bool) -> None:
+def _variances_block(
+    given: Arrays,
+    out: Arrays,
+    work: Arrays,
+    _single: bool,
+    n0: float = 1.0,
+    n1: float = 2.0,
+    n2: float = 4.0,
+    n3: float = 0.5,
+) -> None:
     alpha, beta, share = given
     (
         predicted_11,
@@ -439,13 +465,13 @@ def _variances_block(given: Arrays, out: Arrays, work: Arrays, _single: bool) ->
         updated_23,
     ) = out
     w0, w1, w2, w3, w4, w5, w6, w7, w8 = work
-    t4 = subtract(1.0, alpha, w0)
-    t6 = subtract(2.0, alpha, w1)
-    t7 = subtract(1.0, share, w2)
-    t8 = multiply(t4, 2.0, w3)
-    t9 = subtract(2.0, beta, w4)
+    t4 = subtract(n0, alpha, w0)
+    t6 = subtract(n1, alpha, w1)
+    t7 = subtract(n0, share, w2)
+    t8 = multiply(t4, n1, w3)
+    t9 = subtract(n1, beta, w4)
     t10 = add(t8, t9, w4)
-    t11 = multiply(beta, 2.0, w5)
+    t11 = multiply(beta, n1, w5)
     t12 = divide(t11, t6, predicted_11)
     t13 = multiply(alpha, share, w6)
     t14 = multiply(t13, t12, w6)
@@ -456,7 +482,7 @@ def _variances_block(given: Arrays, out: Arrays, work: Arrays, _single: bool) ->
     t19 = divide(share, t18, predicted_33)
     t20 = multiply(t15, t10, w8)
     t21 = add(t11, t14, w5)
-    t23 = multiply(beta, 4.0, predicted_11)
+    t23 = multiply(beta, n2, predicted_11)
     t24 = divide(t23, t20, updated_12)
     t25 = add(t24, alpha, updated_12)
     divide(t25, t6, predicted_11)
@@ -465,26 +491,26 @@ def _variances_block(given: Arrays, out: Arrays, work: Arrays, _single: bool) ->
     t29 = divide(t28, t10, predicted_23)
     t30 = multiply(t27, t17, updated_12)
     t31 = divide(t30, t10, updated_23)
-    t32 = multiply(t27, 4.0, w1)
+    t32 = multiply(t27, n2, w1)
     t33 = multiply(t32, t14, w1)
     t35 = multiply(t7, t10, updated_12)
     t36 = divide(t17, t35, updated_13)
-    t37 = multiply(beta, 0.5, updated_12)
+    t37 = multiply(beta, n3, updated_12)
     t38 = multiply(t37, t17, updated_12)
     t39 = divide(t38, t20, predicted_12)
-    t40 = multiply(t14, 2.0, updated_12)
+    t40 = multiply(t14, n1, updated_12)
     t41 = divide(t40, t10, predicted_13)
-    t44 = multiply(alpha, 2.0, updated_12)
+    t44 = multiply(alpha, n1, updated_12)
     t45 = add(t44, beta, updated_12)
     t46 = multiply(t45, t21, w5)
-    t47 = multiply(t20, 2.0, w8)
+    t47 = multiply(t20, n1, w8)
     t50 = add(beta, t14, updated_12)
     t51 = multiply(beta, t50, updated_12)
     t52 = divide(t51, t15, predicted_22)
     t53 = divide(share, t7, updated_11)
     t54 = multiply(t14, t53, updated_11)
     t55 = add(t52, t54, predicted_22)
-    t56 = multiply(t55, 2.0, predicted_22)
+    t56 = multiply(t55, n1, predicted_22)
     t59 = square(t4, w0)
     t60 = multiply(t59, predicted_11, w0)
     t61 = square(alpha, w2)
@@ -497,10 +523,10 @@ def _variances_block(given: Arrays, out: Arrays, work: Arrays, _single: bool) ->
     divide(t46, t47, predicted_12)
     add(t41, t29, predicted_13)
     divide(t56, t10, predicted_22)
-    multiply(t29, 2.0, predicted_23)
+    multiply(t29, n1, predicted_23)
     add(t60, t61, updated_11)
     add(t64, t65, updated_22)
-    multiply(t31, 2.0, updated_23)
+    multiply(t31, n1, updated_23)
 
 
 _VARIANCES = Signature(
@@ -602,12 +628,20 @@ def variances_of_coordinates(
 
 
 def _variances_of_coordinates_block(
-    given: Arrays, out: Arrays, work: Arrays, _single: bool
+    given: Arrays,
+    out: Arrays,
+    work: Arrays,
+    _single: bool,
+    n0: float = 1.0,
+    n1: float = 2.0,
+    n2: float = 4.0,
+    n3: float = 8.0,
+    n4: float = 16.0,
 ) -> None:
     linear_coefficient, cubic_coefficient, hurwitz_determinant = given
     predicted_11, predicted_12, predicted_13, predicted_22, predicted_23, predicted_33 = out
     w0, w1, w2, w3, w4, w5, w6, w7 = work
-    t4 = add(1.0, linear_coefficient, w0)
+    t4 = add(n0, linear_coefficient, w0)
     t5 = multiply(linear_coefficient, t4, w1)
     t6 = multiply(cubic_coefficient, hurwitz_determinant, w2)
     t7 = add(t5, hurwitz_determinant, w3)
@@ -619,12 +653,12 @@ def _variances_of_coordinates_block(
     t13 = multiply(t6, linear_coefficient, w6)
     t15 = add(t7, cubic_coefficient, w7)
     t16 = multiply(t4, t15, w0)
-    t18 = multiply(t16, 2.0, w0)
-    t21 = multiply(t7, 4.0, w3)
+    t18 = multiply(t16, n1, w0)
+    t21 = multiply(t7, n2, w3)
     t23 = add(cubic_coefficient, t8, w4)
-    t24 = multiply(t23, 4.0, w4)
-    t27 = multiply(t5, 8.0, w1)
-    t30 = multiply(linear_coefficient, 16.0, w7)
+    t24 = multiply(t23, n2, w4)
+    t27 = multiply(t5, n3, w1)
+    t30 = multiply(linear_coefficient, n4, w7)
     divide(t12, t13, predicted_11)
     divide(t18, t6, predicted_12)
     divide(t21, t6, predicted_13)
@@ -723,36 +757,45 @@ def updated_variances_of_coordinates(
 
 
 def _updated_variances_of_coordinates_block(
-    given: Arrays, out: Arrays, work: Arrays, _single: bool
+    given: Arrays,
+    out: Arrays,
+    work: Arrays,
+    _single: bool,
+    n0: float = 1.0,
+    n1: float = 2.0,
+    n2: float = 4.0,
+    n3: float = -1.0,
+    n4: float = 8.0,
+    n5: float = 0.5,
 ) -> None:
     linear_coefficient, cubic_coefficient, hurwitz_determinant = given
     updated_12, updated_13, updated_23, updated_22 = out
     w0, w1, w2, w3, w4 = work
     t3 = add(cubic_coefficient, hurwitz_determinant, w0)
     t4 = divide(t3, linear_coefficient, updated_12)
-    t6 = add(t4, 1.0, updated_12)
+    t6 = add(t4, n0, updated_12)
     t7 = multiply(cubic_coefficient, hurwitz_determinant, w0)
     t8 = square(linear_coefficient, w1)
     t9 = divide(linear_coefficient, t7, updated_13)
-    t11 = multiply(t9, 2.0, updated_13)
-    t12 = add(t6, 1.0, w2)
+    t11 = multiply(t9, n1, updated_13)
+    t12 = add(t6, n0, w2)
     t13 = multiply(t12, linear_coefficient, w2)
     t14 = multiply(t13, t11, w2)
     t15 = add(t8, t6, updated_12)
     t16 = multiply(t15, t11, updated_12)
     t17 = add(hurwitz_determinant, linear_coefficient, updated_13)
     t18 = divide(t17, t7, updated_23)
-    t20 = multiply(t18, 4.0, updated_23)
+    t20 = multiply(t18, n2, updated_23)
     t21 = divide(t8, t7, updated_22)
-    t22 = multiply(t21, 4.0, updated_22)
-    t24 = add(linear_coefficient, -1.0, w1)
-    t26 = multiply(linear_coefficient, 8.0, updated_13)
+    t22 = multiply(t21, n2, updated_22)
+    t24 = add(linear_coefficient, n3, w1)
+    t26 = multiply(linear_coefficient, n4, updated_13)
     t27 = divide(t26, t7, w0)
     t28 = multiply(t27, linear_coefficient, w3)
     t35 = multiply(t27, t24, updated_13)
     t36 = multiply(t35, t24, updated_13)
-    t37 = multiply(t36, 0.5, w1)
-    t38 = divide(4.0, hurwitz_determinant, w4)
+    t37 = multiply(t36, n5, w1)
+    t38 = divide(n2, hurwitz_determinant, w4)
     subtract(t14, t16, updated_12)
     subtract(t20, t22, updated_13)
     subtract(t28, t27, updated_23)
@@ -885,7 +928,16 @@ def acceleration_noise_variances(
 
 
 def _acceleration_noise_variances_block(
-    given: Arrays, out: Arrays, work: Arrays, _single: bool
+    given: Arrays,
+    out: Arrays,
+    work: Arrays,
+    _single: bool,
+    n0: float = 1.0,
+    n1: float = 2.0,
+    n2: float = 4.0,
+    n3: float = 8.0,
+    n4: float = 16.0,
+    n5: float = 0.015625,
 ) -> None:
     alpha, beta, share = given
     (
@@ -903,35 +955,35 @@ def _acceleration_noise_variances_block(
         updated_33,
     ) = out
     w0, w1, w2, w3, w4, w5, w6, w7, w8, w9, w10, w11, w12 = work
-    t4 = subtract(1.0, alpha, w0)
-    t6 = subtract(2.0, alpha, w1)
-    t7 = subtract(1.0, share, w2)
-    t8 = multiply(t4, 2.0, w3)
-    t9 = subtract(2.0, beta, w4)
+    t4 = subtract(n0, alpha, w0)
+    t6 = subtract(n1, alpha, w1)
+    t7 = subtract(n0, share, w2)
+    t8 = multiply(t4, n1, w3)
+    t9 = subtract(n1, beta, w4)
     t10 = add(t8, t9, w4)
-    t11 = multiply(beta, 2.0, w5)
+    t11 = multiply(beta, n1, w5)
     t12 = divide(t11, t6, predicted_33)
     t13 = multiply(alpha, share, w1)
     t14 = multiply(t13, t12, w1)
     t15 = multiply(alpha, t7, w6)
     t16 = add(t8, t15, w3)
     t17 = multiply(t12, t16, w3)
-    t19 = multiply(alpha, 4.0, w6)
-    t20 = multiply(t10, 2.0, w4)
+    t19 = multiply(alpha, n2, w6)
+    t20 = multiply(t10, n1, w4)
     t21 = multiply(alpha, beta, predicted_33)
     t22 = multiply(t21, t7, predicted_33)
-    t24 = multiply(t22, 8.0, w7)
+    t24 = multiply(t22, n3, w7)
     t25 = add(t19, t11, w8)
     t26 = square(t19, predicted_33)
     t27 = add(t11, t14, w9)
     t28 = multiply(t19, t25, w10)
     t29 = divide(t28, t14, predicted_11)
     t30 = divide(t19, t14, predicted_12)
-    t31 = divide(8.0, t24, predicted_13)
+    t31 = divide(n3, t24, predicted_13)
     t32 = multiply(t30, t31, w10)
-    t33 = multiply(t32, 8.0, w10)
-    t36 = multiply(t20, 1.0, w11)
-    t37 = multiply(t11, 1.0, w12)
+    t33 = multiply(t32, n3, w10)
+    t36 = multiply(t20, n0, w11)
+    t37 = multiply(t11, n0, w12)
     t38 = add(t36, t37, w11)
     t39 = multiply(t20, t38, w4)
     t40 = multiply(t29, t25, w11)
@@ -942,57 +994,57 @@ def _acceleration_noise_variances_block(
     t45 = multiply(t44, t42, updated_11)
     t46 = add(t45, t43, updated_11)
     t47 = add(t42, t43, w9)
-    t48 = multiply(t29, 2.0, predicted_11)
+    t48 = multiply(t29, n1, predicted_11)
     t49 = multiply(t48, t31, predicted_13)
     t51 = divide(t19, t24, updated_12)
-    t52 = divide(1.0, t14, updated_13)
+    t52 = divide(n0, t14, updated_13)
     t53 = add(t51, t52, w12)
-    t54 = multiply(t53, 8.0, w12)
-    t55 = multiply(t54, 4.0, w12)
-    t57 = multiply(t41, 4.0, w11)
+    t54 = multiply(t53, n3, w12)
+    t55 = multiply(t54, n2, w12)
+    t57 = multiply(t41, n2, w11)
     t58 = divide(t57, t24, updated_22)
-    t60 = multiply(t46, 8.0, updated_11)
-    t63 = multiply(t47, 16.0, w9)
-    multiply(t63, 0.015625, predicted_33)
-    t65 = multiply(t4, 8.0, w0)
+    t60 = multiply(t46, n3, updated_11)
+    t63 = multiply(t47, n4, w9)
+    multiply(t63, n5, predicted_33)
+    t65 = multiply(t4, n3, w0)
     t66 = add(t7, share, w2)
     t67 = divide(t65, t24, updated_23)
     t68 = multiply(t30, t67, w9)
     t69 = multiply(t68, t65, w9)
-    t71 = multiply(t67, 2.0, updated_23)
-    t72 = multiply(t71, 0.015625, updated_23)
+    t71 = multiply(t67, n1, updated_23)
+    t72 = multiply(t71, n5, updated_23)
     t73 = multiply(t30, t19, w6)
     t74 = multiply(t30, t11, w11)
     t75 = multiply(t30, t25, predicted_12)
     t76 = multiply(t75, t25, predicted_12)
     t77 = add(t76, t39, predicted_12)
-    t78 = divide(4.0, t24, updated_33)
-    t79 = multiply(t78, 0.015625, updated_33)
+    t78 = divide(n2, t24, updated_33)
+    t79 = multiply(t78, n5, updated_33)
     t80 = multiply(t73, t72, w4)
     t81 = multiply(t74, t72, w11)
     t82 = multiply(t52, t65, updated_13)
-    t83 = multiply(t82, 4.0, updated_13)
-    t84 = multiply(t83, 0.015625, updated_13)
+    t83 = multiply(t82, n2, updated_13)
+    t84 = multiply(t83, n5, updated_13)
     t85 = multiply(t51, t65, updated_12)
-    t86 = multiply(t85, 4.0, updated_12)
-    t87 = multiply(t86, 0.015625, w0)
+    t86 = multiply(t85, n2, updated_12)
+    t87 = multiply(t86, n5, w0)
     t88 = multiply(t77, t79, w7)
     t89 = multiply(t73, t11, w6)
-    t90 = multiply(t89, 4.0, w6)
+    t90 = multiply(t89, n2, w6)
     t91 = multiply(t90, t79, w6)
     t92 = divide(t17, t14, w3)
     t93 = multiply(t92, t42, w3)
-    t94 = multiply(t93, 8.0, w3)
-    t95 = multiply(t94, 0.015625, w3)
-    t96 = multiply(t43, 8.0, predicted_23)
-    t97 = multiply(t96, 0.015625, w1)
-    t98 = multiply(t66, 1.0, w2)
-    multiply(t33, 0.015625, predicted_11)
-    multiply(t49, 0.015625, predicted_12)
-    multiply(t55, 0.015625, predicted_13)
-    multiply(t58, 0.015625, predicted_22)
-    multiply(t60, 0.015625, predicted_23)
-    multiply(t69, 0.015625, updated_11)
+    t94 = multiply(t93, n3, w3)
+    t95 = multiply(t94, n5, w3)
+    t96 = multiply(t43, n3, predicted_23)
+    t97 = multiply(t96, n5, w1)
+    t98 = multiply(t66, n0, w2)
+    multiply(t33, n5, predicted_11)
+    multiply(t49, n5, predicted_12)
+    multiply(t55, n5, predicted_13)
+    multiply(t58, n5, predicted_22)
+    multiply(t60, n5, predicted_23)
+    multiply(t69, n5, updated_11)
     subtract(t80, t81, updated_12)
     subtract(t84, t87, updated_13)
     subtract(t88, t91, updated_22)
@@ -1135,7 +1187,22 @@ def jerk_noise_variances(
     return JerkNoiseVariances(*evaluate(_JERK_NOISE_VARIANCES, (alpha, beta, share), out, workers))
 
 
-def _jerk_noise_variances_block(given: Arrays, out: Arrays, work: Arrays, _single: bool) -> None:
+def _jerk_noise_variances_block(
+    given: Arrays,
+    out: Arrays,
+    work: Arrays,
+    _single: bool,
+    n0: float = 1.0,
+    n1: float = 2.0,
+    n2: float = 4.0,
+    n3: float = 8.0,
+    n4: float = 9.0,
+    n5: float = 6.0,
+    n6: float = 18.0,
+    n7: float = 16.0,
+    n8: float = 576.0,
+    n9: float = 0.5,
+) -> None:
     alpha, beta, share = given
     (
         predicted_11,
@@ -1152,37 +1219,37 @@ def _jerk_noise_variances_block(given: Arrays, out: Arrays, work: Arrays, _singl
         updated_33,
     ) = out
     w0, w1, w2, w3, w4, w5, w6, w7, w8, w9, w10, w11, w12, w13, w14, w15, w16, w17 = work
-    t4 = subtract(1.0, alpha, w0)
-    t6 = subtract(2.0, alpha, w1)
-    t7 = subtract(1.0, share, w2)
-    t8 = multiply(t4, 2.0, w3)
-    t9 = subtract(2.0, beta, w4)
+    t4 = subtract(n0, alpha, w0)
+    t6 = subtract(n1, alpha, w1)
+    t7 = subtract(n0, share, w2)
+    t8 = multiply(t4, n1, w3)
+    t9 = subtract(n1, beta, w4)
     t10 = add(t8, t9, w4)
-    t11 = multiply(beta, 2.0, w5)
+    t11 = multiply(beta, n1, w5)
     t12 = divide(t11, t6, predicted_11)
     t13 = multiply(alpha, share, w6)
     t14 = multiply(t13, t12, w6)
     t15 = multiply(alpha, t7, w7)
     t16 = add(t8, t15, w3)
     t17 = multiply(t12, t16, predicted_11)
-    t19 = multiply(alpha, 4.0, w3)
-    t20 = multiply(alpha, 2.0, w7)
+    t19 = multiply(alpha, n2, w3)
+    t20 = multiply(alpha, n1, w7)
     t21 = multiply(beta, t7, w8)
     t22 = add(t21, t10, w8)
     t23 = multiply(t20, t22, w7)
     t24 = divide(t23, t6, predicted_12)
-    t25 = multiply(t10, 2.0, w4)
+    t25 = multiply(t10, n1, w4)
     t26 = multiply(alpha, beta, w1)
     t27 = multiply(t26, t7, w1)
-    t29 = multiply(t27, 8.0, w1)
+    t29 = multiply(t27, n3, w1)
     t30 = add(t19, t11, w7)
-    t32 = multiply(t24, 9.0, predicted_12)
-    t34 = multiply(6.0, t14, w8)
+    t32 = multiply(t24, n4, predicted_12)
+    t34 = multiply(n5, t14, w8)
     t35 = add(t32, t34, predicted_12)
-    t36 = multiply(t11, 1.0, w8)
+    t36 = multiply(t11, n0, w8)
     t37 = divide(t36, t25, predicted_13)
     t38 = multiply(t19, t35, w8)
-    t39 = add(t37, 1.0, w9)
+    t39 = add(t37, n0, w9)
     t40 = multiply(t39, t14, w10)
     t41 = multiply(t40, t14, w10)
     t42 = add(t38, t41, w8)
@@ -1192,53 +1259,53 @@ def _jerk_noise_variances_block(given: Arrays, out: Arrays, work: Arrays, _singl
     t46 = multiply(t35, t30, w12)
     t47 = divide(t46, t14, predicted_22)
     t48 = divide(t44, t14, predicted_23)
-    t49 = divide(8.0, t29, predicted_33)
+    t49 = divide(n3, t29, predicted_33)
     t50 = multiply(t48, t49, w12)
-    t51 = multiply(t50, 8.0, w12)
-    t54 = multiply(t25, 9.0, w13)
-    t55 = multiply(t11, 6.0, w14)
+    t51 = multiply(t50, n3, w12)
+    t54 = multiply(t25, n4, w13)
+    t55 = multiply(t11, n5, w14)
     t56 = add(t54, t55, w13)
     t57 = multiply(t25, t56, w4)
-    t58 = multiply(t14, 1.0, w13)
+    t58 = multiply(t14, n0, w13)
     t59 = multiply(t37, t45, w14)
     t60 = add(t58, t59, w14)
     t61 = add(t47, t60, w14)
     t62 = square(t45, w15)
     t63 = multiply(t62, t39, w15)
     t64 = multiply(t19, t14, w16)
-    t65 = multiply(t64, 1.0, w16)
+    t65 = multiply(t64, n0, w16)
     t66 = add(t63, t65, w15)
     t67 = add(t57, t66, w15)
     t68 = multiply(t47, t30, predicted_22)
     t69 = add(t68, t67, predicted_22)
     t70 = divide(t42, t29, updated_11)
-    t71 = multiply(t11, 9.0, w8)
+    t71 = multiply(t11, n4, w8)
     t72 = divide(t71, t14, updated_12)
     t73 = divide(t45, t14, updated_13)
     t74 = multiply(t73, t70, updated_13)
     t75 = add(t74, t72, updated_13)
     t76 = add(t70, t72, w8)
-    t77 = multiply(t61, 2.0, w14)
+    t77 = multiply(t61, n1, w14)
     t78 = multiply(t77, t49, w14)
     t80 = divide(t44, t29, updated_22)
-    t81 = divide(9.0, t14, updated_23)
+    t81 = divide(n4, t14, updated_23)
     t82 = add(t80, t81, w10)
-    t83 = multiply(t82, 8.0, w10)
-    t84 = multiply(t83, 4.0, w10)
-    t86 = multiply(t69, 4.0, predicted_22)
+    t83 = multiply(t82, n3, w10)
+    t84 = multiply(t83, n2, w10)
+    t86 = multiply(t69, n2, predicted_22)
     t87 = divide(t86, t29, updated_33)
-    t89 = add(t75, 9.0, updated_13)
-    t90 = multiply(t89, 8.0, updated_13)
-    t93 = add(t76, 18.0, w11)
-    t95 = multiply(t93, 16.0, w11)
-    t97 = multiply(t4, 8.0, w0)
+    t89 = add(t75, n4, updated_13)
+    t90 = multiply(t89, n3, updated_13)
+    t93 = add(t76, n6, w11)
+    t95 = multiply(t93, n7, w11)
+    t97 = multiply(t4, n3, w0)
     t98 = add(t7, share, w2)
     t99 = divide(t97, t29, w15)
     t100 = multiply(t48, t99, predicted_23)
     t101 = multiply(t100, t97, w17)
     t103 = divide(t35, t14, predicted_12)
-    t104 = multiply(t99, 2.0, w15)
-    t105 = divide(t104, 576.0, w15)
+    t104 = multiply(t99, n1, w15)
+    t105 = divide(t104, n8, w15)
     t106 = multiply(t103, t19, w3)
     t107 = multiply(t103, t11, predicted_22)
     t108 = add(t106, t58, w13)
@@ -1251,37 +1318,37 @@ def _jerk_noise_variances_block(given: Arrays, out: Arrays, work: Arrays, _singl
     t115 = multiply(t103, t30, predicted_12)
     t116 = multiply(t115, t30, predicted_12)
     t117 = add(t116, t114, predicted_12)
-    t118 = divide(4.0, t29, w1)
-    t119 = divide(t118, 576.0, w1)
+    t118 = divide(n2, t29, w1)
+    t119 = divide(t118, n8, w1)
     t120 = multiply(t108, t105, w13)
     t121 = multiply(t110, t105, w15)
     t122 = multiply(t81, t97, updated_23)
-    t123 = multiply(t122, 4.0, updated_23)
-    t124 = divide(t123, 576.0, updated_23)
+    t123 = multiply(t122, n2, updated_23)
+    t124 = divide(t123, n8, updated_23)
     t125 = multiply(t80, t97, updated_22)
-    t126 = multiply(t125, 4.0, updated_22)
-    t127 = divide(t126, 576.0, updated_22)
+    t126 = multiply(t125, n2, updated_22)
+    t127 = divide(t126, n8, updated_22)
     t128 = multiply(t117, t119, w0)
     t129 = multiply(t106, t11, w3)
-    t130 = multiply(t129, 4.0, w3)
+    t130 = multiply(t129, n2, w3)
     t131 = multiply(t130, t119, w3)
     t132 = divide(t17, t14, predicted_11)
     t133 = multiply(t132, t70, predicted_11)
-    t134 = add(t133, 9.0, predicted_11)
-    t135 = multiply(t134, 8.0, predicted_11)
-    t136 = divide(t135, 576.0, w1)
-    t137 = multiply(t72, 8.0, updated_12)
-    t138 = divide(t137, 576.0, w4)
-    t139 = multiply(t76, 16.0, w8)
-    t140 = divide(t139, 576.0, w8)
-    t142 = multiply(t98, 0.5, w2)
-    divide(t51, 576.0, predicted_11)
-    divide(t78, 576.0, predicted_12)
-    divide(t84, 576.0, predicted_13)
-    divide(t87, 576.0, predicted_22)
-    divide(t90, 576.0, predicted_23)
-    divide(t95, 576.0, predicted_33)
-    divide(t101, 576.0, updated_11)
+    t134 = add(t133, n4, predicted_11)
+    t135 = multiply(t134, n3, predicted_11)
+    t136 = divide(t135, n8, w1)
+    t137 = multiply(t72, n3, updated_12)
+    t138 = divide(t137, n8, w4)
+    t139 = multiply(t76, n7, w8)
+    t140 = divide(t139, n8, w8)
+    t142 = multiply(t98, n9, w2)
+    divide(t51, n8, predicted_11)
+    divide(t78, n8, predicted_12)
+    divide(t84, n8, predicted_13)
+    divide(t87, n8, predicted_22)
+    divide(t90, n8, predicted_23)
+    divide(t95, n8, predicted_33)
+    divide(t101, n8, updated_11)
     subtract(t120, t121, updated_12)
     subtract(t124, t127, updated_13)
     subtract(t128, t131, updated_22)
@@ -1427,7 +1494,20 @@ def white_jerk_noise_variances(
 
 
 def _white_jerk_noise_variances_block(
-    given: Arrays, out: Arrays, work: Arrays, _single: bool
+    given: Arrays,
+    out: Arrays,
+    work: Arrays,
+    _single: bool,
+    n0: float = 1.0,
+    n1: float = 2.0,
+    n2: float = 4.0,
+    n3: float = 8.0,
+    n4: float = 15.0,
+    n5: float = 10.0,
+    n6: float = 30.0,
+    n7: float = 16.0,
+    n8: float = 960.0,
+    n9: float = 0.5,
 ) -> None:
     alpha, beta, share = given
     (
@@ -1445,37 +1525,37 @@ def _white_jerk_noise_variances_block(
         updated_33,
     ) = out
     w0, w1, w2, w3, w4, w5, w6, w7, w8, w9, w10, w11, w12, w13, w14, w15, w16, w17 = work
-    t4 = subtract(1.0, alpha, w0)
-    t6 = subtract(2.0, alpha, w1)
-    t7 = subtract(1.0, share, w2)
-    t8 = multiply(t4, 2.0, w3)
-    t9 = subtract(2.0, beta, w4)
+    t4 = subtract(n0, alpha, w0)
+    t6 = subtract(n1, alpha, w1)
+    t7 = subtract(n0, share, w2)
+    t8 = multiply(t4, n1, w3)
+    t9 = subtract(n1, beta, w4)
     t10 = add(t8, t9, w4)
-    t11 = multiply(beta, 2.0, w5)
+    t11 = multiply(beta, n1, w5)
     t12 = divide(t11, t6, predicted_11)
     t13 = multiply(alpha, share, w6)
     t14 = multiply(t13, t12, w6)
     t15 = multiply(alpha, t7, w7)
     t16 = add(t8, t15, w3)
     t17 = multiply(t12, t16, predicted_11)
-    t19 = multiply(alpha, 4.0, w3)
-    t20 = multiply(alpha, 2.0, w7)
+    t19 = multiply(alpha, n2, w3)
+    t20 = multiply(alpha, n1, w7)
     t21 = multiply(beta, t7, w8)
     t22 = add(t21, t10, w8)
     t23 = multiply(t20, t22, w7)
     t24 = divide(t23, t6, predicted_12)
-    t25 = multiply(t10, 2.0, w4)
+    t25 = multiply(t10, n1, w4)
     t26 = multiply(alpha, beta, w1)
     t27 = multiply(t26, t7, w1)
-    t29 = multiply(t27, 8.0, w1)
+    t29 = multiply(t27, n3, w1)
     t30 = add(t19, t11, w7)
-    t32 = multiply(t24, 15.0, predicted_12)
-    t33 = multiply(15.0, t14, w8)
+    t32 = multiply(t24, n4, predicted_12)
+    t33 = multiply(n4, t14, w8)
     t34 = add(t32, t33, predicted_12)
-    t35 = multiply(t11, 2.0, w8)
+    t35 = multiply(t11, n1, w8)
     t36 = divide(t35, t25, predicted_13)
     t37 = multiply(t19, t34, w8)
-    t38 = add(t36, 2.0, w9)
+    t38 = add(t36, n1, w9)
     t39 = multiply(t38, t14, w10)
     t40 = multiply(t39, t14, w10)
     t41 = add(t37, t40, w8)
@@ -1485,21 +1565,21 @@ def _white_jerk_noise_variances_block(
     t45 = multiply(t34, t30, w12)
     t46 = divide(t45, t14, predicted_22)
     t47 = divide(t43, t14, predicted_23)
-    t48 = divide(8.0, t29, predicted_33)
+    t48 = divide(n3, t29, predicted_33)
     t49 = multiply(t47, t48, w12)
-    t50 = multiply(t49, 8.0, w12)
-    t53 = multiply(t25, 15.0, w13)
-    t54 = multiply(t11, 15.0, w14)
+    t50 = multiply(t49, n3, w12)
+    t53 = multiply(t25, n4, w13)
+    t54 = multiply(t11, n4, w14)
     t55 = add(t53, t54, w13)
     t56 = multiply(t25, t55, w4)
-    t57 = multiply(t14, 2.0, w13)
+    t57 = multiply(t14, n1, w13)
     t58 = multiply(t36, t44, w15)
     t59 = add(t57, t58, w15)
     t60 = add(t46, t59, w15)
     t61 = square(t44, w16)
     t62 = multiply(t61, t38, w16)
     t63 = multiply(t19, t14, w17)
-    t64 = multiply(t63, 2.0, w17)
+    t64 = multiply(t63, n1, w17)
     t65 = add(t62, t64, w16)
     t66 = add(t56, t65, w16)
     t67 = multiply(t46, t30, predicted_22)
@@ -1510,27 +1590,27 @@ def _white_jerk_noise_variances_block(
     t72 = multiply(t71, t69, updated_13)
     t73 = add(t72, t70, updated_13)
     t74 = add(t69, t70, w8)
-    t75 = multiply(t60, 2.0, w15)
+    t75 = multiply(t60, n1, w15)
     t76 = multiply(t75, t48, w15)
     t78 = divide(t43, t29, updated_22)
-    t79 = divide(15.0, t14, updated_23)
+    t79 = divide(n4, t14, updated_23)
     t80 = add(t78, t79, w10)
-    t81 = multiply(t80, 8.0, w10)
-    t82 = multiply(t81, 4.0, w10)
-    t84 = multiply(t68, 4.0, predicted_22)
+    t81 = multiply(t80, n3, w10)
+    t82 = multiply(t81, n2, w10)
+    t84 = multiply(t68, n2, predicted_22)
     t85 = divide(t84, t29, updated_33)
-    t88 = add(t73, 10.0, updated_13)
-    t89 = multiply(t88, 8.0, updated_13)
-    t92 = add(t74, 30.0, w11)
-    t94 = multiply(t92, 16.0, w11)
-    t96 = multiply(t4, 8.0, w0)
+    t88 = add(t73, n5, updated_13)
+    t89 = multiply(t88, n3, updated_13)
+    t92 = add(t74, n6, w11)
+    t94 = multiply(t92, n7, w11)
+    t96 = multiply(t4, n3, w0)
     t97 = add(t7, share, w2)
     t98 = divide(t96, t29, w14)
     t99 = multiply(t47, t98, predicted_23)
     t100 = multiply(t99, t96, w16)
     t102 = divide(t34, t14, predicted_12)
-    t103 = multiply(t98, 2.0, w14)
-    t104 = divide(t103, 960.0, w14)
+    t103 = multiply(t98, n1, w14)
+    t104 = divide(t103, n8, w14)
     t105 = multiply(t102, t19, w3)
     t106 = multiply(t102, t11, predicted_22)
     t107 = add(t105, t57, w13)
@@ -1543,37 +1623,37 @@ def _white_jerk_noise_variances_block(
     t114 = multiply(t102, t30, predicted_12)
     t115 = multiply(t114, t30, predicted_12)
     t116 = add(t115, t113, predicted_12)
-    t117 = divide(4.0, t29, w1)
-    t118 = divide(t117, 960.0, w1)
+    t117 = divide(n2, t29, w1)
+    t118 = divide(t117, n8, w1)
     t119 = multiply(t107, t104, w13)
     t120 = multiply(t109, t104, w14)
     t121 = multiply(t79, t96, updated_23)
-    t122 = multiply(t121, 4.0, updated_23)
-    t123 = divide(t122, 960.0, updated_23)
+    t122 = multiply(t121, n2, updated_23)
+    t123 = divide(t122, n8, updated_23)
     t124 = multiply(t78, t96, updated_22)
-    t125 = multiply(t124, 4.0, updated_22)
-    t126 = divide(t125, 960.0, updated_22)
+    t125 = multiply(t124, n2, updated_22)
+    t126 = divide(t125, n8, updated_22)
     t127 = multiply(t116, t118, w0)
     t128 = multiply(t105, t11, w3)
-    t129 = multiply(t128, 4.0, w3)
+    t129 = multiply(t128, n2, w3)
     t130 = multiply(t129, t118, w3)
     t131 = divide(t17, t14, predicted_11)
     t132 = multiply(t131, t69, predicted_11)
-    t133 = add(t132, 10.0, predicted_11)
-    t134 = multiply(t133, 8.0, predicted_11)
-    t135 = divide(t134, 960.0, w1)
-    t136 = multiply(t70, 8.0, updated_12)
-    t137 = divide(t136, 960.0, w4)
-    t138 = multiply(t74, 16.0, w8)
-    t139 = divide(t138, 960.0, w8)
-    t141 = multiply(t97, 0.5, w2)
-    divide(t50, 960.0, predicted_11)
-    divide(t76, 960.0, predicted_12)
-    divide(t82, 960.0, predicted_13)
-    divide(t85, 960.0, predicted_22)
-    divide(t89, 960.0, predicted_23)
-    divide(t94, 960.0, predicted_33)
-    divide(t100, 960.0, updated_11)
+    t133 = add(t132, n5, predicted_11)
+    t134 = multiply(t133, n3, predicted_11)
+    t135 = divide(t134, n8, w1)
+    t136 = multiply(t70, n3, updated_12)
+    t137 = divide(t136, n8, w4)
+    t138 = multiply(t74, n7, w8)
+    t139 = divide(t138, n8, w8)
+    t141 = multiply(t97, n9, w2)
+    divide(t50, n8, predicted_11)
+    divide(t76, n8, predicted_12)
+    divide(t82, n8, predicted_13)
+    divide(t85, n8, predicted_22)
+    divide(t89, n8, predicted_23)
+    divide(t94, n8, predicted_33)
+    divide(t100, n8, updated_11)
     subtract(t119, t120, updated_12)
     subtract(t123, t126, updated_13)
     subtract(t127, t130, updated_22)
@@ -1688,24 +1768,33 @@ def acceleration_noise_variances_of_coordinates(
 
 
 def _acceleration_noise_variances_of_coordinates_block(
-    given: Arrays, out: Arrays, work: Arrays, _single: bool
+    given: Arrays,
+    out: Arrays,
+    work: Arrays,
+    _single: bool,
+    n0: float = 1.0,
+    n1: float = 2.0,
+    n2: float = 4.0,
+    n3: float = 8.0,
+    n4: float = 16.0,
+    n5: float = 0.015625,
 ) -> None:
     linear_coefficient, cubic_coefficient, hurwitz_determinant = given
     predicted_11, predicted_12, predicted_13, predicted_22, predicted_23, predicted_33 = out
     w0, w1, w2, w3, w4, w5, w6, w7 = work
     t3 = add(cubic_coefficient, hurwitz_determinant, w0)
     t4 = divide(t3, linear_coefficient, predicted_11)
-    t6 = add(t4, 1.0, predicted_11)
+    t6 = add(t4, n0, predicted_11)
     t7 = add(t6, linear_coefficient, w0)
     t8 = add(t7, cubic_coefficient, w1)
     t9 = square(t6, w2)
-    t10 = add(linear_coefficient, 1.0, w3)
+    t10 = add(linear_coefficient, n0, w3)
     t11 = multiply(t6, t7, w4)
     t12 = divide(t8, hurwitz_determinant, predicted_12)
     t13 = multiply(t6, t12, w5)
     t14 = multiply(t13, t8, w5)
-    t17 = multiply(cubic_coefficient, 1.0, w6)
-    t18 = multiply(linear_coefficient, 1.0, w7)
+    t17 = multiply(cubic_coefficient, n0, w6)
+    t18 = multiply(linear_coefficient, n0, w7)
     t19 = add(t17, t18, w6)
     t20 = multiply(cubic_coefficient, t19, w6)
     t21 = multiply(t11, t7, w0)
@@ -1714,22 +1803,22 @@ def _acceleration_noise_variances_of_coordinates_block(
     t24 = multiply(t10, t23, w3)
     t25 = add(t24, t18, w3)
     t26 = add(t23, t18, predicted_13)
-    t28 = multiply(t11, 2.0, w4)
+    t28 = multiply(t11, n1, w4)
     t29 = multiply(t28, t12, w4)
     t31 = divide(t6, hurwitz_determinant, predicted_22)
-    t32 = add(t31, 1.0, predicted_22)
+    t32 = add(t31, n0, predicted_22)
     t33 = multiply(t32, t8, predicted_22)
-    t35 = multiply(t33, 4.0, predicted_22)
-    t37 = multiply(t22, 4.0, w0)
+    t35 = multiply(t33, n2, predicted_22)
+    t37 = multiply(t22, n2, w0)
     t38 = divide(t37, hurwitz_determinant, predicted_23)
-    t41 = multiply(t25, 8.0, w3)
-    t44 = multiply(t26, 16.0, w0)
-    multiply(t14, 0.015625, predicted_11)
-    multiply(t29, 0.015625, predicted_12)
-    multiply(t35, 0.015625, predicted_13)
-    multiply(t38, 0.015625, predicted_22)
-    multiply(t41, 0.015625, predicted_23)
-    multiply(t44, 0.015625, predicted_33)
+    t41 = multiply(t25, n3, w3)
+    t44 = multiply(t26, n4, w0)
+    multiply(t14, n5, predicted_11)
+    multiply(t29, n5, predicted_12)
+    multiply(t35, n5, predicted_13)
+    multiply(t38, n5, predicted_22)
+    multiply(t41, n5, predicted_23)
+    multiply(t44, n5, predicted_33)
 
 
 _ACCELERATION_NOISE_VARIANCES_OF_COORDINATES = Signature(
@@ -1832,66 +1921,78 @@ def jerk_noise_variances_of_coordinates(
 
 
 def _jerk_noise_variances_of_coordinates_block(
-    given: Arrays, out: Arrays, work: Arrays, _single: bool
+    given: Arrays,
+    out: Arrays,
+    work: Arrays,
+    _single: bool,
+    n0: float = 1.0,
+    n1: float = 9.0,
+    n2: float = 6.0,
+    n3: float = 2.0,
+    n4: float = 4.0,
+    n5: float = 8.0,
+    n6: float = 18.0,
+    n7: float = 16.0,
+    n8: float = 576.0,
 ) -> None:
     linear_coefficient, cubic_coefficient, hurwitz_determinant = given
     predicted_11, predicted_12, predicted_13, predicted_22, predicted_23, predicted_33 = out
     w0, w1, w2, w3, w4, w5, w6, w7, w8, w9 = work
     t3 = add(cubic_coefficient, hurwitz_determinant, w0)
     t4 = divide(t3, linear_coefficient, predicted_11)
-    t6 = add(t4, 1.0, w0)
+    t6 = add(t4, n0, w0)
     t7 = add(t6, linear_coefficient, w1)
     t8 = add(t7, cubic_coefficient, w2)
-    t10 = multiply(t4, 9.0, predicted_11)
-    t12 = add(t10, 6.0, predicted_11)
-    t13 = multiply(linear_coefficient, 1.0, w3)
+    t10 = multiply(t4, n1, predicted_11)
+    t12 = add(t10, n2, predicted_11)
+    t13 = multiply(linear_coefficient, n0, w3)
     t14 = divide(t13, cubic_coefficient, predicted_12)
     t15 = multiply(t6, t12, w3)
-    t16 = add(t14, 1.0, w4)
+    t16 = add(t14, n0, w4)
     t17 = add(t15, t16, w3)
     t18 = add(t12, t14, w5)
-    t19 = add(linear_coefficient, 1.0, w6)
+    t19 = add(linear_coefficient, n0, w6)
     t20 = multiply(t12, t7, predicted_11)
     t21 = divide(t8, hurwitz_determinant, predicted_13)
     t22 = multiply(t18, t21, w7)
     t23 = multiply(t22, t8, w7)
-    t26 = multiply(cubic_coefficient, 9.0, w8)
-    t27 = multiply(linear_coefficient, 6.0, w9)
+    t26 = multiply(cubic_coefficient, n1, w8)
+    t27 = multiply(linear_coefficient, n2, w9)
     t28 = add(t26, t27, w8)
     t29 = multiply(cubic_coefficient, t28, w8)
     t30 = multiply(t14, t19, predicted_12)
-    t31 = add(1.0, t30, predicted_12)
+    t31 = add(n0, t30, predicted_12)
     t32 = add(t20, t31, predicted_12)
     t33 = square(t19, w9)
     t34 = multiply(t33, t16, w9)
-    t35 = multiply(t6, 1.0, w0)
+    t35 = multiply(t6, n0, w0)
     t36 = add(t34, t35, w9)
     t37 = add(t29, t36, w8)
     t38 = multiply(t20, t7, predicted_11)
     t39 = add(t38, t37, predicted_11)
     t40 = divide(t17, hurwitz_determinant, predicted_22)
-    t41 = multiply(linear_coefficient, 9.0, w0)
+    t41 = multiply(linear_coefficient, n1, w0)
     t42 = multiply(t19, t40, w6)
     t43 = add(t42, t41, w6)
     t44 = add(t40, t41, predicted_22)
-    t46 = multiply(t32, 2.0, predicted_12)
+    t46 = multiply(t32, n3, predicted_12)
     t47 = multiply(t46, t21, predicted_12)
     t49 = divide(t18, hurwitz_determinant, predicted_23)
-    t50 = add(t49, 9.0, predicted_23)
+    t50 = add(t49, n1, predicted_23)
     t51 = multiply(t50, t8, predicted_23)
-    t53 = multiply(t51, 4.0, predicted_23)
-    t55 = multiply(t39, 4.0, predicted_11)
+    t53 = multiply(t51, n4, predicted_23)
+    t55 = multiply(t39, n4, predicted_11)
     t56 = divide(t55, hurwitz_determinant, predicted_33)
-    t58 = add(t43, 9.0, w6)
-    t60 = multiply(t58, 8.0, w6)
-    t63 = add(t44, 18.0, predicted_22)
-    t65 = multiply(t63, 16.0, w0)
-    divide(t23, 576.0, predicted_11)
-    divide(t47, 576.0, predicted_12)
-    divide(t53, 576.0, predicted_13)
-    divide(t56, 576.0, predicted_22)
-    divide(t60, 576.0, predicted_23)
-    divide(t65, 576.0, predicted_33)
+    t58 = add(t43, n1, w6)
+    t60 = multiply(t58, n5, w6)
+    t63 = add(t44, n6, predicted_22)
+    t65 = multiply(t63, n7, w0)
+    divide(t23, n8, predicted_11)
+    divide(t47, n8, predicted_12)
+    divide(t53, n8, predicted_13)
+    divide(t56, n8, predicted_22)
+    divide(t60, n8, predicted_23)
+    divide(t65, n8, predicted_33)
 
 
 _JERK_NOISE_VARIANCES_OF_COORDINATES = Signature(
@@ -1994,39 +2095,51 @@ def white_jerk_noise_variances_of_coordinates(
 
 
 def _white_jerk_noise_variances_of_coordinates_block(
-    given: Arrays, out: Arrays, work: Arrays, _single: bool
+    given: Arrays,
+    out: Arrays,
+    work: Arrays,
+    _single: bool,
+    n0: float = 1.0,
+    n1: float = 15.0,
+    n2: float = 2.0,
+    n3: float = 4.0,
+    n4: float = 10.0,
+    n5: float = 8.0,
+    n6: float = 30.0,
+    n7: float = 16.0,
+    n8: float = 960.0,
 ) -> None:
     linear_coefficient, cubic_coefficient, hurwitz_determinant = given
     predicted_11, predicted_12, predicted_13, predicted_22, predicted_23, predicted_33 = out
     w0, w1, w2, w3, w4, w5, w6, w7, w8, w9, w10 = work
     t3 = add(cubic_coefficient, hurwitz_determinant, w0)
     t4 = divide(t3, linear_coefficient, predicted_11)
-    t6 = add(t4, 1.0, w0)
+    t6 = add(t4, n0, w0)
     t7 = add(t6, linear_coefficient, w1)
     t8 = add(t7, cubic_coefficient, w2)
-    t10 = multiply(t4, 15.0, predicted_11)
-    t11 = add(t10, 15.0, predicted_11)
-    t13 = multiply(linear_coefficient, 2.0, w3)
+    t10 = multiply(t4, n1, predicted_11)
+    t11 = add(t10, n1, predicted_11)
+    t13 = multiply(linear_coefficient, n2, w3)
     t14 = divide(t13, cubic_coefficient, predicted_12)
     t15 = multiply(t6, t11, w3)
-    t16 = add(t14, 2.0, w4)
+    t16 = add(t14, n2, w4)
     t17 = add(t15, t16, w3)
     t18 = add(t11, t14, w5)
-    t19 = add(linear_coefficient, 1.0, w6)
+    t19 = add(linear_coefficient, n0, w6)
     t20 = multiply(t11, t7, predicted_11)
     t21 = divide(t8, hurwitz_determinant, predicted_13)
     t22 = multiply(t18, t21, w7)
     t23 = multiply(t22, t8, w7)
-    t26 = multiply(cubic_coefficient, 15.0, w8)
-    t27 = multiply(linear_coefficient, 15.0, w9)
+    t26 = multiply(cubic_coefficient, n1, w8)
+    t27 = multiply(linear_coefficient, n1, w9)
     t28 = add(t26, t27, w8)
     t29 = multiply(cubic_coefficient, t28, w8)
     t30 = multiply(t14, t19, predicted_12)
-    t31 = add(2.0, t30, predicted_12)
+    t31 = add(n2, t30, predicted_12)
     t32 = add(t20, t31, predicted_12)
     t33 = square(t19, w10)
     t34 = multiply(t33, t16, w10)
-    t35 = multiply(t6, 2.0, w0)
+    t35 = multiply(t6, n2, w0)
     t36 = add(t34, t35, w10)
     t37 = add(t29, t36, w8)
     t38 = multiply(t20, t7, predicted_11)
@@ -2035,24 +2148,24 @@ def _white_jerk_noise_variances_of_coordinates_block(
     t41 = multiply(t19, t40, w6)
     t42 = add(t41, t27, w6)
     t43 = add(t40, t27, predicted_22)
-    t44 = multiply(t32, 2.0, predicted_12)
+    t44 = multiply(t32, n2, predicted_12)
     t45 = multiply(t44, t21, predicted_12)
     t47 = divide(t18, hurwitz_determinant, predicted_23)
-    t48 = add(t47, 15.0, predicted_23)
+    t48 = add(t47, n1, predicted_23)
     t49 = multiply(t48, t8, predicted_23)
-    t51 = multiply(t49, 4.0, predicted_23)
-    t53 = multiply(t39, 4.0, predicted_11)
+    t51 = multiply(t49, n3, predicted_23)
+    t53 = multiply(t39, n3, predicted_11)
     t54 = divide(t53, hurwitz_determinant, predicted_33)
-    t57 = add(t42, 10.0, w6)
-    t59 = multiply(t57, 8.0, w6)
-    t62 = add(t43, 30.0, predicted_22)
-    t64 = multiply(t62, 16.0, w0)
-    divide(t23, 960.0, predicted_11)
-    divide(t45, 960.0, predicted_12)
-    divide(t51, 960.0, predicted_13)
-    divide(t54, 960.0, predicted_22)
-    divide(t59, 960.0, predicted_23)
-    divide(t64, 960.0, predicted_33)
+    t57 = add(t42, n4, w6)
+    t59 = multiply(t57, n5, w6)
+    t62 = add(t43, n6, predicted_22)
+    t64 = multiply(t62, n7, w0)
+    divide(t23, n8, predicted_11)
+    divide(t45, n8, predicted_12)
+    divide(t51, n8, predicted_13)
+    divide(t54, n8, predicted_22)
+    divide(t59, n8, predicted_23)
+    divide(t64, n8, predicted_33)
 
 
 _WHITE_JERK_NOISE_VARIANCES_OF_COORDINATES = Signature(
@@ -2141,7 +2254,16 @@ def lags(
     return Lags(*evaluate(_LAGS, (alpha, beta, share), out, workers))
 
 
-def _lags_block(given: Arrays, out: Arrays, work: Arrays, _single: bool) -> None:
+def _lags_block(
+    given: Arrays,
+    out: Arrays,
+    work: Arrays,
+    _single: bool,
+    n0: float = 1.0,
+    n1: float = 2.0,
+    n2: float = 0.08333333333333333,
+    n3: float = 0.5,
+) -> None:
     alpha, beta, share = given
     (
         predicted_position_lag,
@@ -2152,11 +2274,11 @@ def _lags_block(given: Arrays, out: Arrays, work: Arrays, _single: bool) -> None
         updated_acceleration_lag,
     ) = out
     w0, w1, w2, w3, w4 = work
-    t4 = subtract(1.0, alpha, w0)
-    t6 = subtract(2.0, alpha, w1)
-    t7 = subtract(1.0, share, w2)
-    t8 = multiply(t4, 2.0, w3)
-    t9 = multiply(beta, 2.0, w4)
+    t4 = subtract(n0, alpha, w0)
+    t6 = subtract(n1, alpha, w1)
+    t7 = subtract(n0, share, w2)
+    t8 = multiply(t4, n1, w3)
+    t9 = multiply(beta, n1, w4)
     t10 = divide(t9, t6, updated_velocity_lag)
     t11 = multiply(alpha, share, w1)
     t12 = multiply(t11, t10, w1)
@@ -2164,14 +2286,14 @@ def _lags_block(given: Arrays, out: Arrays, work: Arrays, _single: bool) -> None
     t14 = add(t8, t13, w3)
     t15 = multiply(t10, t14, w3)
     t16 = divide(alpha, t12, predicted_position_lag)
-    t18 = add(t16, 0.08333333333333333, w2)
-    t19 = multiply(t12, 2.0, w4)
+    t18 = add(t16, n2, w2)
+    t19 = multiply(t12, n1, w4)
     t20 = divide(beta, t19, predicted_velocity_lag)
     t24 = divide(beta, t12, predicted_acceleration_lag)
     subtract(t18, t20, updated_velocity_lag)
-    divide(1.0, t12, predicted_position_lag)
+    divide(n0, t12, predicted_position_lag)
     add(t18, t20, predicted_velocity_lag)
-    add(t24, 0.5, predicted_acceleration_lag)
+    add(t24, n3, predicted_acceleration_lag)
     divide(t4, t12, updated_position_lag)
     divide(t15, t19, updated_acceleration_lag)
 
@@ -2261,37 +2383,50 @@ def closed_loop_poles(
     return ClosedLoopPoles(*evaluate(_CLOSED_LOOP_POLES, (alpha, beta, gamma), out, workers))
 
 
-def _closed_loop_poles_block(given: Arrays, out: Arrays, work: Arrays, _single: bool) -> None:
+def _closed_loop_poles_block(
+    given: Arrays,
+    out: Arrays,
+    work: Arrays,
+    _single: bool,
+    n0: float = 0.5,
+    n1: float = 9.0,
+    n2: float = 3.0,
+    n3: float = 6.0,
+    n4: float = 27.0,
+    n5: float = 4.0,
+    n6: float = 18.0,
+    n7: float = 108.0,
+) -> None:
     alpha, beta, gamma = given
     mean_distance, reduced_linear, reduced_constant, discriminant = out
     w0, w1, w2, w3, w4 = work
-    t4 = multiply(gamma, 0.5, w0)
+    t4 = multiply(gamma, n0, w0)
     t5 = add(alpha, beta, w1)
     t6 = add(t5, t4, w1)
     t7 = add(beta, gamma, w2)
     t8 = add(t7, t4, w2)
     t9 = square(t6, w3)
     t10 = multiply(t6, t8, w4)
-    t12 = divide(t9, 9.0, reduced_linear)
-    t14 = divide(t8, 3.0, reduced_constant)
-    t16 = divide(t10, 6.0, discriminant)
+    t12 = divide(t9, n1, reduced_linear)
+    t14 = divide(t8, n2, reduced_constant)
+    t16 = divide(t10, n3, discriminant)
     t17 = multiply(t9, t6, w3)
-    t19 = divide(t17, 27.0, mean_distance)
+    t19 = divide(t17, n4, mean_distance)
     t20 = add(t19, t4, w0)
     t21 = square(t8, mean_distance)
     t22 = multiply(t21, t8, mean_distance)
     t23 = multiply(t17, gamma, w3)
     t24 = add(t22, t23, mean_distance)
-    t26 = multiply(t24, 4.0, mean_distance)
+    t26 = multiply(t24, n5, mean_distance)
     t27 = square(gamma, w2)
-    t28 = multiply(t27, 27.0, w2)
+    t28 = multiply(t27, n4, w2)
     t29 = add(t26, t28, mean_distance)
-    t31 = multiply(gamma, 18.0, w2)
+    t31 = multiply(gamma, n6, w2)
     t32 = add(t10, t31, w2)
     t33 = multiply(t32, t10, w2)
-    t35 = divide(t33, 108.0, w2)
-    t36 = divide(t29, 108.0, w3)
-    divide(t6, 3.0, mean_distance)
+    t35 = divide(t33, n7, w2)
+    t36 = divide(t29, n7, w3)
+    divide(t6, n2, mean_distance)
     subtract(t12, t14, reduced_linear)
     subtract(t16, t20, reduced_constant)
     subtract(t35, t36, discriminant)
@@ -2358,7 +2493,19 @@ def minimum_variance_by_lag(
     return MinimumVarianceByLag(*evaluate(_MINIMUM_VARIANCE_BY_LAG, (lag,), out, workers))
 
 
-def _minimum_variance_by_lag_block(given: Arrays, out: Arrays, work: Arrays, single: bool) -> None:
+def _minimum_variance_by_lag_block(
+    given: Arrays,
+    out: Arrays,
+    work: Arrays,
+    single: bool,
+    n0: float = 0.25,
+    n1: float = 2.0,
+    n2: float = 8.0,
+    n3: float = -1.0,
+    n4: float = 1.0,
+    n5: float = 4.0,
+    n6: float = 3.0,
+) -> None:
     (lag,) = given
     (
         minimum_variance_alpha,
@@ -2371,7 +2518,7 @@ def _minimum_variance_by_lag_block(given: Arrays, out: Arrays, work: Arrays, sin
     t3 = multiply(lag, t1, w1)
     t4 = sqrt(t3, minimum_variance_alpha)
     t5 = sqrt(t4, minimum_variance_beta)
-    t7 = multiply(lag, 0.25, w1)
+    t7 = multiply(lag, n0, w1)
     t8 = multiply(t4, t5, minimum_variance_alpha)
     t9 = multiply(t5, t8, minimum_variance_beta)
     t10 = multiply(t7, t1, w0)
@@ -2399,26 +2546,26 @@ def _minimum_variance_by_lag_block(given: Arrays, out: Arrays, work: Arrays, sin
     t35 = multiply(lag, t33, minimum_variance_beta)
     root_of_map = sqrt(t35, minimum_variance_beta)
     root = sqrt(root_of_map, minimum_variance_beta)
-    t39 = multiply(root, 2.0, minimum_variance_beta)
-    t41 = multiply(lag, 8.0, w0)
-    t44 = add(t41, -1.0, w0)
-    t45 = add(t39, 1.0, w1)
+    t39 = multiply(root, n1, minimum_variance_beta)
+    t41 = multiply(lag, n2, w0)
+    t44 = add(t41, n3, w0)
+    t45 = add(t39, n4, w1)
     t46 = multiply(t45, t39, w1)
-    t47 = add(t46, 1.0, w1)
+    t47 = add(t46, n4, w1)
     t48 = divide(t44, t47, w0)
-    t49 = add(t48, 1.0, w1)
+    t49 = add(t48, n4, w1)
     t50 = multiply(t48, t49, w1)
-    t51 = multiply(t50, 2.0, minimum_variance_alpha)
-    t52 = add(t51, 1.0, minimum_variance_alpha)
-    t54 = multiply(lag, 4.0, minimum_variance_beta)
-    t56 = multiply(lag, 2.0, minimum_variance_gamma)
-    t60 = multiply(t50, 3.0, w1)
-    t61 = add(t60, 1.0, w1)
+    t51 = multiply(t50, n1, minimum_variance_alpha)
+    t52 = add(t51, n4, minimum_variance_alpha)
+    t54 = multiply(lag, n5, minimum_variance_beta)
+    t56 = multiply(lag, n1, minimum_variance_gamma)
+    t60 = multiply(t50, n6, w1)
+    t61 = add(t60, n4, w1)
     t62 = divide(t61, t48, w1)
     t63 = divide(t62, t48, w1)
     divide(t52, t54, minimum_variance_alpha)
     divide(t48, t56, minimum_variance_beta)
-    divide(1.0, lag, minimum_variance_gamma)
+    divide(n4, lag, minimum_variance_gamma)
     divide(t63, t48, minimum_variance_predicted_11)
 
 
@@ -2491,7 +2638,23 @@ def random_acceleration_by_lag(
 
 
 def _random_acceleration_by_lag_block(
-    given: Arrays, out: Arrays, work: Arrays, single: bool
+    given: Arrays,
+    out: Arrays,
+    work: Arrays,
+    single: bool,
+    n0: float = 0.5,
+    n1: float = 0.18,
+    n2: float = 0.25,
+    n3: float = 4.0,
+    n4: float = 2.0,
+    n5: float = -1.0,
+    n6: float = 32.0,
+    n7: float = 6.0,
+    n8: float = 16.0,
+    n9: float = 5.0,
+    n10: float = 3.0,
+    n11: float = 8.0,
+    n12: float = 1.0,
 ) -> None:
     (lag,) = given
     (
@@ -2501,103 +2664,103 @@ def _random_acceleration_by_lag_block(
         random_acceleration_predicted_11,
     ) = out
     w0, w1, w2, w3, w4 = work
-    t2 = multiply(lag, 0.5, w0)
+    t2 = multiply(lag, n0, w0)
     t3 = near_cbrt(lag, w1, single)
-    t5 = add(t3, 0.18, w1)
-    t8 = multiply(t5, 0.25, w2)
+    t5 = add(t3, n1, w1)
+    t8 = multiply(t5, n2, w2)
     t9 = add(t8, lag, w3)
     t10 = multiply(t9, t5, w4)
     t11 = add(t10, t2, w4)
     t12 = sqrt(t11, random_acceleration_predicted_11)
     t13 = sqrt(t12, random_acceleration_alpha)
-    t15 = multiply(t9, 4.0, w3)
-    t16 = multiply(t15, 0.25, w3)
+    t15 = multiply(t9, n3, w3)
+    t16 = multiply(t15, n2, w3)
     t17 = add(t8, t16, w2)
-    t18 = multiply(t12, 4.0, random_acceleration_predicted_11)
+    t18 = multiply(t12, n3, random_acceleration_predicted_11)
     t19 = multiply(t18, t13, random_acceleration_predicted_11)
     t20 = multiply(t13, t19, random_acceleration_alpha)
     t21 = multiply(t17, t5, w1)
     t22 = subtract(t20, t21, random_acceleration_alpha)
     t23 = subtract(t19, t17, random_acceleration_predicted_11)
     t24 = divide(t22, t23, random_acceleration_beta)
-    t26 = multiply(t24, 0.25, w1)
+    t26 = multiply(t24, n2, w1)
     t27 = add(t26, lag, w2)
     t28 = multiply(t27, t24, w3)
     t29 = add(t28, t2, w3)
     t30 = sqrt(t29, random_acceleration_gamma)
     t31 = sqrt(t30, w3)
-    t32 = multiply(t27, 4.0, w2)
-    t33 = multiply(t32, 0.25, w2)
+    t32 = multiply(t27, n3, w2)
+    t33 = multiply(t32, n2, w2)
     t34 = add(t26, t33, w1)
-    t35 = multiply(t30, 4.0, random_acceleration_gamma)
+    t35 = multiply(t30, n3, random_acceleration_gamma)
     t36 = multiply(t35, t31, random_acceleration_gamma)
     t37 = multiply(t31, t36, w3)
     t38 = multiply(t34, t24, random_acceleration_beta)
     t39 = subtract(t37, t38, w3)
     t40 = subtract(t36, t34, random_acceleration_gamma)
     t41 = divide(t39, t40, w3)
-    t43 = multiply(t41, 0.25, w1)
+    t43 = multiply(t41, n2, w1)
     t44 = add(t43, lag, w2)
     t45 = multiply(t44, t41, w4)
     t46 = add(t45, t2, w4)
     t47 = sqrt(t46, w4)
     t48 = sqrt(t47, random_acceleration_alpha)
-    t49 = multiply(t44, 4.0, w2)
-    t50 = multiply(t49, 0.25, w2)
+    t49 = multiply(t44, n3, w2)
+    t50 = multiply(t49, n2, w2)
     t51 = add(t43, t50, w1)
-    t52 = multiply(t47, 4.0, w4)
+    t52 = multiply(t47, n3, w4)
     t53 = multiply(t52, t48, w4)
     t54 = multiply(t48, t53, random_acceleration_alpha)
     t55 = multiply(t51, t41, w3)
     t56 = subtract(t54, t55, random_acceleration_alpha)
     t57 = subtract(t53, t51, w4)
     t58 = divide(t56, t57, random_acceleration_alpha)
-    t60 = multiply(t58, 0.25, w1)
+    t60 = multiply(t58, n2, w1)
     t61 = add(t60, lag, w2)
     t62 = multiply(t61, t58, w3)
     t63 = add(t62, t2, w3)
     t64 = sqrt(t63, w3)
     t65 = sqrt(t64, w4)
-    t66 = multiply(t61, 4.0, w2)
-    t67 = multiply(t66, 0.25, w2)
+    t66 = multiply(t61, n3, w2)
+    t67 = multiply(t66, n2, w2)
     t68 = add(t60, t67, w1)
-    t69 = multiply(t64, 4.0, w3)
+    t69 = multiply(t64, n3, w3)
     t70 = multiply(t69, t65, w3)
     t71 = multiply(t65, t70, w4)
     t72 = multiply(t68, t58, random_acceleration_alpha)
     t73 = subtract(t71, t72, w4)
     t74 = subtract(t70, t68, w3)
     t75 = divide(t73, t74, w4)
-    t77 = multiply(t75, 0.25, w1)
+    t77 = multiply(t75, n2, w1)
     t78 = add(t77, lag, w1)
     t79 = multiply(t78, t75, w1)
     t80 = add(t79, t2, w1)
     root_of_map = sqrt(t80, w1)
     root = sqrt(root_of_map, w1)
     t83 = square(root, w1)
-    t84 = multiply(lag, 4.0, w0)
+    t84 = multiply(lag, n3, w0)
     t85 = divide(t84, t83, w0)
-    t86 = multiply(lag, 2.0, w2)
-    t89 = add(t86, -1.0, w2)
-    t91 = multiply(t89, 32.0, w2)
-    t93 = add(t85, 6.0, w3)
+    t86 = multiply(lag, n4, w2)
+    t89 = add(t86, n5, w2)
+    t91 = multiply(t89, n6, w2)
+    t93 = add(t85, n7, w3)
     t94 = multiply(t93, t85, w3)
-    t96 = add(t94, 16.0, w3)
+    t96 = add(t94, n8, w3)
     t97 = divide(t91, t96, w2)
-    t99 = multiply(t85, 5.0, w3)
-    t100 = add(t99, 6.0, w3)
-    t101 = multiply(t100, 4.0, w3)
+    t99 = multiply(t85, n9, w3)
+    t100 = add(t99, n7, w3)
+    t101 = multiply(t100, n3, w3)
     t102 = multiply(t101, t85, w3)
     t103 = divide(t102, t97, w3)
-    t104 = add(t85, 2.0, w4)
+    t104 = add(t85, n4, w4)
     t105 = multiply(t97, t104, w2)
-    t107 = multiply(t105, 3.0, w2)
-    t109 = add(t107, 8.0, w2)
-    t111 = multiply(t83, 2.0, w4)
+    t107 = multiply(t105, n10, w2)
+    t109 = add(t107, n11, w2)
+    t111 = multiply(t83, n4, w4)
     divide(t103, t109, random_acceleration_predicted_11)
     divide(t85, t111, random_acceleration_alpha)
-    divide(2.0, t83, random_acceleration_beta)
-    divide(1.0, lag, random_acceleration_gamma)
+    divide(n4, t83, random_acceleration_beta)
+    divide(n12, lag, random_acceleration_gamma)
 
 
 _RANDOM_ACCELERATION_BY_LAG = Signature(
@@ -2663,16 +2826,36 @@ def random_jerk_by_lag(
     return RandomJerkByLag(*evaluate(_RANDOM_JERK_BY_LAG, (lag,), out, workers))
 
 
-def _random_jerk_by_lag_block(given: Arrays, out: Arrays, work: Arrays, single: bool) -> None:
+def _random_jerk_by_lag_block(
+    given: Arrays,
+    out: Arrays,
+    work: Arrays,
+    single: bool,
+    n0: float = 4.0,
+    n1: float = 0.25,
+    n2: float = -1.0,
+    n3: float = 1.0,
+    n4: float = 0.3333333333333333,
+    n5: float = 6.0,
+    n6: float = 5.666666666666667,
+    n7: float = 0.6666666666666666,
+    n8: float = 2.0,
+    n9: float = 0.64,
+    n10: float = 0.2,
+    n11: float = 0.26,
+    n12: float = 0.125,
+    n13: float = 3.0,
+    n14: float = 24.0,
+) -> None:
     (lag,) = given
     random_jerk_alpha, random_jerk_beta, random_jerk_gamma = out
     w0, w1, w2, w3, w4, w5, w6, w7, w8 = work
-    t2 = multiply(lag, 4.0, w0)
+    t2 = multiply(lag, n0, w0)
     t4 = near_cbrt(t2, w1, single)
     t6 = multiply(t2, t4, w2)
     t7 = sqrt(t6, random_jerk_alpha)
     t8 = sqrt(t7, random_jerk_beta)
-    t10 = multiply(t2, 0.25, w2)
+    t10 = multiply(t2, n1, w2)
     t11 = multiply(t7, t8, random_jerk_alpha)
     t12 = multiply(t8, t11, random_jerk_beta)
     t13 = multiply(t10, t4, w1)
@@ -2700,32 +2883,32 @@ def _random_jerk_by_lag_block(given: Arrays, out: Arrays, work: Arrays, single: 
     t38 = multiply(t2, t36, random_jerk_beta)
     c_of_map = sqrt(t38, random_jerk_beta)
     c = sqrt(c_of_map, random_jerk_beta)
-    t43 = add(t2, -1.0, w0)
-    t44 = add(c, 1.0, w1)
+    t43 = add(t2, n2, w0)
+    t44 = add(c, n3, w1)
     t45 = multiply(t44, c, w2)
-    t46 = add(t45, 1.0, w2)
+    t46 = add(t45, n3, w2)
     t47 = divide(t43, t46, w0)
     t48 = square(c, w2)
     t49 = multiply(c, t47, random_jerk_alpha)
-    t50 = add(t49, 0.3333333333333333, random_jerk_alpha)
+    t50 = add(t49, n4, random_jerk_alpha)
     t51 = multiply(t48, t50, random_jerk_alpha)
     t52 = multiply(t47, t44, w1)
-    t54 = multiply(t52, 6.0, random_jerk_gamma)
-    t56 = add(t54, 5.666666666666667, random_jerk_gamma)
-    t58 = add(t52, 0.6666666666666666, w1)
+    t54 = multiply(t52, n5, random_jerk_gamma)
+    t56 = add(t54, n6, random_jerk_gamma)
+    t58 = add(t52, n7, w1)
     t59 = multiply(t58, c, w1)
-    t61 = multiply(t59, 2.0, w1)
-    t63 = add(c, 0.64, w3)
+    t61 = multiply(t59, n8, w1)
+    t63 = add(c, n9, w3)
     t64 = multiply(t63, c, w3)
-    t66 = add(t64, 0.2, w3)
+    t66 = add(t64, n10, w3)
     t67 = multiply(t48, c, w2)
-    t69 = multiply(t67, 0.26, w2)
+    t69 = multiply(t67, n11, w2)
     t70 = divide(t66, t69, w3)
     t71 = divide(t61, t51, w1)
     t72 = divide(t56, t51, random_jerk_gamma)
-    t73 = multiply(c, 4.0, random_jerk_beta)
+    t73 = multiply(c, n0, random_jerk_beta)
     t74 = divide(t73, t51, random_jerk_beta)
-    t75 = divide(1.0, t51, random_jerk_alpha)
+    t75 = divide(n3, t51, random_jerk_alpha)
     t76 = square(t71, w2)
     t77 = add(t76, t72, w2)
     t78 = multiply(t71, t77, w4)
@@ -2764,9 +2947,9 @@ def _random_jerk_by_lag_block(given: Arrays, out: Arrays, work: Arrays, single: 
     t112 = sqrt(t111, w7)
     t113 = sqrt(t112, w8)
     t115 = multiply(t105, t70, w1)
-    t116 = multiply(t115, 0.125, w1)
-    t117 = multiply(t107, 0.125, w2)
-    t118 = multiply(t108, 0.125, w4)
+    t116 = multiply(t115, n12, w1)
+    t117 = multiply(t107, n12, w2)
+    t118 = multiply(t108, n12, w4)
     t119 = add(t116, t117, w1)
     t120 = add(t119, t118, w1)
     t121 = multiply(t111, t112, w5)
@@ -2786,9 +2969,9 @@ def _random_jerk_by_lag_block(given: Arrays, out: Arrays, work: Arrays, single: 
     t136 = sqrt(t135, w5)
     t137 = sqrt(t136, w7)
     t138 = multiply(t129, t127, w1)
-    t139 = multiply(t138, 0.125, w1)
-    t140 = multiply(t131, 0.125, w2)
-    t141 = multiply(t132, 0.125, w3)
+    t139 = multiply(t138, n12, w1)
+    t140 = multiply(t131, n12, w2)
+    t141 = multiply(t132, n12, w3)
     t142 = add(t139, t140, w1)
     t143 = add(t142, t141, w1)
     t144 = multiply(t135, t136, w4)
@@ -2808,9 +2991,9 @@ def _random_jerk_by_lag_block(given: Arrays, out: Arrays, work: Arrays, single: 
     t159 = sqrt(t158, w5)
     t160 = sqrt(t159, w8)
     t161 = multiply(t152, t150, w1)
-    t162 = multiply(t161, 0.125, w1)
-    t163 = multiply(t154, 0.125, w2)
-    t164 = multiply(t155, 0.125, w3)
+    t162 = multiply(t161, n12, w1)
+    t163 = multiply(t154, n12, w2)
+    t164 = multiply(t155, n12, w3)
     t165 = add(t162, t163, w1)
     t166 = add(t165, t164, w1)
     t167 = multiply(t158, t159, w4)
@@ -2830,9 +3013,9 @@ def _random_jerk_by_lag_block(given: Arrays, out: Arrays, work: Arrays, single: 
     t182 = sqrt(t181, w5)
     t183 = sqrt(t182, w7)
     t184 = multiply(t175, t173, w1)
-    t185 = multiply(t184, 0.125, w1)
-    t186 = multiply(t177, 0.125, w2)
-    t187 = multiply(t178, 0.125, w3)
+    t185 = multiply(t184, n12, w1)
+    t186 = multiply(t177, n12, w2)
+    t187 = multiply(t178, n12, w3)
     t188 = add(t185, t186, w1)
     t189 = add(t188, t187, w1)
     t190 = multiply(t181, t182, w4)
@@ -2851,18 +3034,18 @@ def _random_jerk_by_lag_block(given: Arrays, out: Arrays, work: Arrays, single: 
     z_inside = sqrt(t203, w6)
     z_of_map = sqrt(z_inside, w6)
     z = sqrt(z_of_map, w6)
-    t207 = divide(1.0, z, w6)
+    t207 = divide(n3, z, w6)
     t208 = add(t47, t207, w0)
-    t209 = multiply(t208, 2.0, w0)
-    t210 = add(t209, 1.0, w0)
+    t209 = multiply(t208, n8, w0)
+    t210 = add(t209, n3, w0)
     t211 = square(t210, w1)
-    t213 = multiply(t211, 3.0, w1)
-    t214 = add(t213, 1.0, w1)
-    t216 = multiply(lag, 24.0, w2)
-    t218 = multiply(lag, 2.0, w3)
+    t213 = multiply(t211, n13, w1)
+    t214 = add(t213, n3, w1)
+    t216 = multiply(lag, n14, w2)
+    t218 = multiply(lag, n8, w3)
     divide(t214, t216, random_jerk_alpha)
     divide(t210, t218, random_jerk_beta)
-    divide(1.0, lag, random_jerk_gamma)
+    divide(n3, lag, random_jerk_gamma)
 
 
 _RANDOM_JERK_BY_LAG = Signature(
@@ -2923,24 +3106,30 @@ def random_acceleration_by_gain(
 
 
 def _random_acceleration_by_gain_block(
-    given: Arrays, out: Arrays, work: Arrays, _single: bool
+    given: Arrays,
+    out: Arrays,
+    work: Arrays,
+    _single: bool,
+    n0: float = 1.0,
+    n1: float = 2.0,
+    n2: float = 4.0,
 ) -> None:
     (alpha,) = given
     random_acceleration_beta, random_acceleration_gamma, random_acceleration_predicted_11 = out
     w0, w1, w2 = work
-    t2 = subtract(1.0, alpha, w0)
+    t2 = subtract(n0, alpha, w0)
     root = sqrt(t2, random_acceleration_beta)
-    t4 = add(root, 1.0, w0)
+    t4 = add(root, n0, w0)
     t5 = divide(alpha, t4, random_acceleration_gamma)
     t6 = square(t5, random_acceleration_gamma)
     t9 = square(t6, w0)
-    t10 = multiply(t9, 2.0, w0)
-    t13 = add(root, 4.0, w1)
+    t10 = multiply(t9, n1, w0)
+    t13 = add(root, n2, w1)
     t14 = multiply(alpha, t13, w2)
     t15 = multiply(t13, root, w1)
-    t16 = add(t15, 1.0, w1)
+    t16 = add(t15, n0, w1)
     t17 = multiply(root, t16, w1)
-    multiply(t6, 2.0, random_acceleration_beta)
+    multiply(t6, n1, random_acceleration_beta)
     divide(t10, alpha, random_acceleration_gamma)
     divide(t14, t17, random_acceleration_predicted_11)
 
@@ -3004,38 +3193,55 @@ def random_jerk_by_gain(
     return RandomJerkByGain(*evaluate(_RANDOM_JERK_BY_GAIN, (alpha,), out, workers))
 
 
-def _random_jerk_by_gain_block(given: Arrays, out: Arrays, work: Arrays, _single: bool) -> None:
+def _random_jerk_by_gain_block(
+    given: Arrays,
+    out: Arrays,
+    work: Arrays,
+    _single: bool,
+    n0: float = 1.0,
+    n1: float = 3.0,
+    n2: float = 17.0,
+    n3: float = 1.6,
+    n4: float = 0.075,
+    n5: float = 36.0,
+    n6: float = 6.0,
+    n7: float = 4.0,
+    n8: float = 10.0,
+    n9: float = 2.0,
+    n10: float = 0.125,
+    n11: float = 12.0,
+) -> None:
     (alpha,) = given
     random_jerk_beta, random_jerk_gamma, random_jerk_predicted_11 = out
     w0, w1, w2, w3, w4, w5, w6, w7, w8 = work
-    t2 = subtract(1.0, alpha, w0)
-    t4 = multiply(alpha, 3.0, w1)
-    t6 = multiply(t2, 17.0, w2)
-    t7 = add(t6, 1.0, w2)
+    t2 = subtract(n0, alpha, w0)
+    t4 = multiply(alpha, n1, w1)
+    t6 = multiply(t2, n2, w2)
+    t7 = add(t6, n0, w2)
     t8 = multiply(t2, alpha, w3)
-    t10 = multiply(t8, 1.6, w3)
-    t12 = add(t2, 0.075, w4)
+    t10 = multiply(t8, n3, w3)
+    t12 = add(t2, n4, w4)
     t13 = divide(t10, t12, random_jerk_beta)
     t14 = square(t2, w3)
-    t16 = multiply(t14, 36.0, w3)
+    t16 = multiply(t14, n5, w3)
     t17 = add(t7, t13, random_jerk_beta)
     t18 = multiply(t4, t17, random_jerk_beta)
     t19 = add(t16, t18, w3)
     half = sqrt(t19, random_jerk_gamma)
-    t22 = multiply(t2, 6.0, w3)
+    t22 = multiply(t2, n6, w3)
     t23 = add(t22, half, w3)
     t24 = divide(t23, t4, random_jerk_predicted_11)
     t25 = square(alpha, w1)
-    t27 = multiply(t2, 4.0, w3)
+    t27 = multiply(t2, n7, w3)
     t28 = multiply(t7, alpha, w2)
-    t29 = divide(t28, 3.0, w2)
-    t31 = multiply(t2, 10.0, w4)
+    t29 = divide(t28, n1, w2)
+    t31 = multiply(t2, n8, w4)
     t32 = multiply(t31, t25, w4)
-    t33 = divide(t32, 3.0, w4)
-    t35 = multiply(t2, 2.0, random_jerk_beta)
+    t33 = divide(t32, n1, w4)
+    t35 = multiply(t2, n9, random_jerk_beta)
     t36 = multiply(t25, alpha, w1)
     t37 = multiply(t35, t36, random_jerk_beta)
-    t38 = divide(t37, 3.0, random_jerk_beta)
+    t38 = divide(t37, n1, random_jerk_beta)
     t39 = square(t27, w1)
     t40 = add(t39, t29, w1)
     t41 = multiply(t27, t40, random_jerk_gamma)
@@ -3075,9 +3281,9 @@ def _random_jerk_by_gain_block(given: Arrays, out: Arrays, work: Arrays, _single
     t76 = sqrt(t75, random_jerk_gamma)
     t77 = sqrt(t76, w8)
     t79 = multiply(t69, t67, w1)
-    t80 = multiply(t79, 0.125, w1)
-    t81 = multiply(t71, 0.125, w3)
-    t82 = multiply(t72, 0.125, w5)
+    t80 = multiply(t79, n10, w1)
+    t81 = multiply(t71, n10, w3)
+    t82 = multiply(t72, n10, w5)
     t83 = add(t80, t81, w1)
     t84 = add(t83, t82, w1)
     t85 = multiply(t75, t76, w7)
@@ -3097,9 +3303,9 @@ def _random_jerk_by_gain_block(given: Arrays, out: Arrays, work: Arrays, _single
     t100 = sqrt(t99, random_jerk_gamma)
     t101 = sqrt(t100, random_jerk_predicted_11)
     t102 = multiply(t93, t91, w1)
-    t103 = multiply(t102, 0.125, w1)
-    t104 = multiply(t95, 0.125, w3)
-    t105 = multiply(t96, 0.125, w5)
+    t103 = multiply(t102, n10, w1)
+    t104 = multiply(t95, n10, w3)
+    t105 = multiply(t96, n10, w5)
     t106 = add(t103, t104, w1)
     t107 = add(t106, t105, w1)
     t108 = multiply(t99, t100, w7)
@@ -3119,9 +3325,9 @@ def _random_jerk_by_gain_block(given: Arrays, out: Arrays, work: Arrays, _single
     t123 = sqrt(t122, w8)
     t124 = sqrt(t123, random_jerk_gamma)
     t125 = multiply(t116, t114, w1)
-    t126 = multiply(t125, 0.125, w1)
-    t127 = multiply(t118, 0.125, w3)
-    t128 = multiply(t119, 0.125, w5)
+    t126 = multiply(t125, n10, w1)
+    t127 = multiply(t118, n10, w3)
+    t128 = multiply(t119, n10, w5)
     t129 = add(t126, t127, w1)
     t130 = add(t129, t128, w1)
     t131 = multiply(t122, t123, w7)
@@ -3141,9 +3347,9 @@ def _random_jerk_by_gain_block(given: Arrays, out: Arrays, work: Arrays, _single
     t146 = sqrt(t145, w8)
     t147 = sqrt(t146, random_jerk_predicted_11)
     t148 = multiply(t139, t137, w1)
-    t149 = multiply(t148, 0.125, w1)
-    t150 = multiply(t141, 0.125, w3)
-    t151 = multiply(t142, 0.125, w5)
+    t149 = multiply(t148, n10, w1)
+    t150 = multiply(t141, n10, w3)
+    t151 = multiply(t142, n10, w5)
     t152 = add(t149, t150, w1)
     t153 = add(t152, t151, w1)
     t154 = multiply(t145, t146, w7)
@@ -3163,35 +3369,35 @@ def _random_jerk_by_gain_block(given: Arrays, out: Arrays, work: Arrays, _single
     w_of_map = sqrt(w_inside, w6)
     w = sqrt(w_of_map, w6)
     t171 = divide(w, alpha, w6)
-    t172 = multiply(t171, 2.0, w1)
-    t173 = add(t172, 1.0, w1)
-    t174 = add(t171, 1.0, w2)
+    t172 = multiply(t171, n9, w1)
+    t173 = add(t172, n0, w1)
+    t174 = add(t171, n0, w2)
     t175 = square(t174, w3)
-    t176 = multiply(t171, 3.0, w4)
-    t177 = add(t176, 6.0, w5)
+    t176 = multiply(t171, n1, w4)
+    t177 = add(t176, n6, w5)
     t178 = multiply(t177, t171, w5)
-    t179 = add(t178, 2.0, w5)
+    t179 = add(t178, n9, w5)
     t180 = multiply(t175, t179, w7)
     t181 = divide(t175, t171, w8)
     t182 = multiply(t2, t181, w0)
     t183 = divide(t179, t171, w5)
     t184 = multiply(t182, t183, w0)
-    t185 = multiply(t173, 3.0, w5)
+    t185 = multiply(t173, n1, w5)
     t186 = multiply(t184, t175, w0)
-    t187 = multiply(t186, 2.0, w0)
+    t187 = multiply(t186, n9, w0)
     t188 = add(t187, t173, w0)
     t189 = divide(t188, t185, w0)
-    t190 = add(t176, 1.0, w3)
-    t191 = add(t176, 2.0, w4)
+    t190 = add(t176, n0, w3)
+    t191 = add(t176, n9, w4)
     t192 = multiply(t190, t191, w3)
     t193 = multiply(t171, t174, w6)
     t194 = multiply(t192, t193, w3)
-    t195 = multiply(t194, 2.0, w3)
+    t195 = multiply(t194, n9, w3)
     t196 = divide(t195, t185, w3)
     t197 = square(t173, w2)
-    t198 = multiply(t197, 6.0, w2)
-    t201 = multiply(t173, 12.0, w4)
-    t203 = add(t173, 1.0, w5)
+    t198 = multiply(t197, n6, w2)
+    t201 = multiply(t173, n11, w4)
+    t203 = add(t173, n0, w5)
     t204 = multiply(t173, t203, w6)
     t205 = add(t204, t196, w8)
     t206 = multiply(t204, t203, w6)

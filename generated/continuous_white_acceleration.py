@@ -148,42 +148,61 @@ def gains(
     return Gains(*evaluate(kernel, (tracking_index,), out, workers))
 
 
-def _gains_block(given: Arrays, out: Arrays, work: Arrays, _single: bool) -> None:
+def _gains_block(
+    given: Arrays,
+    out: Arrays,
+    work: Arrays,
+    _single: bool,
+    n0: float = 1.8014398509481984e16,
+    n1: float = 1.3510798882111488e16,
+    n2: float = 5.404319552844595e16,
+    n3: float = 7.205759403792794e16,
+    n4: float = 3.0,
+    n5: float = 2.0,
+    n6: float = 1.3333333333333333,
+    n7: float = 6.666666666666667,
+    n8: float = 6.0,
+    n9: float = 16.0,
+    n10: float = 1.0,
+    n11: float = 1.152921504606847e18,
+    n12: float = 4.0,
+    n13: float = 3.725290298461914e-09,
+) -> None:
     (tracking_index,) = given
     alpha, beta = out
     w0, w1, w2, w3, w4, w5 = work
-    t2 = multiply(tracking_index, 1.8014398509481984e16, w0)
-    index_or_switch = minimum(t2, 1.3510798882111488e16, out=w0)
-    t7 = divide(5.404319552844595e16, tracking_index, alpha)
-    four_or_less = minimum(7.205759403792794e16, t7, out=alpha)
+    t2 = multiply(tracking_index, n0, w0)
+    index_or_switch = minimum(t2, n1, out=w0)
+    t7 = divide(n2, tracking_index, alpha)
+    four_or_less = minimum(n3, t7, out=alpha)
     t10 = square(four_or_less, alpha)
     t11 = square(index_or_switch, w1)
-    t13 = divide(t11, 3.0, beta)
+    t13 = divide(t11, n4, beta)
     t14 = add(t10, t13, alpha)
     eta_scaled = sqrt(t14, alpha)
-    t17 = multiply(eta_scaled, 2.0, w1)
-    t19 = multiply(index_or_switch, 1.3333333333333333, beta)
+    t17 = multiply(eta_scaled, n5, w1)
+    t19 = multiply(index_or_switch, n6, beta)
     t20 = add(t17, t19, beta)
     t21 = multiply(index_or_switch, t20, beta)
     ratio_scaled = sqrt(t21, beta)
-    t24 = multiply(index_or_switch, 6.666666666666667, w2)
-    t26 = divide(index_or_switch, 6.0, w3)
+    t24 = multiply(index_or_switch, n7, w2)
+    t26 = divide(index_or_switch, n8, w3)
     t27 = divide(t26, ratio_scaled, w3)
-    t29 = multiply(index_or_switch, 16.0, w4)
-    t31 = add(t27, 1.0, w5)
+    t29 = multiply(index_or_switch, n9, w4)
+    t31 = add(t27, n10, w5)
     t32 = multiply(t27, t31, w3)
     t33 = multiply(t29, t32, w4)
     t34 = add(t24, t33, w2)
-    t36 = multiply(index_or_switch, 1.152921504606847e18, w3)
-    t38 = multiply(ratio_scaled, 4.0, w4)
+    t36 = multiply(index_or_switch, n11, w3)
+    t38 = multiply(ratio_scaled, n12, w4)
     t39 = add(t38, t34, w4)
     t40 = add(t17, t39, w1)
     t41 = divide(t36, t40, w3)
     alpha_raised = sqrt(t41, w3)
-    t45 = multiply(index_or_switch, 4.0, w1)
+    t45 = multiply(index_or_switch, n12, w1)
     t46 = add(index_or_switch, ratio_scaled, w0)
     t47 = add(eta_scaled, t46, w0)
-    multiply(alpha_raised, 3.725290298461914e-09, alpha)
+    multiply(alpha_raised, n13, alpha)
     divide(t45, t47, beta)
 
 
@@ -270,29 +289,42 @@ def gain_derivatives(
     return GainDerivatives(*evaluate(_GAIN_DERIVATIVES, (tracking_index,), out, workers))
 
 
-def _gain_derivatives_block(given: Arrays, out: Arrays, work: Arrays, _single: bool) -> None:
+def _gain_derivatives_block(
+    given: Arrays,
+    out: Arrays,
+    work: Arrays,
+    _single: bool,
+    n0: float = 1.9721522630525295e-31,
+    n1: float = 4.108650548026103e-33,
+    n2: float = 7.401486830834377e-17,
+    n3: float = 1.4901161193847656e-08,
+    n4: float = 1.1102230246251565e-16,
+    n5: float = 6.617444900424222e-24,
+    n6: float = 3.700743415417188e-17,
+    n7: float = 2.0,
+) -> None:
     (tracking_index,) = given
     alpha, beta = out
     w0, w1, w2 = work
     p = sqrt(tracking_index, alpha)
-    t3 = divide(1.9721522630525295e-31, tracking_index, beta)
-    t5 = multiply(tracking_index, 4.108650548026103e-33, w0)
+    t3 = divide(n0, tracking_index, beta)
+    t5 = multiply(tracking_index, n1, w0)
     t6 = add(t3, t5, beta)
     h_scaled = sqrt(t6, beta)
     kappa = divide(h_scaled, p, w0)
     half_eta = multiply(p, h_scaled, alpha)
-    t11 = add(kappa, 7.401486830834377e-17, beta)
+    t11 = add(kappa, n2, beta)
     rho_scaled = sqrt(t11, beta)
-    rho = multiply(rho_scaled, 1.4901161193847656e-08, beta)
-    t16 = add(rho, 1.1102230246251565e-16, w1)
+    rho = multiply(rho_scaled, n3, beta)
+    t16 = add(rho, n4, w1)
     t17 = add(kappa, t16, w2)
     t18 = multiply(tracking_index, t17, w2)
-    t20 = divide(6.617444900424222e-24, t18, w2)
+    t20 = divide(n5, t18, w2)
     t21 = divide(t20, half_eta, alpha)
     t22 = multiply(t21, t20, alpha)
     t23 = divide(t22, rho, alpha)
-    t25 = add(kappa, 3.700743415417188e-17, w0)
-    t28 = multiply(t23, 2.0, w2)
+    t25 = add(kappa, n6, w0)
+    t28 = multiply(t23, n7, w2)
     multiply(t23, t25, alpha)
     multiply(t28, t16, beta)
 
@@ -349,37 +381,51 @@ def gains_with_derivatives(
     return GainsWithDerivatives(*evaluate(_GAINS_WITH_DERIVATIVES, (tracking_index,), out, workers))
 
 
-def _gains_with_derivatives_block(given: Arrays, out: Arrays, work: Arrays, _single: bool) -> None:
+def _gains_with_derivatives_block(
+    given: Arrays,
+    out: Arrays,
+    work: Arrays,
+    _single: bool,
+    n0: float = 9.094947017729282e-13,
+    n1: float = 1.8189894035458565e-12,
+    n2: float = 1.3234889800848443e-23,
+    n3: float = 2.757268708510092e-25,
+    n4: float = 0.6666666666666666,
+    n5: float = 0.5,
+    n6: float = 6.018531076210112e-36,
+    n7: float = 3.0,
+    n8: float = 2.0,
+) -> None:
     (tracking_index,) = given
     alpha, beta, d_alpha, d_beta = out
     w0, w1, w2, w3 = work
     p = sqrt(tracking_index, alpha)
-    t3 = multiply(p, 9.094947017729282e-13, w0)
-    t5 = multiply(p, 1.8189894035458565e-12, w1)
-    t7 = divide(1.3234889800848443e-23, tracking_index, w2)
-    t9 = multiply(tracking_index, 2.757268708510092e-25, w3)
+    t3 = multiply(p, n0, w0)
+    t5 = multiply(p, n1, w1)
+    t7 = divide(n2, tracking_index, w2)
+    t9 = multiply(tracking_index, n3, w3)
     t10 = add(t7, t9, w2)
     h_at_once = sqrt(t10, beta)
     t12 = add(t3, h_at_once, w2)
-    t14 = multiply(t3, 0.6666666666666666, w3)
+    t14 = multiply(t3, n4, w3)
     t15 = add(t14, h_at_once, w3)
     t16 = multiply(t5, t15, w3)
     twice_ratio = sqrt(t16, d_beta)
     t18 = add(t12, twice_ratio, w2)
-    t20 = multiply(t18, 0.5, w2)
+    t20 = multiply(t18, n5, w2)
     t21 = multiply(p, t20, w3)
     t22 = square(t21, w3)
     t23 = multiply(p, h_at_once, alpha)
     t24 = multiply(t22, t23, w3)
-    t26 = divide(6.018531076210112e-36, t24, w3)
-    t29 = divide(t3, 3.0, w0)
+    t26 = divide(n6, t24, w3)
+    t29 = divide(t3, n7, w0)
     t30 = add(t29, h_at_once, w0)
     divide(twice_ratio, t20, alpha)
     divide(t5, t20, beta)
     t31 = divide(t30, twice_ratio, d_alpha)
     multiply(t26, t31, d_alpha)
     t27 = divide(t5, twice_ratio, d_beta)
-    t35 = add(t27, 2.0, d_beta)
+    t35 = add(t27, n8, d_beta)
     multiply(t26, t35, d_beta)
 
 
@@ -427,40 +473,59 @@ def predictor_gains(
     return PredictorGains(*evaluate(_PREDICTOR_GAINS, (tracking_index,), out, workers))
 
 
-def _predictor_gains_block(given: Arrays, out: Arrays, work: Arrays, _single: bool) -> None:
+def _predictor_gains_block(
+    given: Arrays,
+    out: Arrays,
+    work: Arrays,
+    _single: bool,
+    n0: float = 1.8014398509481984e16,
+    n1: float = 1.3510798882111488e16,
+    n2: float = 5.404319552844595e16,
+    n3: float = 7.205759403792794e16,
+    n4: float = 3.0,
+    n5: float = 2.0,
+    n6: float = 1.3333333333333333,
+    n7: float = 6.666666666666667,
+    n8: float = 6.0,
+    n9: float = 16.0,
+    n10: float = 1.0,
+    n11: float = 1.152921504606847e18,
+    n12: float = 4.0,
+    n13: float = 3.725290298461914e-09,
+) -> None:
     (tracking_index,) = given
     position, velocity = out
     w0, w1, w2, w3, w4, w5 = work
-    t2 = multiply(tracking_index, 1.8014398509481984e16, w0)
-    index_or_switch = minimum(t2, 1.3510798882111488e16, out=w0)
-    t7 = divide(5.404319552844595e16, tracking_index, velocity)
-    four_or_less = minimum(7.205759403792794e16, t7, out=velocity)
+    t2 = multiply(tracking_index, n0, w0)
+    index_or_switch = minimum(t2, n1, out=w0)
+    t7 = divide(n2, tracking_index, velocity)
+    four_or_less = minimum(n3, t7, out=velocity)
     t10 = square(four_or_less, velocity)
     t11 = square(index_or_switch, w1)
-    t13 = divide(t11, 3.0, position)
+    t13 = divide(t11, n4, position)
     t14 = add(t10, t13, velocity)
     eta_scaled = sqrt(t14, velocity)
-    t17 = multiply(eta_scaled, 2.0, w1)
-    t19 = multiply(index_or_switch, 1.3333333333333333, position)
+    t17 = multiply(eta_scaled, n5, w1)
+    t19 = multiply(index_or_switch, n6, position)
     t20 = add(t17, t19, position)
     t21 = multiply(index_or_switch, t20, position)
     ratio_scaled = sqrt(t21, position)
-    t24 = multiply(index_or_switch, 6.666666666666667, w2)
-    t26 = divide(index_or_switch, 6.0, w3)
+    t24 = multiply(index_or_switch, n7, w2)
+    t26 = divide(index_or_switch, n8, w3)
     t27 = divide(t26, ratio_scaled, w3)
-    t29 = multiply(index_or_switch, 16.0, w4)
-    t31 = add(t27, 1.0, w5)
+    t29 = multiply(index_or_switch, n9, w4)
+    t31 = add(t27, n10, w5)
     t32 = multiply(t27, t31, w3)
     t33 = multiply(t29, t32, w4)
     t34 = add(t24, t33, w2)
-    t36 = multiply(index_or_switch, 1.152921504606847e18, w3)
-    t38 = multiply(ratio_scaled, 4.0, w4)
+    t36 = multiply(index_or_switch, n11, w3)
+    t38 = multiply(ratio_scaled, n12, w4)
     t39 = add(t38, t34, w4)
     t40 = add(t17, t39, w1)
     t41 = divide(t36, t40, w3)
     alpha_raised = sqrt(t41, w3)
-    t44 = multiply(alpha_raised, 3.725290298461914e-09, w3)
-    t45 = multiply(index_or_switch, 4.0, w1)
+    t44 = multiply(alpha_raised, n13, w3)
+    t45 = multiply(index_or_switch, n12, w1)
     t46 = add(index_or_switch, ratio_scaled, w0)
     t47 = add(eta_scaled, t46, velocity)
     divide(t45, t47, velocity)
@@ -514,31 +579,42 @@ def predictor_gain_derivatives(
 
 
 def _predictor_gain_derivatives_block(
-    given: Arrays, out: Arrays, work: Arrays, _single: bool
+    given: Arrays,
+    out: Arrays,
+    work: Arrays,
+    _single: bool,
+    n0: float = 1.9721522630525295e-31,
+    n1: float = 4.108650548026103e-33,
+    n2: float = 7.401486830834377e-17,
+    n3: float = 1.4901161193847656e-08,
+    n4: float = 1.1102230246251565e-16,
+    n5: float = 6.617444900424222e-24,
+    n6: float = 3.700743415417188e-17,
+    n7: float = 2.0,
 ) -> None:
     (tracking_index,) = given
     position, velocity = out
     w0, w1, w2 = work
     p = sqrt(tracking_index, velocity)
-    t3 = divide(1.9721522630525295e-31, tracking_index, position)
-    t5 = multiply(tracking_index, 4.108650548026103e-33, w0)
+    t3 = divide(n0, tracking_index, position)
+    t5 = multiply(tracking_index, n1, w0)
     t6 = add(t3, t5, position)
     h_scaled = sqrt(t6, position)
     kappa = divide(h_scaled, p, w0)
     half_eta = multiply(p, h_scaled, velocity)
-    t11 = add(kappa, 7.401486830834377e-17, position)
+    t11 = add(kappa, n2, position)
     rho_scaled = sqrt(t11, position)
-    rho = multiply(rho_scaled, 1.4901161193847656e-08, position)
-    t16 = add(rho, 1.1102230246251565e-16, w1)
+    rho = multiply(rho_scaled, n3, position)
+    t16 = add(rho, n4, w1)
     t17 = add(kappa, t16, w2)
     t18 = multiply(tracking_index, t17, w2)
-    t20 = divide(6.617444900424222e-24, t18, w2)
+    t20 = divide(n5, t18, w2)
     t21 = divide(t20, half_eta, velocity)
     t22 = multiply(t21, t20, velocity)
     t23 = divide(t22, rho, velocity)
-    t25 = add(kappa, 3.700743415417188e-17, w0)
+    t25 = add(kappa, n6, w0)
     t26 = multiply(t23, t25, w0)
-    t28 = multiply(t23, 2.0, velocity)
+    t28 = multiply(t23, n7, velocity)
     multiply(t28, t16, velocity)
     add(t26, velocity, position)
 
@@ -593,29 +669,42 @@ def predicted_covariance(
     return PredictedCovariance(*evaluate(_PREDICTED_COVARIANCE, (tracking_index,), out, workers))
 
 
-def _predicted_covariance_block(given: Arrays, out: Arrays, work: Arrays, _single: bool) -> None:
+def _predicted_covariance_block(
+    given: Arrays,
+    out: Arrays,
+    work: Arrays,
+    _single: bool,
+    n0: float = 1.9721522630525295e-31,
+    n1: float = 4.108650548026103e-33,
+    n2: float = 7.401486830834377e-17,
+    n3: float = 1.4901161193847656e-08,
+    n4: float = 1.850371707708594e-17,
+    n5: float = 1.1102230246251565e-16,
+    n6: float = 2251799813685248.0,
+    n7: float = 4503599627370496.0,
+) -> None:
     (tracking_index,) = given
     predicted_11, predicted_12, predicted_22 = out
     w0, w1, w2 = work
     p = sqrt(tracking_index, predicted_11)
-    t3 = divide(1.9721522630525295e-31, tracking_index, predicted_12)
-    t5 = multiply(tracking_index, 4.108650548026103e-33, w0)
+    t3 = divide(n0, tracking_index, predicted_12)
+    t5 = multiply(tracking_index, n1, w0)
     t6 = add(t3, t5, predicted_12)
     h_scaled = sqrt(t6, predicted_22)
     kappa = divide(h_scaled, p, predicted_22)
-    t10 = add(kappa, 7.401486830834377e-17, w0)
+    t10 = add(kappa, n2, w0)
     rho_scaled = sqrt(t10, w0)
-    rho = multiply(rho_scaled, 1.4901161193847656e-08, w0)
-    t15 = add(kappa, 1.850371707708594e-17, predicted_11)
-    t17 = add(rho, 1.1102230246251565e-16, predicted_12)
+    rho = multiply(rho_scaled, n3, w0)
+    t15 = add(kappa, n4, predicted_11)
+    t17 = add(rho, n5, predicted_12)
     t18 = divide(t15, t17, predicted_11)
     t19 = multiply(tracking_index, t18, predicted_11)
     t20 = multiply(tracking_index, t19, w1)
     t21 = add(kappa, t17, predicted_22)
     t22 = multiply(tracking_index, t21, predicted_22)
-    t24 = multiply(t22, 2251799813685248.0, predicted_22)
+    t24 = multiply(t22, n6, predicted_22)
     t25 = multiply(tracking_index, rho, w0)
-    t27 = multiply(t25, 4503599627370496.0, w0)
+    t27 = multiply(t25, n7, w0)
     t30 = square(tracking_index, w2)
     multiply(t24, t27, predicted_11)
     multiply(tracking_index, t24, predicted_12)
@@ -674,46 +763,62 @@ def predicted_covariance_derivatives(
 
 
 def _predicted_covariance_derivatives_block(
-    given: Arrays, out: Arrays, work: Arrays, _single: bool
+    given: Arrays,
+    out: Arrays,
+    work: Arrays,
+    _single: bool,
+    n0: float = 1.9721522630525295e-31,
+    n1: float = 4.108650548026103e-33,
+    n2: float = 7.401486830834377e-17,
+    n3: float = 1.4901161193847656e-08,
+    n4: float = 1.850371707708594e-17,
+    n5: float = 1.1102230246251565e-16,
+    n6: float = 1.0,
+    n7: float = 2.220446049250313e-16,
+    n8: float = 9.25185853854297e-18,
+    n9: float = 3.700743415417188e-17,
+    n10: float = 2251799813685248.0,
+    n11: float = 0.5,
+    n12: float = 2.0,
 ) -> None:
     (tracking_index,) = given
     predicted_11, predicted_12, predicted_22 = out
     w0, w1, w2 = work
     p = sqrt(tracking_index, predicted_11)
-    t3 = divide(1.9721522630525295e-31, tracking_index, predicted_12)
-    t5 = multiply(tracking_index, 4.108650548026103e-33, w0)
+    t3 = divide(n0, tracking_index, predicted_12)
+    t5 = multiply(tracking_index, n1, w0)
     t6 = add(t3, t5, predicted_12)
     h_scaled = sqrt(t6, predicted_22)
     kappa = divide(h_scaled, p, predicted_22)
-    t10 = add(kappa, 7.401486830834377e-17, w0)
+    t10 = add(kappa, n2, w0)
     rho_scaled = sqrt(t10, w0)
-    rho = multiply(rho_scaled, 1.4901161193847656e-08, w0)
-    t15 = add(kappa, 1.850371707708594e-17, predicted_11)
-    t17 = add(rho, 1.1102230246251565e-16, predicted_12)
+    rho = multiply(rho_scaled, n3, w0)
+    t15 = add(kappa, n4, predicted_11)
+    t17 = add(rho, n5, predicted_12)
     t18 = divide(t15, t17, predicted_11)
     t19 = multiply(tracking_index, t18, w1)
-    t20 = multiply(t18, 1.1102230246251565e-16, predicted_11)
+    t20 = multiply(t18, n5, predicted_11)
     t21 = divide(t20, rho, predicted_11)
-    t23 = add(1.0, t21, predicted_11)
+    t23 = add(n6, t21, predicted_11)
     t24 = multiply(t19, t23, w1)
-    t26 = add(kappa, 2.220446049250313e-16, predicted_11)
+    t26 = add(kappa, n7, predicted_11)
     t27 = divide(t26, kappa, predicted_11)
-    t29 = divide(9.25185853854297e-18, rho, w2)
+    t29 = divide(n8, rho, w2)
     t30 = multiply(t27, t29, predicted_11)
     t31 = multiply(tracking_index, t30, predicted_11)
     t32 = add(t24, t31, w1)
-    t34 = add(kappa, 3.700743415417188e-17, w2)
+    t34 = add(kappa, n9, w2)
     t35 = divide(t34, kappa, w2)
     t36 = add(kappa, t17, predicted_22)
     t37 = multiply(tracking_index, t36, predicted_11)
-    t39 = multiply(t37, 2251799813685248.0, predicted_12)
+    t39 = multiply(t37, n10, predicted_12)
     t40 = divide(t36, rho, predicted_22)
-    t42 = multiply(t40, 0.5, predicted_22)
+    t42 = multiply(t40, n11, predicted_22)
     t43 = multiply(t35, t42, predicted_22)
-    t45 = divide(1.1102230246251565e-16, rho, w0)
+    t45 = divide(n5, rho, w0)
     t46 = multiply(t35, t45, w2)
-    t47 = add(1.0, t46, w2)
-    t49 = multiply(tracking_index, 2.0, w0)
+    t47 = add(n6, t46, w2)
+    t49 = multiply(tracking_index, n12, w0)
     multiply(t39, t43, predicted_11)
     multiply(t39, t47, predicted_12)
     add(t32, t49, predicted_22)
@@ -769,27 +874,40 @@ def updated_covariance(
     return UpdatedCovariance(*evaluate(_UPDATED_COVARIANCE, (tracking_index,), out, workers))
 
 
-def _updated_covariance_block(given: Arrays, out: Arrays, work: Arrays, _single: bool) -> None:
+def _updated_covariance_block(
+    given: Arrays,
+    out: Arrays,
+    work: Arrays,
+    _single: bool,
+    n0: float = 1.9721522630525295e-31,
+    n1: float = 4.108650548026103e-33,
+    n2: float = 7.401486830834377e-17,
+    n3: float = 1.4901161193847656e-08,
+    n4: float = 1.1102230246251565e-16,
+    n5: float = 2.0,
+    n6: float = 1.850371707708594e-17,
+    n7: float = 2.220446049250313e-16,
+) -> None:
     (tracking_index,) = given
     updated_11, updated_12, updated_22 = out
     (w0,) = work
     p = sqrt(tracking_index, updated_11)
-    t3 = divide(1.9721522630525295e-31, tracking_index, updated_12)
-    t5 = multiply(tracking_index, 4.108650548026103e-33, w0)
+    t3 = divide(n0, tracking_index, updated_12)
+    t5 = multiply(tracking_index, n1, w0)
     t6 = add(t3, t5, updated_12)
     h_scaled = sqrt(t6, updated_22)
     kappa = divide(h_scaled, p, updated_22)
-    t10 = add(kappa, 7.401486830834377e-17, w0)
+    t10 = add(kappa, n2, w0)
     rho_scaled = sqrt(t10, w0)
-    rho = multiply(rho_scaled, 1.4901161193847656e-08, w0)
-    t15 = add(rho, 1.1102230246251565e-16, updated_11)
+    rho = multiply(rho_scaled, n3, w0)
+    t15 = add(rho, n4, updated_11)
     t16 = add(kappa, t15, updated_12)
-    t18 = divide(2.0, t16, updated_12)
-    t23 = add(kappa, 1.850371707708594e-17, updated_22)
+    t18 = divide(n5, t16, updated_12)
+    t23 = add(kappa, n6, updated_22)
     t24 = divide(t23, t15, updated_22)
     t25 = multiply(tracking_index, t24, updated_22)
     multiply(t18, rho, updated_11)
-    multiply(t18, 2.220446049250313e-16, updated_12)
+    multiply(t18, n7, updated_12)
     multiply(tracking_index, t25, updated_22)
 
 
@@ -844,40 +962,55 @@ def updated_covariance_derivatives(
 
 
 def _updated_covariance_derivatives_block(
-    given: Arrays, out: Arrays, work: Arrays, _single: bool
+    given: Arrays,
+    out: Arrays,
+    work: Arrays,
+    _single: bool,
+    n0: float = 1.9721522630525295e-31,
+    n1: float = 4.108650548026103e-33,
+    n2: float = 7.401486830834377e-17,
+    n3: float = 1.4901161193847656e-08,
+    n4: float = 1.1102230246251565e-16,
+    n5: float = 6.617444900424222e-24,
+    n6: float = 3.700743415417188e-17,
+    n7: float = 2.0,
+    n8: float = 1.850371707708594e-17,
+    n9: float = 1.0,
+    n10: float = 2.220446049250313e-16,
+    n11: float = 9.25185853854297e-18,
 ) -> None:
     (tracking_index,) = given
     updated_11, updated_12, updated_22 = out
     w0, w1, w2, w3, w4 = work
     p = sqrt(tracking_index, updated_11)
-    t3 = divide(1.9721522630525295e-31, tracking_index, updated_12)
-    t5 = multiply(tracking_index, 4.108650548026103e-33, w0)
+    t3 = divide(n0, tracking_index, updated_12)
+    t5 = multiply(tracking_index, n1, w0)
     t6 = add(t3, t5, updated_12)
     h_scaled = sqrt(t6, updated_22)
     kappa = divide(h_scaled, p, w0)
     half_eta = multiply(p, h_scaled, updated_11)
-    t11 = add(kappa, 7.401486830834377e-17, updated_12)
+    t11 = add(kappa, n2, updated_12)
     rho_scaled = sqrt(t11, updated_12)
-    rho = multiply(rho_scaled, 1.4901161193847656e-08, updated_12)
-    t16 = add(rho, 1.1102230246251565e-16, updated_22)
+    rho = multiply(rho_scaled, n3, updated_12)
+    t16 = add(rho, n4, updated_22)
     t17 = add(kappa, t16, w1)
     t18 = multiply(tracking_index, t17, w1)
-    t20 = divide(6.617444900424222e-24, t18, w1)
+    t20 = divide(n5, t18, w1)
     t21 = divide(t20, half_eta, updated_11)
     t22 = multiply(t21, t20, updated_11)
     t23 = divide(t22, rho, updated_11)
-    t25 = add(kappa, 3.700743415417188e-17, w1)
-    t28 = multiply(t23, 2.0, w2)
-    t31 = add(kappa, 1.850371707708594e-17, w3)
+    t25 = add(kappa, n6, w1)
+    t28 = multiply(t23, n7, w2)
+    t31 = add(kappa, n8, w3)
     t32 = divide(t31, t16, w3)
     t33 = multiply(tracking_index, t32, w4)
-    t34 = multiply(t32, 1.1102230246251565e-16, w3)
+    t34 = multiply(t32, n4, w3)
     t35 = divide(t34, rho, w3)
-    t37 = add(1.0, t35, w3)
+    t37 = add(n9, t35, w3)
     t38 = multiply(t33, t37, w4)
-    t40 = add(kappa, 2.220446049250313e-16, w3)
+    t40 = add(kappa, n10, w3)
     t41 = divide(t40, kappa, w3)
-    t43 = divide(9.25185853854297e-18, rho, updated_12)
+    t43 = divide(n11, rho, updated_12)
     t44 = multiply(t41, t43, w3)
     t45 = multiply(tracking_index, t44, w3)
     multiply(t23, t25, updated_11)
@@ -935,59 +1068,83 @@ def gain_second_derivatives(
     )
 
 
-def _gain_second_derivatives_block(given: Arrays, out: Arrays, work: Arrays, _single: bool) -> None:
+def _gain_second_derivatives_block(
+    given: Arrays,
+    out: Arrays,
+    work: Arrays,
+    _single: bool,
+    n0: float = 1.9721522630525295e-31,
+    n1: float = 4.108650548026103e-33,
+    n2: float = 7.401486830834377e-17,
+    n3: float = 1.4901161193847656e-08,
+    n4: float = 1.1102230246251565e-16,
+    n5: float = 4.440892098500626e-16,
+    n6: float = 2.220446049250313e-16,
+    n7: float = 0.10185185185185185,
+    n8: float = 0.6666666666666666,
+    n9: float = 1.5,
+    n10: float = 0.16666666666666666,
+    n11: float = 1.0,
+    n12: float = 0.3333333333333333,
+    n13: float = 2.0,
+    n14: float = 0.08333333333333333,
+    n15: float = 0.009259259259259259,
+    n16: float = 0.041666666666666664,
+    n17: float = 0.5,
+    n18: float = 2251799813685248.0,
+) -> None:
     (tracking_index,) = given
     alpha, beta = out
     w0, w1, w2, w3, w4, w5, w6, w7 = work
     p = sqrt(tracking_index, alpha)
-    t3 = divide(1.9721522630525295e-31, tracking_index, beta)
-    t5 = multiply(tracking_index, 4.108650548026103e-33, w0)
+    t3 = divide(n0, tracking_index, beta)
+    t5 = multiply(tracking_index, n1, w0)
     t6 = add(t3, t5, beta)
     h_scaled = sqrt(t6, beta)
     kappa = divide(h_scaled, p, w0)
     half_eta = multiply(p, h_scaled, alpha)
-    t11 = add(kappa, 7.401486830834377e-17, beta)
+    t11 = add(kappa, n2, beta)
     rho_scaled = sqrt(t11, beta)
-    rho = multiply(rho_scaled, 1.4901161193847656e-08, beta)
-    t16 = add(rho, 1.1102230246251565e-16, w1)
+    rho = multiply(rho_scaled, n3, beta)
+    t16 = add(rho, n4, w1)
     t17 = add(kappa, t16, w1)
     t18 = multiply(tracking_index, t17, w1)
-    t20 = divide(4.440892098500626e-16, t18, w1)
+    t20 = divide(n5, t18, w1)
     t21 = divide(t20, tracking_index, w2)
-    t23 = multiply(t20, 2.220446049250313e-16, w1)
+    t23 = multiply(t20, n6, w1)
     t24 = divide(t23, half_eta, w1)
-    t25 = divide(2.220446049250313e-16, rho, alpha)
-    t26 = divide(2.220446049250313e-16, kappa, w3)
-    t28 = multiply(t26, 0.10185185185185185, w4)
-    t30 = add(t28, 0.6666666666666666, w4)
-    t31 = multiply(t30, 2.220446049250313e-16, w4)
+    t25 = divide(n6, rho, alpha)
+    t26 = divide(n6, kappa, w3)
+    t28 = multiply(t26, n7, w4)
+    t30 = add(t28, n8, w4)
+    t31 = multiply(t30, n6, w4)
     t32 = add(kappa, t31, w4)
     t33 = divide(t32, rho, w4)
-    t35 = multiply(t33, 1.5, w4)
-    t37 = multiply(t26, 0.16666666666666666, w5)
-    t39 = add(1.0, t37, w5)
+    t35 = multiply(t33, n9, w4)
+    t37 = multiply(t26, n10, w5)
+    t39 = add(n11, t37, w5)
     t40 = add(t35, t39, w4)
-    t42 = multiply(t26, 0.3333333333333333, w6)
-    t43 = add(1.0, t42, w6)
+    t42 = multiply(t26, n12, w6)
+    t43 = add(n11, t42, w6)
     t44 = divide(t40, t43, w4)
-    t46 = add(2.0, t25, w6)
-    t48 = multiply(t26, 0.08333333333333333, w7)
+    t46 = add(n13, t25, w6)
+    t48 = multiply(t26, n14, w7)
     t49 = multiply(t46, t48, w6)
     t50 = add(t44, t49, w4)
     t51 = multiply(t24, t50, w4)
     t52 = multiply(t24, t51, w1)
-    t53 = multiply(t21, 2.220446049250313e-16, w2)
+    t53 = multiply(t21, n6, w2)
     t54 = divide(t53, rho, w2)
     t55 = square(t39, w5)
-    t57 = multiply(t26, 0.009259259259259259, w4)
-    t59 = add(t57, 0.041666666666666664, w4)
+    t57 = multiply(t26, n15, w4)
+    t59 = add(t57, n16, w4)
     t60 = multiply(t26, t59, w4)
-    t61 = add(t60, 0.08333333333333333, w4)
+    t61 = add(t60, n14, w4)
     t62 = multiply(t26, t61, w3)
-    t64 = add(t62, 0.5, w3)
-    t65 = multiply(t64, 2.220446049250313e-16, w3)
+    t64 = add(t62, n17, w3)
+    t65 = multiply(t64, n6, w3)
     t66 = add(kappa, t65, w0)
-    t68 = multiply(t66, 2251799813685248.0, w0)
+    t68 = multiply(t66, n18, w0)
     t69 = multiply(t25, t68, alpha)
     t70 = add(t55, t69, w5)
     t71 = multiply(t54, t70, w5)
@@ -1045,58 +1202,80 @@ def predictor_gain_second_derivatives(
 
 
 def _predictor_gain_second_derivatives_block(
-    given: Arrays, out: Arrays, work: Arrays, _single: bool
+    given: Arrays,
+    out: Arrays,
+    work: Arrays,
+    _single: bool,
+    n0: float = 1.9721522630525295e-31,
+    n1: float = 4.108650548026103e-33,
+    n2: float = 7.401486830834377e-17,
+    n3: float = 1.4901161193847656e-08,
+    n4: float = 1.1102230246251565e-16,
+    n5: float = 4.440892098500626e-16,
+    n6: float = 2.220446049250313e-16,
+    n7: float = 0.10185185185185185,
+    n8: float = 0.6666666666666666,
+    n9: float = 1.5,
+    n10: float = 0.16666666666666666,
+    n11: float = 1.0,
+    n12: float = 0.3333333333333333,
+    n13: float = 2.0,
+    n14: float = 0.08333333333333333,
+    n15: float = 0.009259259259259259,
+    n16: float = 0.041666666666666664,
+    n17: float = 0.5,
+    n18: float = 2251799813685248.0,
 ) -> None:
     (tracking_index,) = given
     position, velocity = out
     w0, w1, w2, w3, w4, w5, w6 = work
     p = sqrt(tracking_index, position)
-    t3 = divide(1.9721522630525295e-31, tracking_index, velocity)
-    t5 = multiply(tracking_index, 4.108650548026103e-33, w0)
+    t3 = divide(n0, tracking_index, velocity)
+    t5 = multiply(tracking_index, n1, w0)
     t6 = add(t3, t5, velocity)
     h_scaled = sqrt(t6, velocity)
     kappa = divide(h_scaled, p, w0)
     half_eta = multiply(p, h_scaled, position)
-    t11 = add(kappa, 7.401486830834377e-17, velocity)
+    t11 = add(kappa, n2, velocity)
     rho_scaled = sqrt(t11, velocity)
-    rho = multiply(rho_scaled, 1.4901161193847656e-08, velocity)
-    t16 = add(rho, 1.1102230246251565e-16, w1)
+    rho = multiply(rho_scaled, n3, velocity)
+    t16 = add(rho, n4, w1)
     t17 = add(kappa, t16, w1)
     t18 = multiply(tracking_index, t17, w1)
-    t20 = divide(4.440892098500626e-16, t18, w1)
+    t20 = divide(n5, t18, w1)
     t21 = divide(t20, tracking_index, w2)
-    t23 = multiply(t20, 2.220446049250313e-16, w1)
+    t23 = multiply(t20, n6, w1)
     t24 = divide(t23, half_eta, w1)
-    t25 = divide(2.220446049250313e-16, rho, position)
-    t26 = divide(2.220446049250313e-16, kappa, w3)
-    t28 = multiply(t26, 0.10185185185185185, w4)
-    t30 = add(t28, 0.6666666666666666, w4)
-    t31 = multiply(t30, 2.220446049250313e-16, w4)
+    t25 = divide(n6, rho, position)
+    t26 = divide(n6, kappa, w3)
+    t28 = multiply(t26, n7, w4)
+    t30 = add(t28, n8, w4)
+    t31 = multiply(t30, n6, w4)
     t32 = add(kappa, t31, w4)
     t33 = divide(t32, rho, w4)
-    t35 = multiply(t33, 1.5, w4)
-    t37 = multiply(t26, 0.16666666666666666, velocity)
-    t39 = add(1.0, t37, velocity)
+    t35 = multiply(t33, n9, w4)
+    t37 = multiply(t26, n10, velocity)
+    t39 = add(n11, t37, velocity)
     t40 = add(t35, t39, w4)
-    t42 = multiply(t26, 0.3333333333333333, w5)
-    t43 = add(1.0, t42, w5)
+    t42 = multiply(t26, n12, w5)
+    t43 = add(n11, t42, w5)
     t44 = divide(t40, t43, w4)
-    t46 = add(2.0, t25, w5)
-    t48 = multiply(t26, 0.08333333333333333, w6)
+    t46 = add(n13, t25, w5)
+    t48 = multiply(t26, n14, w6)
     t49 = multiply(t46, t48, w5)
     t50 = add(t44, t49, w4)
     t51 = multiply(t24, t50, w5)
     t52 = multiply(t24, t51, w1)
     t53 = square(t39, velocity)
-    t55 = multiply(t26, 0.009259259259259259, w5)
-    t57 = add(t55, 0.041666666666666664, w5)
+    t55 = multiply(t26, n15, w5)
+    t57 = add(t55, n16, w5)
     t58 = multiply(t26, t57, w5)
-    t59 = add(t58, 0.08333333333333333, w5)
+    t59 = add(t58, n14, w5)
     t60 = multiply(t26, t59, w5)
-    t62 = add(t60, 0.5, w5)
-    t63 = multiply(t62, 2.220446049250313e-16, w5)
+    t62 = add(t60, n17, w5)
+    t63 = multiply(t62, n6, w5)
     t64 = add(kappa, t63, w0)
-    t66 = multiply(t64, 2251799813685248.0, w0)
+    t66 = multiply(t64, n18, w0)
     t67 = multiply(t25, t66, w0)
     t68 = add(t53, t67, velocity)
     t69 = multiply(t25, t68, velocity)
@@ -1170,84 +1349,105 @@ def predicted_covariance_second_derivatives(
 
 
 def _predicted_covariance_second_derivatives_block(
-    given: Arrays, out: Arrays, work: Arrays, _single: bool
+    given: Arrays,
+    out: Arrays,
+    work: Arrays,
+    _single: bool,
+    n0: float = 1.9721522630525295e-31,
+    n1: float = 4.108650548026103e-33,
+    n2: float = 7.401486830834377e-17,
+    n3: float = 1.4901161193847656e-08,
+    n4: float = 2.220446049250313e-16,
+    n5: float = 1.1102230246251565e-16,
+    n6: float = 0.5,
+    n7: float = 0.16666666666666666,
+    n8: float = 1.0,
+    n9: float = 2251799813685248.0,
+    n10: float = 0.009259259259259259,
+    n11: float = 0.041666666666666664,
+    n12: float = 0.08333333333333333,
+    n13: float = 3.700743415417188e-17,
+    n14: float = 0.25,
+    n15: float = 1.850371707708594e-17,
+    n16: float = 4503599627370496.0,
+    n17: float = 2.0,
 ) -> None:
     (tracking_index,) = given
     predicted_11, predicted_12, predicted_22 = out
     w0, w1, w2, w3, w4, w5, w6, w7, w8, w9, w10 = work
     p = sqrt(tracking_index, predicted_11)
-    t3 = divide(1.9721522630525295e-31, tracking_index, predicted_12)
-    t5 = multiply(tracking_index, 4.108650548026103e-33, w0)
+    t3 = divide(n0, tracking_index, predicted_12)
+    t5 = multiply(tracking_index, n1, w0)
     t6 = add(t3, t5, predicted_12)
     h_scaled = sqrt(t6, predicted_22)
     kappa = divide(h_scaled, p, w0)
     half_eta = multiply(p, h_scaled, predicted_11)
-    t11 = add(kappa, 7.401486830834377e-17, predicted_12)
+    t11 = add(kappa, n2, predicted_12)
     rho_scaled = sqrt(t11, predicted_22)
-    rho = multiply(rho_scaled, 1.4901161193847656e-08, predicted_22)
-    t16 = divide(2.220446049250313e-16, rho, w1)
-    t17 = divide(2.220446049250313e-16, kappa, w2)
-    t19 = add(rho, 1.1102230246251565e-16, w3)
+    rho = multiply(rho_scaled, n3, predicted_22)
+    t16 = divide(n4, rho, w1)
+    t17 = divide(n4, kappa, w2)
+    t19 = add(rho, n5, w3)
     t20 = add(kappa, t19, w4)
     t21 = divide(t20, rho, w5)
-    t23 = multiply(t21, 0.5, w6)
-    t25 = multiply(t17, 0.16666666666666666, w7)
-    t27 = add(1.0, t25, w7)
+    t23 = multiply(t21, n6, w6)
+    t25 = multiply(t17, n7, w7)
+    t27 = add(n8, t25, w7)
     t28 = multiply(t23, t27, w8)
-    t29 = multiply(t28, 2.220446049250313e-16, w9)
+    t29 = multiply(t28, n4, w9)
     t30 = multiply(t29, t28, w9)
-    t31 = multiply(t23, 2.220446049250313e-16, w6)
-    t33 = multiply(t20, 2251799813685248.0, w4)
-    t35 = multiply(t17, 0.009259259259259259, w8)
-    t37 = add(t35, 0.041666666666666664, w8)
+    t31 = multiply(t23, n4, w6)
+    t33 = multiply(t20, n9, w4)
+    t35 = multiply(t17, n10, w8)
+    t37 = add(t35, n11, w8)
     t38 = multiply(t17, t37, w8)
-    t40 = add(t38, 0.08333333333333333, w8)
+    t40 = add(t38, n12, w8)
     t41 = multiply(t17, t40, w8)
-    t43 = add(t41, 0.5, w8)
-    t44 = multiply(t43, 2.220446049250313e-16, w8)
+    t43 = add(t41, n6, w8)
+    t44 = multiply(t43, n4, w8)
     t45 = add(kappa, t44, w8)
     t46 = divide(t45, t11, w8)
-    t47 = multiply(t46, 0.5, w8)
+    t47 = multiply(t46, n6, w8)
     t48 = multiply(t33, t47, w4)
     t49 = multiply(t31, t48, w6)
     predicted_11_turn = subtract(t30, t49, w9)
     t55 = multiply(t27, t16, w4)
-    t56 = multiply(t55, 0.5, w4)
-    t57 = add(1.0, t56, w4)
-    t58 = divide(1.9721522630525295e-31, half_eta, predicted_11)
+    t56 = multiply(t55, n6, w4)
+    t57 = add(n8, t56, w4)
+    t58 = divide(n0, half_eta, predicted_11)
     t59 = divide(t58, tracking_index, predicted_11)
     t60 = divide(t59, t11, w6)
-    t61 = multiply(t60, 0.5, w6)
+    t61 = multiply(t60, n6, w6)
     t62 = divide(t59, kappa, w8)
-    t64 = add(kappa, 3.700743415417188e-17, w10)
-    t65 = divide(3.700743415417188e-17, t64, w10)
+    t64 = add(kappa, n13, w10)
+    t65 = divide(n13, t64, w10)
     t66 = multiply(t62, t65, w10)
     t67 = add(t61, t66, w6)
     t68 = add(t57, t67, w4)
     t69 = multiply(t21, t27, w5)
-    t71 = multiply(t68, 0.25, w4)
-    t74 = add(kappa, 1.850371707708594e-17, w0)
+    t71 = multiply(t68, n14, w4)
+    t74 = add(kappa, n15, w0)
     t75 = divide(t74, t19, w0)
-    t76 = multiply(t75, 2.220446049250313e-16, w3)
+    t76 = multiply(t75, n4, w3)
     t77 = multiply(t76, t75, w3)
-    t78 = add(1.0, t17, w0)
-    t79 = multiply(t78, 1.850371707708594e-17, w6)
+    t78 = add(n8, t17, w0)
+    t79 = multiply(t78, n15, w6)
     t80 = add(t77, t79, w3)
     t81 = divide(t80, t11, predicted_12)
-    t82 = multiply(t80, 0.5, w3)
+    t82 = multiply(t80, n6, w3)
     t83 = add(t59, t82, predicted_11)
     t84 = divide(t83, rho, predicted_11)
     t85 = multiply(t81, t84, predicted_12)
-    t86 = multiply(t85, 0.5, predicted_12)
-    t87 = multiply(t17, 0.5, w2)
+    t86 = multiply(t85, n6, predicted_12)
+    t87 = multiply(t17, n6, w2)
     t88 = multiply(t62, t87, w8)
     t89 = add(t78, t88, w0)
-    t90 = multiply(t89, 0.08333333333333333, w0)
+    t90 = multiply(t89, n12, w0)
     t91 = multiply(t16, t90, w1)
     t92 = add(t86, t91, w1)
-    multiply(predicted_11_turn, 4503599627370496.0, predicted_11)
+    multiply(predicted_11_turn, n16, predicted_11)
     multiply(t69, t71, predicted_12)
-    add(t92, 2.0, predicted_22)
+    add(t92, n17, predicted_22)
 
 
 _PREDICTED_COVARIANCE_SECOND_DERIVATIVES = Signature(
@@ -1303,84 +1503,107 @@ def updated_covariance_second_derivatives(
 
 
 def _updated_covariance_second_derivatives_block(
-    given: Arrays, out: Arrays, work: Arrays, _single: bool
+    given: Arrays,
+    out: Arrays,
+    work: Arrays,
+    _single: bool,
+    n0: float = 1.9721522630525295e-31,
+    n1: float = 4.108650548026103e-33,
+    n2: float = 7.401486830834377e-17,
+    n3: float = 1.4901161193847656e-08,
+    n4: float = 1.1102230246251565e-16,
+    n5: float = 4.440892098500626e-16,
+    n6: float = 2.220446049250313e-16,
+    n7: float = 0.10185185185185185,
+    n8: float = 0.6666666666666666,
+    n9: float = 1.5,
+    n10: float = 0.16666666666666666,
+    n11: float = 1.0,
+    n12: float = 0.3333333333333333,
+    n13: float = 2.0,
+    n14: float = 0.08333333333333333,
+    n15: float = 0.009259259259259259,
+    n16: float = 0.041666666666666664,
+    n17: float = 0.5,
+    n18: float = 2251799813685248.0,
+    n19: float = 1.850371707708594e-17,
 ) -> None:
     (tracking_index,) = given
     updated_11, updated_12, updated_22 = out
     w0, w1, w2, w3, w4, w5, w6, w7, w8, w9 = work
     p = sqrt(tracking_index, updated_11)
-    t3 = divide(1.9721522630525295e-31, tracking_index, updated_12)
-    t5 = multiply(tracking_index, 4.108650548026103e-33, w0)
+    t3 = divide(n0, tracking_index, updated_12)
+    t5 = multiply(tracking_index, n1, w0)
     t6 = add(t3, t5, updated_12)
     h_scaled = sqrt(t6, updated_22)
     kappa = divide(h_scaled, p, w0)
     half_eta = multiply(p, h_scaled, updated_11)
-    t11 = add(kappa, 7.401486830834377e-17, updated_12)
+    t11 = add(kappa, n2, updated_12)
     rho_scaled = sqrt(t11, updated_22)
-    rho = multiply(rho_scaled, 1.4901161193847656e-08, updated_22)
-    t16 = add(rho, 1.1102230246251565e-16, w1)
+    rho = multiply(rho_scaled, n3, updated_22)
+    t16 = add(rho, n4, w1)
     t17 = add(kappa, t16, w2)
     t18 = multiply(tracking_index, t17, w2)
-    t20 = divide(4.440892098500626e-16, t18, w2)
+    t20 = divide(n5, t18, w2)
     t21 = divide(t20, tracking_index, w3)
-    t23 = multiply(t20, 2.220446049250313e-16, w2)
+    t23 = multiply(t20, n6, w2)
     t24 = divide(t23, half_eta, w2)
-    t25 = divide(2.220446049250313e-16, rho, w4)
-    t26 = divide(2.220446049250313e-16, kappa, w5)
-    t28 = multiply(t26, 0.10185185185185185, w6)
-    t30 = add(t28, 0.6666666666666666, w6)
-    t31 = multiply(t30, 2.220446049250313e-16, w6)
+    t25 = divide(n6, rho, w4)
+    t26 = divide(n6, kappa, w5)
+    t28 = multiply(t26, n7, w6)
+    t30 = add(t28, n8, w6)
+    t31 = multiply(t30, n6, w6)
     t32 = add(kappa, t31, w6)
     t33 = divide(t32, rho, w6)
-    t35 = multiply(t33, 1.5, w6)
-    t37 = multiply(t26, 0.16666666666666666, w7)
-    t39 = add(1.0, t37, w7)
+    t35 = multiply(t33, n9, w6)
+    t37 = multiply(t26, n10, w7)
+    t39 = add(n11, t37, w7)
     t40 = add(t35, t39, w6)
-    t42 = multiply(t26, 0.3333333333333333, w8)
-    t43 = add(1.0, t42, w8)
+    t42 = multiply(t26, n12, w8)
+    t43 = add(n11, t42, w8)
     t44 = divide(t40, t43, w6)
-    t46 = add(2.0, t25, w8)
-    t48 = multiply(t26, 0.08333333333333333, w9)
+    t46 = add(n13, t25, w8)
+    t48 = multiply(t26, n14, w9)
     t49 = multiply(t46, t48, w8)
     t50 = add(t44, t49, w6)
     t51 = multiply(t24, t50, w6)
     t52 = multiply(t24, t51, w2)
-    t53 = multiply(t21, 2.220446049250313e-16, w3)
+    t53 = multiply(t21, n6, w3)
     t54 = divide(t53, rho, w3)
     t55 = square(t39, w7)
-    t57 = multiply(t26, 0.009259259259259259, w6)
-    t59 = add(t57, 0.041666666666666664, w6)
+    t57 = multiply(t26, n15, w6)
+    t59 = add(t57, n16, w6)
     t60 = multiply(t26, t59, w6)
-    t61 = add(t60, 0.08333333333333333, w6)
+    t61 = add(t60, n14, w6)
     t62 = multiply(t26, t61, w6)
-    t64 = add(t62, 0.5, w6)
-    t65 = multiply(t64, 2.220446049250313e-16, w6)
+    t64 = add(t62, n17, w6)
+    t65 = multiply(t64, n6, w6)
     t66 = add(kappa, t65, w6)
-    t68 = multiply(t66, 2251799813685248.0, w6)
+    t68 = multiply(t66, n18, w6)
     t69 = multiply(t25, t68, w6)
     t70 = add(t55, t69, w7)
     t71 = multiply(t54, t70, w7)
     t72 = multiply(t54, t71, w3)
-    t76 = add(kappa, 1.850371707708594e-17, w6)
+    t76 = add(kappa, n19, w6)
     t77 = divide(t76, t16, w6)
-    t78 = multiply(t77, 2.220446049250313e-16, w1)
+    t78 = multiply(t77, n6, w1)
     t79 = multiply(t78, t77, w1)
-    t80 = add(1.0, t26, w6)
-    t81 = multiply(t80, 1.850371707708594e-17, w7)
+    t80 = add(n11, t26, w6)
+    t81 = multiply(t80, n19, w7)
     t82 = add(t79, t81, w1)
     t83 = divide(t82, t11, updated_12)
-    t84 = divide(1.9721522630525295e-31, half_eta, updated_11)
+    t84 = divide(n0, half_eta, updated_11)
     t85 = divide(t84, tracking_index, updated_11)
-    t86 = multiply(t82, 0.5, w1)
+    t86 = multiply(t82, n17, w1)
     t87 = add(t85, t86, w1)
     t88 = divide(t87, rho, w1)
     t89 = multiply(t83, t88, updated_12)
-    t90 = multiply(t89, 0.5, w1)
+    t90 = multiply(t89, n17, w1)
     t91 = divide(t85, kappa, updated_11)
-    t92 = multiply(t26, 0.5, w5)
+    t92 = multiply(t26, n17, w5)
     t93 = multiply(t91, t92, updated_11)
     t94 = add(t80, t93, w6)
-    t95 = multiply(t94, 0.08333333333333333, w6)
+    t95 = multiply(t94, n14, w6)
     t96 = multiply(t25, t95, w4)
     negative(t72, updated_11)
     negative(t52, updated_12)
@@ -1438,44 +1661,63 @@ def closed_loop_poles(
     return ClosedLoopPoles(*evaluate(_CLOSED_LOOP_POLES, (tracking_index,), out, workers))
 
 
-def _closed_loop_poles_block(given: Arrays, out: Arrays, work: Arrays, single: bool) -> None:
+def _closed_loop_poles_block(
+    given: Arrays,
+    out: Arrays,
+    work: Arrays,
+    single: bool,
+    n0: float = 1.9721522630525295e-31,
+    n1: float = 4.108650548026103e-33,
+    n2: float = 7.401486830834377e-17,
+    n3: float = 1.4901161193847656e-08,
+    n4: float = 1.1102230246251565e-16,
+    n5: float = 4.440892098500626e-16,
+    n6: float = 0.25,
+    n7: float = 3.0,
+    n8: float = 0.5,
+    n9: float = 2.449489742783178,
+    n10: float = -8.914125970704845e-08,
+    n11: float = 2.168616518103246e-16,
+    n12: float = 12.0,
+    n13: float = 0.0,
+) -> None:
     (tracking_index,) = given
     first_real, first_imaginary, second_real, second_imaginary = out
     w0, w1, w2 = work
     p = sqrt(tracking_index, first_real)
-    t3 = divide(1.9721522630525295e-31, tracking_index, second_real)
-    t5 = multiply(tracking_index, 4.108650548026103e-33, w0)
+    t3 = divide(n0, tracking_index, second_real)
+    t5 = multiply(tracking_index, n1, w0)
     t6 = add(t3, t5, second_real)
     h_scaled = sqrt(t6, first_imaginary)
     kappa = divide(h_scaled, p, second_imaginary)
-    t10 = add(kappa, 7.401486830834377e-17, w0)
+    t10 = add(kappa, n2, w0)
     rho_scaled = sqrt(t10, w0)
-    rho = multiply(rho_scaled, 1.4901161193847656e-08, w0)
-    t15 = add(rho, 1.1102230246251565e-16, first_real)
+    rho = multiply(rho_scaled, n3, w0)
+    t15 = add(rho, n4, first_real)
     t16 = add(kappa, t15, first_real)
     t17 = multiply(tracking_index, t16, first_real)
-    t19 = divide(4.440892098500626e-16, t17, first_real)
-    t23 = multiply(tracking_index, 0.25, first_imaginary)
-    t24 = subtract(3.0, t23, second_real)
+    t19 = divide(n5, t17, first_real)
+    t23 = multiply(tracking_index, n6, first_imaginary)
+    t24 = subtract(n7, t23, second_real)
     distance = absolute(t24, second_real)
     below = sqrt(distance, second_real)
-    t27 = add(3.0, t23, first_imaginary)
+    t27 = add(n7, t23, first_imaginary)
     above = sqrt(t27, first_imaginary)
-    t29 = add(kappa, 1.1102230246251565e-16, second_imaginary)
+    t29 = add(kappa, n4, second_imaginary)
     t30 = multiply(tracking_index, t29, second_imaginary)
-    t33 = multiply(tracking_index, 0.5, w1)
-    rest = -8.914125970704845e-08 if single else 2.168616518103246e-16
-    subtract(2.449489742783178, t33, w2)
+    t33 = multiply(tracking_index, n8, w1)
+    rest = n10 if single else n11
+    subtract(n9, t33, w2)
     t34 = add(w2, rest, w2)
     t35 = divide(t34, t30, w2)
-    t36 = add(2.449489742783178, t33, w1)
+    t36 = add(n9, t33, w1)
     t37 = multiply(t36, t19, w1)
     t38 = multiply(t35, t37, w2)
-    t39 = multiply(t38, 7.401486830834377e-17, w2)
+    t39 = multiply(t38, n2, w2)
     t40 = divide(below, rho, second_real)
     t41 = multiply(above, t19, first_imaginary)
     t42 = multiply(t40, t41, second_real)
-    t43 = multiply(t42, 7.401486830834377e-17, w0)
+    t43 = multiply(t42, n2, w0)
     middle_size = absolute(t39, w1)
     t45 = add(middle_size, t43, w1)
     t46 = divide(t19, t45, first_imaginary)
@@ -1483,11 +1725,11 @@ def _closed_loop_poles_block(given: Arrays, out: Arrays, work: Arrays, single: b
     t49 = negative(t45, w1)
     t51 = negative(t47, first_imaginary)
     t54 = negative(t43, second_imaginary)
-    mask = mask_of(less(tracking_index, 12.0), single)
+    mask = mask_of(less(tracking_index, n12), single)
     choose(mask, t39, t49, out=first_real)
     choose(mask, t39, t51, out=second_real)
-    choose(mask, t43, 0.0, out=first_imaginary)
-    choose(mask, t54, 0.0, out=second_imaginary)
+    choose(mask, t43, n13, out=first_imaginary)
+    choose(mask, t54, n13, out=second_imaginary)
 
 
 _CLOSED_LOOP_POLES = Signature(
@@ -1527,19 +1769,28 @@ def index_from_alpha(
     return IndexFromAlpha(*evaluate(_INDEX_FROM_ALPHA, (alpha,), out, workers))
 
 
-def _index_from_alpha_block(given: Arrays, out: Arrays, work: Arrays, _single: bool) -> None:
+def _index_from_alpha_block(
+    given: Arrays,
+    out: Arrays,
+    work: Arrays,
+    _single: bool,
+    n0: float = 1.0,
+    n1: float = 4.0,
+    n2: float = 3.0,
+    n3: float = 2.0,
+) -> None:
     (alpha,) = given
     (tracking_index,) = out
     w0, w1, w2 = work
-    t2 = subtract(1.0, alpha, w0)
-    t4 = multiply(t2, 4.0, w1)
+    t2 = subtract(n0, alpha, w0)
+    t4 = multiply(t2, n1, w1)
     t5 = square(alpha, w2)
-    t7 = divide(t5, 3.0, tracking_index)
+    t7 = divide(t5, n2, tracking_index)
     t8 = add(t4, t7, w1)
     alpha_radical = sqrt(t8, w1)
     root_of_rest = sqrt(t2, w0)
-    t12 = multiply(t5, 2.0, w2)
-    t13 = subtract(2.0, alpha, tracking_index)
+    t12 = multiply(t5, n3, w2)
+    t13 = subtract(n3, alpha, tracking_index)
     t14 = add(t13, alpha_radical, tracking_index)
     t15 = divide(t12, t14, w2)
     divide(t15, root_of_rest, tracking_index)
@@ -1582,18 +1833,27 @@ def beta_from_alpha(
     return BetaFromAlpha(*evaluate(_BETA_FROM_ALPHA, (alpha,), out, workers))
 
 
-def _beta_from_alpha_block(given: Arrays, out: Arrays, work: Arrays, _single: bool) -> None:
+def _beta_from_alpha_block(
+    given: Arrays,
+    out: Arrays,
+    work: Arrays,
+    _single: bool,
+    n0: float = 1.0,
+    n1: float = 4.0,
+    n2: float = 3.0,
+    n3: float = 2.0,
+) -> None:
     (alpha,) = given
     (beta,) = out
     w0, w1 = work
-    t2 = subtract(1.0, alpha, w0)
-    t4 = multiply(t2, 4.0, w0)
+    t2 = subtract(n0, alpha, w0)
+    t4 = multiply(t2, n1, w0)
     t5 = square(alpha, w1)
-    t7 = divide(t5, 3.0, beta)
+    t7 = divide(t5, n2, beta)
     t8 = add(t4, t7, w0)
     alpha_radical = sqrt(t8, w0)
-    t11 = multiply(t5, 2.0, w1)
-    t12 = subtract(2.0, alpha, beta)
+    t11 = multiply(t5, n3, w1)
+    t12 = subtract(n3, alpha, beta)
     t13 = add(t12, alpha_radical, beta)
     divide(t11, t13, beta)
 
@@ -1635,25 +1895,40 @@ def index_from_beta(
     return IndexFromBeta(*evaluate(_INDEX_FROM_BETA, (beta,), out, workers))
 
 
-def _index_from_beta_block(given: Arrays, out: Arrays, work: Arrays, single: bool) -> None:
+def _index_from_beta_block(
+    given: Arrays,
+    out: Arrays,
+    work: Arrays,
+    single: bool,
+    n0: float = 3.0,
+    n1: float = 8.0,
+    n2: float = 1.2679491924311228,
+    n3: float = -3.1087250107475484e-08,
+    n4: float = -1.0035084221806903e-16,
+    n5: float = 4.732050807568878,
+    n6: float = -8.812204299601945e-08,
+    n7: float = -3.437383676319936e-16,
+    n8: float = 0.6666666666666666,
+    n9: float = 2.0,
+) -> None:
     (beta,) = given
     (tracking_index,) = out
     w0, w1 = work
-    t2 = divide(beta, 3.0, tracking_index)
-    t4 = add(8.0, t2, tracking_index)
+    t2 = divide(beta, n0, tracking_index)
+    t4 = add(n1, t2, tracking_index)
     t5 = multiply(beta, t4, tracking_index)
     beta_radical = sqrt(t5, tracking_index)
-    rest = -3.1087250107475484e-08 if single else -1.0035084221806903e-16
-    subtract(1.2679491924311228, beta, w0)
+    rest = n3 if single else n4
+    subtract(n2, beta, w0)
     t10 = add(w0, rest, w0)
-    rest_ = -8.812204299601945e-08 if single else -3.437383676319936e-16
-    subtract(4.732050807568878, beta, w1)
+    rest_ = n6 if single else n7
+    subtract(n5, beta, w1)
     t12 = add(w1, rest_, w1)
     t13 = multiply(t10, t12, w0)
-    t14 = multiply(t13, 0.6666666666666666, w0)
-    t15 = add(2.0, beta, w1)
+    t14 = multiply(t13, n8, w0)
+    t15 = add(n9, beta, w1)
     t16 = add(t15, beta_radical, w1)
-    t17 = multiply(t16, 2.0, w1)
+    t17 = multiply(t16, n9, w1)
     t18 = divide(t14, t17, w0)
     root_of_rest = sqrt(t18, w0)
     divide(beta, root_of_rest, tracking_index)
@@ -1696,21 +1971,33 @@ def alpha_from_beta(
     return AlphaFromBeta(*evaluate(_ALPHA_FROM_BETA, (beta,), out, workers))
 
 
-def _alpha_from_beta_block(given: Arrays, out: Arrays, work: Arrays, _single: bool) -> None:
+def _alpha_from_beta_block(
+    given: Arrays,
+    out: Arrays,
+    work: Arrays,
+    _single: bool,
+    n0: float = 1.152921504606847e18,
+    n1: float = 3.0,
+    n2: float = 8.0,
+    n3: float = 12.0,
+    n4: float = 0.6666666666666666,
+    n5: float = 1073741824.0,
+    n6: float = 2147483648.0,
+) -> None:
     (beta,) = given
     (alpha,) = out
     w0, w1 = work
-    t2 = multiply(beta, 1.152921504606847e18, w0)
-    t4 = divide(beta, 3.0, alpha)
-    t6 = add(8.0, t4, alpha)
+    t2 = multiply(beta, n0, w0)
+    t4 = divide(beta, n1, alpha)
+    t6 = add(n2, t4, alpha)
     t7 = multiply(t2, t6, alpha)
     scaled_beta_radical = sqrt(t7, alpha)
-    t10 = subtract(12.0, beta, w1)
-    t12 = multiply(t10, 0.6666666666666666, w1)
+    t10 = subtract(n3, beta, w1)
+    t12 = multiply(t10, n4, w1)
     t13 = multiply(t2, t12, w0)
-    t15 = multiply(beta, 1073741824.0, w1)
+    t15 = multiply(beta, n5, w1)
     t16 = add(scaled_beta_radical, t15, alpha)
-    t18 = multiply(t16, 2147483648.0, alpha)
+    t18 = multiply(t16, n6, alpha)
     divide(t13, t18, alpha)
 
 

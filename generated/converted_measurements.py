@@ -309,7 +309,13 @@ def debiased_conversion_in_plane(
 
 
 def _debiased_conversion_in_plane_block(
-    given: Arrays, out: Arrays, work: Arrays, _single: bool
+    given: Arrays,
+    out: Arrays,
+    work: Arrays,
+    _single: bool,
+    n0: float = 0.5,
+    n1: float = 1.0,
+    n2: float = 2.0,
 ) -> None:
     slant_range, azimuth, range_deviation, azimuth_deviation = given
     x, y, covariance_xx, covariance_xy, covariance_yy, radial_variance, cross_variance = out
@@ -318,14 +324,14 @@ def _debiased_conversion_in_plane_block(
     sin_azimuth = sin(azimuth, w1)
     t6 = square(azimuth_deviation, w2)
     t7 = negative(t6, w2)
-    t9 = multiply(t7, 0.5, w3)
+    t9 = multiply(t7, n0, w3)
     kept_azimuth = exp(t9, w3)
     change_azimuth = expm1(t7, w2)
     t12 = square(range_deviation, w4)
     t13 = square(kept_azimuth, w5)
     t14 = negative(change_azimuth, w6)
     t15 = multiply(kept_azimuth, t14, w7)
-    t17 = add(1.0, kept_azimuth, w3)
+    t17 = add(n1, kept_azimuth, w3)
     t18 = divide(t15, t17, radial_variance)
     t19 = multiply(slant_range, t18, radial_variance)
     t20 = add(slant_range, t19, w3)
@@ -333,26 +339,26 @@ def _debiased_conversion_in_plane_block(
     t22 = square(slant_range, radial_variance)
     t23 = add(t22, t12, w8)
     t24 = square(t14, w9)
-    t25 = add(1.0, t13, w10)
+    t25 = add(n1, t13, w10)
     t26 = add(t25, t21, w11)
     t27 = multiply(t24, t26, w9)
     t28 = multiply(t23, t27, w8)
     t29 = square(t21, w9)
-    t30 = add(1.0, t29, w9)
+    t30 = add(n1, t29, w9)
     t31 = multiply(t12, t30, w9)
     t32 = add(t28, t31, w8)
-    t33 = subtract(1.0, change_azimuth, w2)
-    t34 = multiply(t21, 2.0, w9)
+    t33 = subtract(n1, change_azimuth, w2)
+    t34 = multiply(t21, n2, w9)
     t35 = add(t33, t34, w2)
     t36 = multiply(t25, t35, w10)
     t37 = multiply(t12, t36, w4)
     t38 = multiply(t21, t13, w7)
-    t39 = add(1.0, t38, w7)
+    t39 = add(n1, t38, w7)
     t40 = multiply(t22, t39, radial_variance)
     t41 = add(t40, t37, radial_variance)
     t42 = multiply(t14, t41, w6)
-    multiply(t32, 0.5, radial_variance)
-    multiply(t42, 0.5, cross_variance)
+    multiply(t32, n0, radial_variance)
+    multiply(t42, n0, cross_variance)
     t45 = square(cos_azimuth, w2)
     t46 = square(sin_azimuth, w4)
     t49 = multiply(t45, radial_variance, w5)
@@ -473,7 +479,7 @@ def unbiased_conversion_in_plane(
 
 
 def _unbiased_conversion_in_plane_block(
-    given: Arrays, out: Arrays, work: Arrays, _single: bool
+    given: Arrays, out: Arrays, work: Arrays, _single: bool, n0: float = 0.5, n1: float = 1.0
 ) -> None:
     slant_range, azimuth, range_deviation, azimuth_deviation = given
     x, y, covariance_xx, covariance_xy, covariance_yy, radial_variance, cross_variance = out
@@ -482,7 +488,7 @@ def _unbiased_conversion_in_plane_block(
     sin_azimuth = sin(azimuth, w1)
     t6 = square(azimuth_deviation, w2)
     t7 = negative(t6, w2)
-    t9 = multiply(t7, 0.5, w3)
+    t9 = multiply(t7, n0, w3)
     kept_azimuth = exp(t9, w3)
     change_azimuth = expm1(t7, w2)
     t12 = square(range_deviation, w4)
@@ -492,16 +498,16 @@ def _unbiased_conversion_in_plane_block(
     t16 = multiply(slant_range, t14, w3)
     t17 = square(t16, w3)
     t18 = square(t13, w6)
-    t20 = add(1.0, t18, w6)
+    t20 = add(n1, t18, w6)
     t21 = multiply(t12, t20, w6)
     t22 = add(t17, t21, w6)
-    t23 = multiply(t22, 0.5, w6)
+    t23 = multiply(t22, n0, w6)
     t24 = square(slant_range, w7)
     t25 = add(t24, t12, w7)
-    t26 = add(1.0, t13, w4)
+    t26 = add(n1, t13, w4)
     t27 = multiply(t14, t26, w2)
     t28 = multiply(t25, t27, w7)
-    multiply(t28, 0.5, cross_variance)
+    multiply(t28, n0, cross_variance)
     t30 = divide(t17, t13, radial_variance)
     add(t23, t30, radial_variance)
     t32 = square(cos_azimuth, w2)
@@ -624,7 +630,7 @@ def modified_unbiased_conversion_in_plane(
 
 
 def _modified_unbiased_conversion_in_plane_block(
-    given: Arrays, out: Arrays, work: Arrays, _single: bool
+    given: Arrays, out: Arrays, work: Arrays, _single: bool, n0: float = 0.5, n1: float = 1.0
 ) -> None:
     slant_range, azimuth, range_deviation, azimuth_deviation = given
     x, y, covariance_xx, covariance_xy, covariance_yy, radial_variance, cross_variance = out
@@ -633,7 +639,7 @@ def _modified_unbiased_conversion_in_plane_block(
     sin_azimuth = sin(azimuth, w1)
     t6 = square(azimuth_deviation, w2)
     t7 = negative(t6, w2)
-    t9 = multiply(t7, 0.5, w3)
+    t9 = multiply(t7, n0, w3)
     kept_azimuth = exp(t9, w3)
     change_azimuth = expm1(t7, w2)
     t12 = square(range_deviation, w4)
@@ -643,16 +649,16 @@ def _modified_unbiased_conversion_in_plane_block(
     t16 = multiply(slant_range, t14, w6)
     t17 = square(t16, w6)
     t18 = square(t13, w7)
-    t20 = add(1.0, t18, w7)
+    t20 = add(n1, t18, w7)
     t21 = multiply(t12, t20, w7)
     t22 = add(t17, t21, w6)
-    multiply(t22, 0.5, radial_variance)
+    multiply(t22, n0, radial_variance)
     t24 = square(slant_range, w6)
     t25 = add(t24, t12, w6)
-    t26 = add(1.0, t13, w5)
+    t26 = add(n1, t13, w5)
     t27 = multiply(t14, t26, w2)
     t28 = multiply(t25, t27, w6)
-    multiply(t28, 0.5, cross_variance)
+    multiply(t28, n0, cross_variance)
     t30 = square(cos_azimuth, w2)
     t31 = square(sin_azimuth, w4)
     t34 = multiply(t30, radial_variance, w5)
@@ -989,7 +995,15 @@ def debiased_conversion(
     )
 
 
-def _debiased_conversion_block(given: Arrays, out: Arrays, work: Arrays, _single: bool) -> None:
+def _debiased_conversion_block(
+    given: Arrays,
+    out: Arrays,
+    work: Arrays,
+    _single: bool,
+    n0: float = 0.5,
+    n1: float = 1.0,
+    n2: float = 2.0,
+) -> None:
     slant_range, elevation, azimuth, range_deviation, elevation_deviation, azimuth_deviation = given
     (
         x,
@@ -1032,14 +1046,14 @@ def _debiased_conversion_block(given: Arrays, out: Arrays, work: Arrays, _single
     sin_azimuth = sin(azimuth, w3)
     t10 = square(elevation_deviation, w4)
     t11 = negative(t10, w4)
-    t13 = multiply(t11, 0.5, w5)
+    t13 = multiply(t11, n0, w5)
     kept_elevation = exp(t13, w5)
     change_elevation = expm1(t11, w4)
     t16 = square(kept_elevation, w6)
     t17 = negative(change_elevation, w7)
     t18 = square(azimuth_deviation, w8)
     t19 = negative(t18, w8)
-    t20 = multiply(t19, 0.5, w9)
+    t20 = multiply(t19, n0, w9)
     kept_azimuth = exp(t20, w9)
     change_azimuth = expm1(t19, w8)
     t23 = square(kept_azimuth, w10)
@@ -1050,31 +1064,31 @@ def _debiased_conversion_block(given: Arrays, out: Arrays, work: Arrays, _single
     t28 = multiply(t23, t17, w15)
     t29 = subtract(t28, change_azimuth, w15)
     t30 = multiply(t26, t29, w15)
-    t32 = add(1.0, t26, w13)
+    t32 = add(n1, t26, w13)
     t33 = divide(t30, t32, z)
-    t34 = add(1.0, t33, z)
+    t34 = add(n1, t33, z)
     t35 = multiply(t27, t34, w14)
     t36 = multiply(slant_range, sin_elevation, w8)
     t37 = multiply(kept_elevation, t17, w13)
-    t38 = add(1.0, kept_elevation, w5)
+    t38 = add(n1, kept_elevation, w5)
     t39 = divide(t37, t38, covariance_zz)
-    t40 = add(1.0, t39, covariance_zz)
+    t40 = add(n1, t39, covariance_zz)
     t42 = square(t16, w5)
-    t43 = add(1.0, t16, w13)
+    t43 = add(n1, t16, w13)
     t44 = multiply(t17, t43, w15)
-    t45 = add(1.0, t42, z)
+    t45 = add(n1, t42, z)
     t46 = multiply(t44, t45, w15)
     t47 = square(slant_range, z)
     t48 = add(t47, t25, w16)
     t49 = add(t48, t25, w17)
     t50 = square(t42, w18)
     t51 = square(cos_elevation, w19)
-    t52 = add(1.0, t50, w18)
+    t52 = add(n1, t50, w18)
     t53 = multiply(t51, t52, w20)
     t54 = square(sin_elevation, w21)
     t55 = multiply(t54, t46, w15)
     t56 = add(t53, t55, w20)
-    t57 = multiply(t56, 0.5, w20)
+    t57 = multiply(t56, n0, w20)
     t58 = multiply(t49, t57, w17)
     t59 = square(t17, w15)
     t60 = add(t43, t42, w20)
@@ -1082,18 +1096,18 @@ def _debiased_conversion_block(given: Arrays, out: Arrays, work: Arrays, _single
     t62 = multiply(t48, t61, w16)
     t63 = multiply(t25, t52, w18)
     t64 = add(t62, t63, w16)
-    t65 = subtract(1.0, change_elevation, w4)
-    t66 = multiply(t42, 2.0, w15)
+    t65 = subtract(n1, change_elevation, w4)
+    t66 = multiply(t42, n2, w15)
     t67 = add(t65, t66, w4)
     t68 = multiply(t43, t67, w13)
     t69 = multiply(t25, t68, w12)
     t70 = multiply(t42, t16, w5)
-    t71 = add(1.0, t70, w5)
+    t71 = add(n1, t70, w5)
     t72 = multiply(t47, t71, z)
     t73 = add(t72, t69, z)
     t74 = multiply(t17, t73, w7)
-    t75 = multiply(t64, 0.5, w16)
-    t76 = multiply(t74, 0.5, w7)
+    t75 = multiply(t64, n0, w16)
+    t76 = multiply(t74, n0, w7)
     t77 = multiply(t51, t75, w4)
     t78 = multiply(t54, t76, w5)
     t79 = add(t77, t78, w4)
@@ -1105,23 +1119,23 @@ def _debiased_conversion_block(given: Arrays, out: Arrays, work: Arrays, _single
     t86 = multiply(t23, t79, w4)
     t87 = square(t24, w1)
     t88 = multiply(t87, t58, w1)
-    t89 = multiply(t88, 0.5, w1)
+    t89 = multiply(t88, n0, w1)
     t90 = add(t86, t89, w4)
-    t91 = add(1.0, t23, w1)
+    t91 = add(n1, t23, w1)
     t92 = multiply(t24, t91, w11)
     t93 = multiply(t58, t92, w17)
-    t94 = multiply(t93, 0.5, w17)
+    t94 = multiply(t93, n0, w17)
     t95 = multiply(kept_azimuth, t85, w0)
     t96 = square(t23, w10)
-    t97 = add(1.0, t96, w10)
+    t97 = add(n1, t96, w10)
     t98 = multiply(t90, t97, w1)
     t99 = multiply(t94, t92, w5)
     t100 = add(t98, t99, w1)
-    t101 = multiply(t100, 0.5, w1)
+    t101 = multiply(t100, n0, w1)
     t102 = multiply(t90, t92, w4)
     t103 = multiply(t94, t97, w17)
     t104 = add(t102, t103, w4)
-    t105 = multiply(t104, 0.5, w4)
+    t105 = multiply(t104, n0, w4)
     t106 = multiply(kept_azimuth, t95, w9)
     t109 = square(cos_azimuth, w0)
     t110 = square(sin_azimuth, w5)
@@ -1282,7 +1296,9 @@ def unbiased_conversion(
     )
 
 
-def _unbiased_conversion_block(given: Arrays, out: Arrays, work: Arrays, _single: bool) -> None:
+def _unbiased_conversion_block(
+    given: Arrays, out: Arrays, work: Arrays, _single: bool, n0: float = 0.5, n1: float = 1.0
+) -> None:
     slant_range, elevation, azimuth, range_deviation, elevation_deviation, azimuth_deviation = given
     (
         x,
@@ -1324,14 +1340,14 @@ def _unbiased_conversion_block(given: Arrays, out: Arrays, work: Arrays, _single
     sin_azimuth = sin(azimuth, w3)
     t10 = square(elevation_deviation, w4)
     t11 = negative(t10, w4)
-    t13 = multiply(t11, 0.5, w5)
+    t13 = multiply(t11, n0, w5)
     kept_elevation = exp(t13, w5)
     change_elevation = expm1(t11, w4)
     t16 = square(kept_elevation, w6)
     t17 = negative(change_elevation, w4)
     t18 = square(azimuth_deviation, w7)
     t19 = negative(t18, w7)
-    t20 = multiply(t19, 0.5, w8)
+    t20 = multiply(t19, n0, w8)
     kept_azimuth = exp(t20, w8)
     change_azimuth = expm1(t19, w7)
     t23 = square(kept_azimuth, w9)
@@ -1344,23 +1360,23 @@ def _unbiased_conversion_block(given: Arrays, out: Arrays, work: Arrays, _single
     t31 = square(t16, w15)
     t32 = square(slant_range, w16)
     t33 = add(t32, t25, w16)
-    t35 = add(1.0, t16, w6)
+    t35 = add(n1, t16, w6)
     t36 = multiply(t17, t35, w6)
     t37 = square(cos_elevation, w17)
-    t38 = add(1.0, t31, w15)
+    t38 = add(n1, t31, w15)
     t39 = multiply(t37, t38, w18)
     t40 = square(sin_elevation, w19)
     t41 = multiply(t40, t36, w20)
     t42 = add(t39, t41, w18)
-    t43 = multiply(t42, 0.5, w18)
+    t43 = multiply(t42, n0, w18)
     t44 = multiply(t33, t43, w18)
     t45 = multiply(slant_range, t17, w20)
     t46 = square(t45, w20)
     t47 = multiply(t25, t38, w11)
     t48 = add(t46, t47, w20)
-    t49 = multiply(t48, 0.5, w20)
+    t49 = multiply(t48, n0, w20)
     t50 = multiply(t33, t36, w16)
-    t51 = multiply(t50, 0.5, w16)
+    t51 = multiply(t50, n0, w16)
     t52 = multiply(t37, t49, w6)
     t53 = multiply(t40, t51, w11)
     t54 = add(t52, t53, w6)
@@ -1373,12 +1389,12 @@ def _unbiased_conversion_block(given: Arrays, out: Arrays, work: Arrays, _single
     t61 = multiply(t23, t54, w6)
     t62 = square(t24, w1)
     t63 = multiply(t62, t44, w1)
-    t64 = multiply(t63, 0.5, w1)
+    t64 = multiply(t63, n0, w1)
     t65 = add(t61, t64, w6)
-    t66 = add(1.0, t23, w1)
+    t66 = add(n1, t23, w1)
     t67 = multiply(t24, t66, w10)
     t68 = multiply(t44, t67, w18)
-    t69 = multiply(t68, 0.5, w18)
+    t69 = multiply(t68, n0, w18)
     t70 = multiply(kept_azimuth, t60, w8)
     t71 = multiply(t23, t17, w9)
     t72 = subtract(t71, change_azimuth, w9)
@@ -1550,7 +1566,7 @@ def modified_unbiased_conversion(
 
 
 def _modified_unbiased_conversion_block(
-    given: Arrays, out: Arrays, work: Arrays, _single: bool
+    given: Arrays, out: Arrays, work: Arrays, _single: bool, n0: float = 0.5, n1: float = 1.0
 ) -> None:
     slant_range, elevation, azimuth, range_deviation, elevation_deviation, azimuth_deviation = given
     (
@@ -1571,14 +1587,14 @@ def _modified_unbiased_conversion_block(
     sin_azimuth = sin(azimuth, w3)
     t10 = square(elevation_deviation, w4)
     t11 = negative(t10, w4)
-    t13 = multiply(t11, 0.5, w5)
+    t13 = multiply(t11, n0, w5)
     kept_elevation = exp(t13, w5)
     change_elevation = expm1(t11, w4)
     t16 = square(kept_elevation, w6)
     t17 = negative(change_elevation, w4)
     t18 = square(azimuth_deviation, w7)
     t19 = negative(t18, w7)
-    t20 = multiply(t19, 0.5, w8)
+    t20 = multiply(t19, n0, w8)
     kept_azimuth = exp(t20, w8)
     change_azimuth = expm1(t19, w7)
     t23 = square(kept_azimuth, w9)
@@ -1591,23 +1607,23 @@ def _modified_unbiased_conversion_block(
     t31 = square(t16, w13)
     t32 = square(slant_range, w14)
     t33 = add(t32, t25, w14)
-    t35 = add(1.0, t16, w6)
+    t35 = add(n1, t16, w6)
     t36 = multiply(t17, t35, w6)
     t37 = square(cos_elevation, w15)
-    t38 = add(1.0, t31, w13)
+    t38 = add(n1, t31, w13)
     t39 = multiply(t37, t38, w16)
     t40 = square(sin_elevation, w17)
     t41 = multiply(t40, t36, w18)
     t42 = add(t39, t41, w16)
-    t43 = multiply(t42, 0.5, w16)
+    t43 = multiply(t42, n0, w16)
     t44 = multiply(t33, t43, w16)
     t45 = multiply(slant_range, t17, w4)
     t46 = square(t45, w4)
     t47 = multiply(t25, t38, w10)
     t48 = add(t46, t47, w4)
-    t49 = multiply(t48, 0.5, w4)
+    t49 = multiply(t48, n0, w4)
     t50 = multiply(t33, t36, w14)
-    t51 = multiply(t50, 0.5, w14)
+    t51 = multiply(t50, n0, w14)
     t52 = multiply(t37, t49, w6)
     t53 = multiply(t40, t51, w10)
     t54 = add(t52, t53, w6)
@@ -1619,12 +1635,12 @@ def _modified_unbiased_conversion_block(
     t61 = multiply(t23, t54, w6)
     t62 = square(t24, w1)
     t63 = multiply(t62, t44, w1)
-    t64 = multiply(t63, 0.5, w1)
+    t64 = multiply(t63, n0, w1)
     t65 = add(t61, t64, w6)
-    t66 = add(1.0, t23, w9)
+    t66 = add(n1, t23, w9)
     t67 = multiply(t24, t66, w7)
     t68 = multiply(t44, t67, w16)
-    t69 = multiply(t68, 0.5, w16)
+    t69 = multiply(t68, n0, w16)
     t70 = multiply(kept_azimuth, t60, w8)
     t73 = square(cos_azimuth, w0)
     t74 = square(sin_azimuth, w1)
@@ -1752,7 +1768,13 @@ def correlated_unbiased_conversion_in_plane(
 
 
 def _correlated_unbiased_conversion_in_plane_block(
-    given: Arrays, out: Arrays, work: Arrays, _single: bool
+    given: Arrays,
+    out: Arrays,
+    work: Arrays,
+    _single: bool,
+    n0: float = 0.5,
+    n1: float = 2.0,
+    n2: float = 1.0,
 ) -> None:
     slant_range, azimuth, range_deviation, azimuth_deviation, correlation = given
     x, y, covariance_xx, covariance_xy, covariance_yy = out
@@ -1761,7 +1783,7 @@ def _correlated_unbiased_conversion_in_plane_block(
     sin_azimuth = sin(azimuth, w1)
     t7 = square(azimuth_deviation, w2)
     t8 = negative(t7, w2)
-    t10 = multiply(t8, 0.5, w3)
+    t10 = multiply(t8, n0, w3)
     kept_azimuth = exp(t10, w3)
     change_azimuth = expm1(t8, w2)
     t13 = square(range_deviation, w4)
@@ -1770,24 +1792,24 @@ def _correlated_unbiased_conversion_in_plane_block(
     t16 = multiply(range_deviation, azimuth_deviation, w6)
     t17 = multiply(t16, correlation, w6)
     t18 = square(t14, w7)
-    t19 = multiply(t14, 2.0, w8)
-    t21 = subtract(1.0, t19, w8)
+    t19 = multiply(t14, n1, w8)
+    t21 = subtract(n2, t19, w8)
     t22 = multiply(slant_range, t15, w9)
     t23 = square(t22, w10)
-    t24 = add(1.0, t18, w11)
+    t24 = add(n2, t18, w11)
     t25 = multiply(t13, t24, w11)
     t26 = add(t23, t25, w10)
-    t27 = multiply(t26, 0.5, w10)
+    t27 = multiply(t26, n0, w10)
     t28 = square(t17, w11)
     t29 = multiply(t18, t28, w7)
-    t30 = multiply(t29, 2.0, w7)
+    t30 = multiply(t29, n1, w7)
     t31 = subtract(t27, t30, w10)
     t32 = square(slant_range, w7)
     t33 = add(t32, t13, w7)
-    t34 = add(1.0, t14, w4)
+    t34 = add(n2, t14, w4)
     t35 = multiply(t15, t34, w2)
     t36 = multiply(t33, t35, w7)
-    t37 = multiply(t36, 0.5, w7)
+    t37 = multiply(t36, n0, w7)
     t38 = multiply(t14, t28, w11)
     t39 = multiply(t38, t21, w11)
     t40 = subtract(t37, t39, w7)
@@ -1818,7 +1840,7 @@ def _correlated_unbiased_conversion_in_plane_block(
     t67 = multiply(t58, t54, w8)
     t68 = add(t66, t67, w0)
     t69 = multiply(t59, t56, w8)
-    t70 = multiply(t69, 2.0, w8)
+    t70 = multiply(t69, n1, w8)
     t72 = subtract(t52, t54, w9)
     t73 = multiply(t59, t72, w4)
     t74 = subtract(t57, t58, w9)
@@ -1929,7 +1951,13 @@ def correlated_modified_unbiased_conversion_in_plane(
 
 
 def _correlated_modified_unbiased_conversion_in_plane_block(
-    given: Arrays, out: Arrays, work: Arrays, _single: bool
+    given: Arrays,
+    out: Arrays,
+    work: Arrays,
+    _single: bool,
+    n0: float = 0.5,
+    n1: float = 2.0,
+    n2: float = 1.0,
 ) -> None:
     slant_range, azimuth, range_deviation, azimuth_deviation, correlation = given
     x, y, covariance_xx, covariance_xy, covariance_yy = out
@@ -1938,7 +1966,7 @@ def _correlated_modified_unbiased_conversion_in_plane_block(
     sin_azimuth = sin(azimuth, w1)
     t7 = square(azimuth_deviation, w2)
     t8 = negative(t7, w2)
-    t10 = multiply(t8, 0.5, w3)
+    t10 = multiply(t8, n0, w3)
     kept_azimuth = exp(t10, w3)
     change_azimuth = expm1(t8, w2)
     t13 = square(range_deviation, w4)
@@ -1947,24 +1975,24 @@ def _correlated_modified_unbiased_conversion_in_plane_block(
     t16 = multiply(range_deviation, azimuth_deviation, w6)
     t17 = multiply(t16, correlation, w6)
     t18 = square(t14, w7)
-    t19 = multiply(t14, 2.0, w8)
-    t21 = subtract(1.0, t19, w8)
+    t19 = multiply(t14, n1, w8)
+    t21 = subtract(n2, t19, w8)
     t22 = multiply(slant_range, t15, w9)
     t23 = square(t22, w9)
-    t24 = add(1.0, t18, w10)
+    t24 = add(n2, t18, w10)
     t25 = multiply(t13, t24, w10)
     t26 = add(t23, t25, w9)
-    t27 = multiply(t26, 0.5, w9)
+    t27 = multiply(t26, n0, w9)
     t28 = square(t17, w10)
     t29 = multiply(t18, t28, w7)
-    t30 = multiply(t29, 2.0, w7)
+    t30 = multiply(t29, n1, w7)
     t31 = subtract(t27, t30, w9)
     t32 = square(slant_range, w7)
     t33 = add(t32, t13, w7)
-    t34 = add(1.0, t14, w4)
+    t34 = add(n2, t14, w4)
     t35 = multiply(t15, t34, w2)
     t36 = multiply(t33, t35, w7)
-    t37 = multiply(t36, 0.5, w7)
+    t37 = multiply(t36, n0, w7)
     t38 = multiply(t14, t28, w10)
     t39 = multiply(t38, t21, w10)
     t40 = subtract(t37, t39, w7)
@@ -1985,7 +2013,7 @@ def _correlated_modified_unbiased_conversion_in_plane_block(
     t57 = multiply(t48, t40, w1)
     t58 = add(t56, t57, w0)
     t59 = multiply(t49, t44, w1)
-    t60 = multiply(t59, 2.0, w1)
+    t60 = multiply(t59, n1, w1)
     t62 = subtract(t31, t40, w12)
     t63 = multiply(t49, t62, w8)
     t64 = subtract(t47, t48, w12)

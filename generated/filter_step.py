@@ -473,11 +473,13 @@ def step_three_states(
     )
 
 
-def _step_three_states_block(given: Arrays, out: Arrays, work: Arrays, _single: bool) -> None:
+def _step_three_states_block(
+    given: Arrays, out: Arrays, work: Arrays, _single: bool, n0: float = 0.5
+) -> None:
     position, velocity, acceleration, interval, observed, alpha, beta, gamma = given
     updated_position, updated_velocity, updated_acceleration = out
     w0, w1 = work
-    t9 = multiply(interval, 0.5, w0)
+    t9 = multiply(interval, n0, w0)
     t10 = multiply(t9, acceleration, w0)
     t11 = add(velocity, t10, updated_position)
     t12 = add(t11, t10, w0)

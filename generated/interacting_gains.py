@@ -72,13 +72,15 @@ def position_gain(
     return PositionGain(*evaluate(_POSITION_GAIN, (variance_ratio,), out, workers))
 
 
-def _position_gain_block(given: Arrays, out: Arrays, work: Arrays, _single: bool) -> None:
+def _position_gain_block(
+    given: Arrays, out: Arrays, work: Arrays, _single: bool, n0: float = 1.0
+) -> None:
     (variance_ratio,) = given
     gain, rest = out
     (w0,) = work
-    t2 = add(1.0, variance_ratio, w0)
+    t2 = add(n0, variance_ratio, w0)
     divide(variance_ratio, t2, gain)
-    divide(1.0, t2, rest)
+    divide(n0, t2, rest)
 
 
 _POSITION_GAIN = Signature(

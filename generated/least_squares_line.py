@@ -87,18 +87,26 @@ def gains(
     return Gains(*evaluate(_GAINS, (sample_number,), out, workers))
 
 
-def _gains_block(given: Arrays, out: Arrays, work: Arrays, _single: bool) -> None:
+def _gains_block(
+    given: Arrays,
+    out: Arrays,
+    work: Arrays,
+    _single: bool,
+    n0: float = 2.0,
+    n1: float = 1.0,
+    n2: float = 6.0,
+) -> None:
     (sample_number,) = given
     alpha, beta = out
     w0, w1, w2 = work
-    t2 = multiply(sample_number, 2.0, w0)
-    t4 = add(t2, 1.0, w0)
-    t5 = add(sample_number, 1.0, w1)
-    t6 = add(sample_number, 2.0, w2)
-    t7 = multiply(t4, 2.0, w0)
+    t2 = multiply(sample_number, n0, w0)
+    t4 = add(t2, n1, w0)
+    t5 = add(sample_number, n1, w1)
+    t6 = add(sample_number, n0, w2)
+    t7 = multiply(t4, n0, w0)
     t8 = multiply(t5, t6, w1)
     divide(t7, t8, alpha)
-    divide(6.0, t8, beta)
+    divide(n2, t8, beta)
 
 
 _GAINS = Signature(
@@ -156,20 +164,29 @@ def updated_covariance(
     return UpdatedCovariance(*evaluate(_UPDATED_COVARIANCE, (sample_number,), out, workers))
 
 
-def _updated_covariance_block(given: Arrays, out: Arrays, work: Arrays, _single: bool) -> None:
+def _updated_covariance_block(
+    given: Arrays,
+    out: Arrays,
+    work: Arrays,
+    _single: bool,
+    n0: float = 2.0,
+    n1: float = 1.0,
+    n2: float = 12.0,
+    n3: float = 6.0,
+) -> None:
     (sample_number,) = given
     updated_11, updated_12, updated_22 = out
     w0, w1, w2, w3 = work
-    t2 = multiply(sample_number, 2.0, w0)
-    t4 = add(t2, 1.0, w0)
-    t5 = add(sample_number, 1.0, w1)
-    t6 = add(sample_number, 2.0, w2)
-    t7 = multiply(t4, 2.0, w0)
+    t2 = multiply(sample_number, n0, w0)
+    t4 = add(t2, n1, w0)
+    t5 = add(sample_number, n1, w1)
+    t6 = add(sample_number, n0, w2)
+    t7 = multiply(t4, n0, w0)
     t8 = multiply(t5, t6, w3)
     t13 = multiply(sample_number, t5, w1)
-    t14 = divide(12.0, t13, updated_22)
+    t14 = divide(n2, t13, updated_22)
     divide(t7, t8, updated_11)
-    divide(6.0, t8, updated_12)
+    divide(n3, t8, updated_12)
     divide(t14, t6, updated_22)
 
 
@@ -228,19 +245,29 @@ def predicted_covariance(
     return PredictedCovariance(*evaluate(_PREDICTED_COVARIANCE, (sample_number,), out, workers))
 
 
-def _predicted_covariance_block(given: Arrays, out: Arrays, work: Arrays, _single: bool) -> None:
+def _predicted_covariance_block(
+    given: Arrays,
+    out: Arrays,
+    work: Arrays,
+    _single: bool,
+    n0: float = 2.0,
+    n1: float = 1.0,
+    n2: float = -1.0,
+    n3: float = 12.0,
+    n4: float = 6.0,
+) -> None:
     (sample_number,) = given
     predicted_11, predicted_12, predicted_22 = out
     w0, w1, w2 = work
-    t2 = multiply(sample_number, 2.0, w0)
-    t4 = add(t2, 1.0, w0)
-    t6 = add(sample_number, -1.0, w1)
-    t7 = multiply(t4, 2.0, w0)
+    t2 = multiply(sample_number, n0, w0)
+    t4 = add(t2, n1, w0)
+    t6 = add(sample_number, n2, w1)
+    t7 = multiply(t4, n0, w0)
     t8 = multiply(t6, sample_number, w1)
-    t12 = add(sample_number, 1.0, w2)
-    t14 = divide(12.0, t8, predicted_22)
+    t12 = add(sample_number, n1, w2)
+    t14 = divide(n3, t8, predicted_22)
     divide(t7, t8, predicted_11)
-    divide(6.0, t8, predicted_12)
+    divide(n4, t8, predicted_12)
     divide(t14, t12, predicted_22)
 
 

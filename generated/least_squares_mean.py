@@ -79,12 +79,12 @@ def gains(sample_number: ArrayLike, *, out: tuple[Real] | None = None, workers: 
     return Gains(*evaluate(_GAINS, (sample_number,), out, workers))
 
 
-def _gains_block(given: Arrays, out: Arrays, work: Arrays, _single: bool) -> None:
+def _gains_block(given: Arrays, out: Arrays, work: Arrays, _single: bool, n0: float = 1.0) -> None:
     (sample_number,) = given
     (alpha,) = out
     (w0,) = work
-    t2 = add(sample_number, 1.0, w0)
-    divide(1.0, t2, alpha)
+    t2 = add(sample_number, n0, w0)
+    divide(n0, t2, alpha)
 
 
 _GAINS = Signature(
@@ -132,12 +132,14 @@ def updated_covariance(
     return UpdatedCovariance(*evaluate(_UPDATED_COVARIANCE, (sample_number,), out, workers))
 
 
-def _updated_covariance_block(given: Arrays, out: Arrays, work: Arrays, _single: bool) -> None:
+def _updated_covariance_block(
+    given: Arrays, out: Arrays, work: Arrays, _single: bool, n0: float = 1.0
+) -> None:
     (sample_number,) = given
     (updated_11,) = out
     (w0,) = work
-    t2 = add(sample_number, 1.0, w0)
-    divide(1.0, t2, updated_11)
+    t2 = add(sample_number, n0, w0)
+    divide(n0, t2, updated_11)
 
 
 _UPDATED_COVARIANCE = Signature(
@@ -185,10 +187,12 @@ def predicted_covariance(
     return PredictedCovariance(*evaluate(_PREDICTED_COVARIANCE, (sample_number,), out, workers))
 
 
-def _predicted_covariance_block(given: Arrays, out: Arrays, _work: Arrays, _single: bool) -> None:
+def _predicted_covariance_block(
+    given: Arrays, out: Arrays, _work: Arrays, _single: bool, n0: float = 1.0
+) -> None:
     (sample_number,) = given
     (predicted_11,) = out
-    divide(1.0, sample_number, predicted_11)
+    divide(n0, sample_number, predicted_11)
 
 
 _PREDICTED_COVARIANCE = Signature(

@@ -93,25 +93,35 @@ def gains(
     return Gains(*evaluate(_GAINS, (sample_number,), out, workers))
 
 
-def _gains_block(given: Arrays, out: Arrays, work: Arrays, _single: bool) -> None:
+def _gains_block(
+    given: Arrays,
+    out: Arrays,
+    work: Arrays,
+    _single: bool,
+    n0: float = 3.0,
+    n1: float = 2.0,
+    n2: float = 1.0,
+    n3: float = 18.0,
+    n4: float = 60.0,
+) -> None:
     (sample_number,) = given
     alpha, beta, gamma = out
     w0, w1, w2, w3 = work
-    t2 = multiply(sample_number, 3.0, w0)
-    t3 = add(t2, 3.0, w0)
+    t2 = multiply(sample_number, n0, w0)
+    t3 = add(t2, n0, w0)
     t4 = multiply(t3, sample_number, w0)
-    t6 = add(t4, 2.0, w0)
-    t8 = add(sample_number, 1.0, w1)
-    t9 = add(sample_number, 2.0, w2)
-    t10 = add(sample_number, 3.0, w3)
-    t11 = multiply(t6, 3.0, w0)
+    t6 = add(t4, n1, w0)
+    t8 = add(sample_number, n2, w1)
+    t9 = add(sample_number, n1, w2)
+    t10 = add(sample_number, n0, w3)
+    t11 = multiply(t6, n0, w0)
     t12 = multiply(t8, t9, w1)
     t13 = divide(t11, t12, alpha)
-    t15 = multiply(sample_number, 2.0, w0)
-    t16 = add(t15, 1.0, w0)
-    t18 = multiply(t16, 18.0, w0)
+    t15 = multiply(sample_number, n1, w0)
+    t16 = add(t15, n2, w0)
+    t18 = multiply(t16, n3, w0)
     t19 = divide(t18, t12, beta)
-    t22 = divide(60.0, t12, gamma)
+    t22 = divide(n4, t12, gamma)
     divide(t13, t10, alpha)
     divide(t19, t10, beta)
     divide(t22, t10, gamma)
@@ -190,37 +200,53 @@ def updated_covariance(
     return UpdatedCovariance(*evaluate(_UPDATED_COVARIANCE, (sample_number,), out, workers))
 
 
-def _updated_covariance_block(given: Arrays, out: Arrays, work: Arrays, _single: bool) -> None:
+def _updated_covariance_block(
+    given: Arrays,
+    out: Arrays,
+    work: Arrays,
+    _single: bool,
+    n0: float = 3.0,
+    n1: float = 2.0,
+    n2: float = 1.0,
+    n3: float = 18.0,
+    n4: float = 60.0,
+    n5: float = 8.0,
+    n6: float = -3.0,
+    n7: float = -1.0,
+    n8: float = 12.0,
+    n9: float = 360.0,
+    n10: float = 720.0,
+) -> None:
     (sample_number,) = given
     updated_11, updated_12, updated_13, updated_22, updated_23, updated_33 = out
     w0, w1, w2, w3, w4, w5, w6 = work
-    t2 = multiply(sample_number, 3.0, w0)
-    t3 = add(t2, 3.0, w0)
+    t2 = multiply(sample_number, n0, w0)
+    t3 = add(t2, n0, w0)
     t4 = multiply(t3, sample_number, w0)
-    t6 = add(t4, 2.0, w0)
-    t8 = add(sample_number, 1.0, w1)
-    t9 = add(sample_number, 2.0, w2)
-    t10 = add(sample_number, 3.0, w3)
-    t11 = multiply(t6, 3.0, w0)
+    t6 = add(t4, n1, w0)
+    t8 = add(sample_number, n2, w1)
+    t9 = add(sample_number, n1, w2)
+    t10 = add(sample_number, n0, w3)
+    t11 = multiply(t6, n0, w0)
     t12 = multiply(t8, t9, w4)
     t13 = divide(t11, t12, updated_11)
-    t15 = multiply(sample_number, 2.0, w0)
-    t16 = add(t15, 1.0, w0)
-    t18 = multiply(t16, 18.0, w5)
+    t15 = multiply(sample_number, n1, w0)
+    t16 = add(t15, n2, w0)
+    t18 = multiply(t16, n3, w5)
     t19 = divide(t18, t12, updated_12)
-    t22 = divide(60.0, t12, updated_13)
-    t25 = multiply(sample_number, 8.0, w5)
-    t27 = add(t25, -3.0, w5)
-    t29 = add(sample_number, -1.0, w6)
+    t22 = divide(n4, t12, updated_13)
+    t25 = multiply(sample_number, n5, w5)
+    t27 = add(t25, n6, w5)
+    t29 = add(sample_number, n7, w6)
     t31 = multiply(t16, t27, w0)
-    t32 = multiply(t31, 12.0, w0)
+    t32 = multiply(t31, n8, w0)
     t33 = multiply(t29, sample_number, w5)
     t34 = divide(t32, t33, updated_22)
     t35 = divide(t34, t12, updated_23)
     t38 = multiply(t29, t8, w6)
-    t39 = divide(360.0, t38, updated_33)
+    t39 = divide(n9, t38, updated_33)
     t40 = multiply(t9, t10, w2)
-    t43 = divide(720.0, t33, w5)
+    t43 = divide(n10, t33, w5)
     t44 = divide(t43, t12, w5)
     divide(t13, t10, updated_11)
     divide(t19, t10, updated_12)
@@ -305,36 +331,53 @@ def predicted_covariance(
     return PredictedCovariance(*evaluate(_PREDICTED_COVARIANCE, (sample_number,), out, workers))
 
 
-def _predicted_covariance_block(given: Arrays, out: Arrays, work: Arrays, _single: bool) -> None:
+def _predicted_covariance_block(
+    given: Arrays,
+    out: Arrays,
+    work: Arrays,
+    _single: bool,
+    n0: float = 3.0,
+    n1: float = 2.0,
+    n2: float = -2.0,
+    n3: float = -1.0,
+    n4: float = 1.0,
+    n5: float = 18.0,
+    n6: float = 60.0,
+    n7: float = 8.0,
+    n8: float = 11.0,
+    n9: float = 12.0,
+    n10: float = 360.0,
+    n11: float = 720.0,
+) -> None:
     (sample_number,) = given
     predicted_11, predicted_12, predicted_13, predicted_22, predicted_23, predicted_33 = out
     w0, w1, w2, w3, w4 = work
-    t2 = multiply(sample_number, 3.0, w0)
-    t3 = add(t2, 3.0, w0)
+    t2 = multiply(sample_number, n0, w0)
+    t3 = add(t2, n0, w0)
     t4 = multiply(t3, sample_number, w0)
-    t6 = add(t4, 2.0, w0)
-    t8 = add(sample_number, -2.0, w1)
-    t11 = add(sample_number, -1.0, w2)
-    t12 = multiply(t6, 3.0, w0)
+    t6 = add(t4, n1, w0)
+    t8 = add(sample_number, n2, w1)
+    t11 = add(sample_number, n3, w2)
+    t12 = multiply(t6, n0, w0)
     t13 = multiply(t8, t11, w1)
     t14 = divide(t12, t13, predicted_11)
-    t16 = multiply(sample_number, 2.0, w0)
-    t17 = add(t16, 1.0, w0)
-    t19 = multiply(t17, 18.0, w2)
+    t16 = multiply(sample_number, n1, w0)
+    t17 = add(t16, n4, w0)
+    t19 = multiply(t17, n5, w2)
     t20 = divide(t19, t13, predicted_12)
-    t23 = divide(60.0, t13, predicted_13)
-    t26 = multiply(sample_number, 8.0, w2)
-    t28 = add(t26, 11.0, w2)
-    t29 = add(sample_number, 1.0, w3)
-    t30 = add(sample_number, 2.0, w4)
+    t23 = divide(n6, t13, predicted_13)
+    t26 = multiply(sample_number, n7, w2)
+    t28 = add(t26, n8, w2)
+    t29 = add(sample_number, n4, w3)
+    t30 = add(sample_number, n1, w4)
     t32 = multiply(t17, t28, w0)
-    t33 = multiply(t32, 12.0, w0)
+    t33 = multiply(t32, n9, w0)
     t34 = divide(t33, t13, predicted_22)
     t35 = multiply(sample_number, t29, w3)
     t36 = divide(t34, t35, predicted_23)
-    t39 = divide(360.0, t13, predicted_33)
+    t39 = divide(n10, t13, predicted_33)
     t40 = multiply(sample_number, t30, w0)
-    t43 = divide(720.0, t13, w1)
+    t43 = divide(n11, t13, w1)
     t44 = divide(t43, t35, w1)
     divide(t14, sample_number, predicted_11)
     divide(t20, sample_number, predicted_12)

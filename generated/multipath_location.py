@@ -72,13 +72,15 @@ def bias_deviation(
     return BiasDeviation(*evaluate(_BIAS_DEVIATION, (variance_ratio,), out, workers))
 
 
-def _bias_deviation_block(given: Arrays, out: Arrays, work: Arrays, _single: bool) -> None:
+def _bias_deviation_block(
+    given: Arrays, out: Arrays, work: Arrays, _single: bool, n0: float = 1.0
+) -> None:
     (variance_ratio,) = given
     deviation, share = out
     (w0,) = work
-    t2 = add(1.0, variance_ratio, w0)
+    t2 = add(n0, variance_ratio, w0)
     sqrt(t2, deviation)
-    divide(1.0, t2, share)
+    divide(n0, t2, share)
 
 
 _BIAS_DEVIATION = Signature(

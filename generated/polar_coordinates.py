@@ -858,7 +858,9 @@ def mean_of_converted(
     )
 
 
-def _mean_of_converted_block(given: Arrays, out: Arrays, work: Arrays, _single: bool) -> None:
+def _mean_of_converted_block(
+    given: Arrays, out: Arrays, work: Arrays, _single: bool, n0: float = 0.5
+) -> None:
     slant_range, elevation, bearing, elevation_deviation, bearing_deviation = given
     mean_x, mean_y, mean_z, bias_x, bias_y, bias_z = out
     w0, w1, w2, w3, w4, w5, w6 = work
@@ -872,11 +874,11 @@ def _mean_of_converted_block(given: Arrays, out: Arrays, work: Arrays, _single: 
     t12 = multiply(slant_range, sin_elevation, w1)
     t13 = square(elevation_deviation, w2)
     t14 = negative(t13, w4)
-    t16 = multiply(t14, 0.5, w4)
+    t16 = multiply(t14, n0, w4)
     t17 = square(bearing_deviation, w5)
     t18 = add(t13, t17, w2)
     t19 = negative(t18, w2)
-    t20 = multiply(t19, 0.5, w2)
+    t20 = multiply(t19, n0, w2)
     kept_upwards = exp(t16, w5)
     kept_level = exp(t20, w6)
     change_upwards = expm1(t16, w4)
@@ -988,7 +990,9 @@ def straight_course_rates(
     )
 
 
-def _straight_course_rates_block(given: Arrays, out: Arrays, work: Arrays, _single: bool) -> None:
+def _straight_course_rates_block(
+    given: Arrays, out: Arrays, work: Arrays, _single: bool, n0: float = 2.0
+) -> None:
     x, y, z, velocity_x, velocity_y, velocity_z = given
     (
         range_rate,
@@ -1034,12 +1038,12 @@ def _straight_course_rates_block(given: Arrays, out: Arrays, work: Arrays, _sing
     t38 = square(t33, w0)
     t39 = add(t37, t38, w2)
     t41 = divide(range_rate, slant_range, w0)
-    t43 = multiply(t41, 2.0, w0)
+    t43 = multiply(t41, n0, w0)
     t44 = multiply(t43, elevation_rate, w0)
     t45 = multiply(bearing_rate, t36, w3)
     t46 = multiply(t15, t45, bearing_acceleration)
     t47 = add(t44, t46, w0)
-    t49 = multiply(bearing_rate, 2.0, w3)
+    t49 = multiply(bearing_rate, n0, w3)
     t50 = divide(t20, horizontal_distance, w1)
     t51 = multiply(t49, t50, w3)
     divide(t39, slant_range, range_acceleration)
@@ -1560,7 +1564,7 @@ def mean_of_converted_in_plane(
 
 
 def _mean_of_converted_in_plane_block(
-    given: Arrays, out: Arrays, work: Arrays, _single: bool
+    given: Arrays, out: Arrays, work: Arrays, _single: bool, n0: float = 0.5
 ) -> None:
     slant_range, bearing, bearing_deviation = given
     mean_x, mean_y, bias_x, bias_y = out
@@ -1571,7 +1575,7 @@ def _mean_of_converted_in_plane_block(
     t6 = multiply(slant_range, cos_bearing, w0)
     t7 = square(bearing_deviation, w2)
     t8 = negative(t7, w2)
-    t10 = multiply(t8, 0.5, w2)
+    t10 = multiply(t8, n0, w2)
     kept_level = exp(t10, w3)
     change_level = expm1(t10, w2)
     multiply(t5, kept_level, mean_x)
@@ -1652,7 +1656,7 @@ def straight_course_rates_in_plane(
 
 
 def _straight_course_rates_in_plane_block(
-    given: Arrays, out: Arrays, work: Arrays, _single: bool
+    given: Arrays, out: Arrays, work: Arrays, _single: bool, n0: float = 2.0
 ) -> None:
     x, y, velocity_x, velocity_y = given
     range_rate, bearing_rate, range_acceleration, bearing_acceleration = out
@@ -1671,7 +1675,7 @@ def _straight_course_rates_in_plane_block(
     t15 = subtract(t13, t14, range_acceleration)
     divide(t15, slant_range, bearing_rate)
     t17 = square(t15, range_acceleration)
-    t20 = multiply(bearing_rate, 2.0, w0)
+    t20 = multiply(bearing_rate, n0, w0)
     divide(t17, slant_range, range_acceleration)
     t21 = divide(range_rate, slant_range, bearing_acceleration)
     t22 = multiply(t20, t21, bearing_acceleration)

@@ -156,36 +156,49 @@ def gains(
     return Gains(*evaluate(_GAINS, (tracking_index, velocity_ratio), out, workers))
 
 
-def _gains_block(given: Arrays, out: Arrays, work: Arrays, _single: bool) -> None:
+def _gains_block(
+    given: Arrays,
+    out: Arrays,
+    work: Arrays,
+    _single: bool,
+    n0: float = 12.0,
+    n1: float = 3.0,
+    n2: float = 16.0,
+    n3: float = 4.0,
+    n4: float = 0.25,
+    n5: float = 0.041666666666666664,
+    n6: float = 1.0,
+    n7: float = 0.5,
+) -> None:
     tracking_index, velocity_ratio = given
     gain_11, gain_12, gain_21, gain_22 = out
     w0, w1, w2, w3, w4 = work
     t2 = square(velocity_ratio, w0)
     t3 = square(tracking_index, w1)
-    t5 = divide(t3, 12.0, gain_12)
+    t5 = divide(t3, n0, gain_12)
     t6 = add(t2, t5, w2)
     level_scaled = sqrt(t6, gain_21)
-    t9 = divide(t3, 3.0, gain_22)
-    t11 = add(t9, 16.0, gain_22)
-    t13 = multiply(t2, 4.0, w2)
+    t9 = divide(t3, n1, gain_22)
+    t11 = add(t9, n2, gain_22)
+    t13 = multiply(t2, n3, w2)
     t14 = add(t13, t3, w3)
-    t15 = multiply(t14, 0.25, w3)
+    t15 = multiply(t14, n4, w3)
     t16 = multiply(t11, t15, gain_22)
     eta_scaled = sqrt(t16, gain_11)
-    t19 = multiply(t3, 0.041666666666666664, w3)
-    t21 = add(t19, 1.0, w3)
-    t22 = divide(t2, 3.0, gain_22)
+    t19 = multiply(t3, n5, w3)
+    t21 = add(t19, n6, w3)
+    t22 = divide(t2, n1, gain_22)
     t23 = add(t22, t21, gain_22)
     t24 = multiply(t3, t23, gain_22)
     t25 = multiply(tracking_index, level_scaled, w3)
-    t27 = multiply(eta_scaled, 0.5, w4)
+    t27 = multiply(eta_scaled, n7, w4)
     t28 = multiply(t25, t27, w4)
     t29 = add(t24, t28, gain_22)
     delta_scaled = sqrt(t29, gain_22)
     t31 = add(t25, eta_scaled, w3)
-    t32 = multiply(t31, 0.5, w3)
+    t32 = multiply(t31, n7, w3)
     t33 = add(t32, delta_scaled, w3)
-    sigma_scaled = multiply(t33, 0.5, w3)
+    sigma_scaled = multiply(t33, n7, w3)
     t35 = add(t3, t13, w2)
     t36 = multiply(tracking_index, eta_scaled, gain_11)
     coupling_scaled = divide(t36, t35, gain_11)
@@ -272,36 +285,50 @@ def predicted_covariance(
     )
 
 
-def _predicted_covariance_block(given: Arrays, out: Arrays, work: Arrays, _single: bool) -> None:
+def _predicted_covariance_block(
+    given: Arrays,
+    out: Arrays,
+    work: Arrays,
+    _single: bool,
+    n0: float = 12.0,
+    n1: float = 3.0,
+    n2: float = 16.0,
+    n3: float = 4.0,
+    n4: float = 0.25,
+    n5: float = 0.041666666666666664,
+    n6: float = 1.0,
+    n7: float = 0.5,
+    n8: float = 2.0,
+) -> None:
     tracking_index, velocity_ratio = given
     predicted_11, predicted_12, predicted_22 = out
     w0, w1, w2, w3, w4, w5, w6 = work
     t2 = square(velocity_ratio, w0)
     t3 = square(tracking_index, w1)
-    t5 = divide(t3, 12.0, predicted_11)
+    t5 = divide(t3, n0, predicted_11)
     t6 = add(t2, t5, w2)
     level_scaled = sqrt(t6, predicted_12)
-    t9 = divide(t3, 3.0, predicted_22)
-    t11 = add(t9, 16.0, w2)
-    t13 = multiply(t2, 4.0, w3)
+    t9 = divide(t3, n1, predicted_22)
+    t11 = add(t9, n2, w2)
+    t13 = multiply(t2, n3, w3)
     t14 = add(t13, t3, w4)
-    t15 = multiply(t14, 0.25, w4)
+    t15 = multiply(t14, n4, w4)
     t16 = multiply(t11, t15, w2)
     eta_scaled = sqrt(t16, w2)
-    t19 = multiply(t3, 0.041666666666666664, w4)
-    t21 = add(t19, 1.0, w4)
-    t22 = divide(t2, 3.0, w5)
+    t19 = multiply(t3, n5, w4)
+    t21 = add(t19, n6, w4)
+    t22 = divide(t2, n1, w5)
     t23 = add(t22, t21, w5)
     t24 = multiply(t3, t23, w5)
     t25 = multiply(tracking_index, level_scaled, w4)
-    t27 = multiply(eta_scaled, 0.5, w6)
+    t27 = multiply(eta_scaled, n7, w6)
     t28 = multiply(t25, t27, w6)
     t29 = add(t24, t28, w5)
     delta_scaled = sqrt(t29, w5)
     t31 = add(t25, eta_scaled, w4)
-    t32 = multiply(t31, 0.5, w4)
+    t32 = multiply(t31, n7, w4)
     t33 = add(t32, delta_scaled, w4)
-    sigma_scaled = multiply(t33, 0.5, w4)
+    sigma_scaled = multiply(t33, n7, w4)
     t35 = add(t3, t13, w3)
     t36 = multiply(tracking_index, eta_scaled, w2)
     coupling_scaled = divide(t36, t35, w2)
@@ -312,7 +339,7 @@ def _predicted_covariance_block(given: Arrays, out: Arrays, work: Arrays, _singl
     rest_scaled = multiply(cross_share, t41, predicted_11)
     t43 = divide(cross_share, sigma_scaled, w2)
     t44 = multiply(t43, t2, w2)
-    t45 = multiply(t44, 2.0, w2)
+    t45 = multiply(t44, n8, w2)
     t46 = divide(t3, sigma_scaled, w6)
     t47 = add(rest_scaled, t46, w6)
     t48 = divide(t47, delta_scaled, w6)
@@ -322,7 +349,7 @@ def _predicted_covariance_block(given: Arrays, out: Arrays, work: Arrays, _singl
     t52 = multiply(sigma_scaled, t51, w2)
     t53 = add(rest_scaled, t52, predicted_11)
     t56 = multiply(delta_scaled, cross_share, w0)
-    t57 = multiply(t3, 0.5, w1)
+    t57 = multiply(t3, n7, w1)
     divide(t53, delta_scaled, predicted_11)
     multiply(cross_share, sigma_scaled, predicted_12)
     add(t56, t57, predicted_22)
@@ -394,36 +421,50 @@ def updated_covariance(
     )
 
 
-def _updated_covariance_block(given: Arrays, out: Arrays, work: Arrays, _single: bool) -> None:
+def _updated_covariance_block(
+    given: Arrays,
+    out: Arrays,
+    work: Arrays,
+    _single: bool,
+    n0: float = 12.0,
+    n1: float = 3.0,
+    n2: float = 16.0,
+    n3: float = 4.0,
+    n4: float = 0.25,
+    n5: float = 0.041666666666666664,
+    n6: float = 1.0,
+    n7: float = 0.5,
+    n8: float = 2.0,
+) -> None:
     tracking_index, velocity_ratio = given
     updated_11, updated_12, updated_22 = out
     w0, w1, w2, w3, w4, w5, w6 = work
     t2 = square(velocity_ratio, w0)
     t3 = square(tracking_index, w1)
-    t5 = divide(t3, 12.0, updated_12)
+    t5 = divide(t3, n0, updated_12)
     t6 = add(t2, t5, w2)
     level_scaled = sqrt(t6, updated_22)
-    t9 = divide(t3, 3.0, updated_11)
-    t11 = add(t9, 16.0, w2)
-    t13 = multiply(t2, 4.0, w3)
+    t9 = divide(t3, n1, updated_11)
+    t11 = add(t9, n2, w2)
+    t13 = multiply(t2, n3, w3)
     t14 = add(t13, t3, w4)
-    t15 = multiply(t14, 0.25, w4)
+    t15 = multiply(t14, n4, w4)
     t16 = multiply(t11, t15, w2)
     eta_scaled = sqrt(t16, w2)
-    t19 = multiply(t3, 0.041666666666666664, w4)
-    t21 = add(t19, 1.0, w4)
-    t22 = divide(t2, 3.0, w5)
+    t19 = multiply(t3, n5, w4)
+    t21 = add(t19, n6, w4)
+    t22 = divide(t2, n1, w5)
     t23 = add(t22, t21, w5)
     t24 = multiply(t3, t23, w5)
     t25 = multiply(tracking_index, level_scaled, w4)
-    t27 = multiply(eta_scaled, 0.5, w6)
+    t27 = multiply(eta_scaled, n7, w6)
     t28 = multiply(t25, t27, w6)
     t29 = add(t24, t28, w5)
     delta_scaled = sqrt(t29, w5)
     t31 = add(t25, eta_scaled, w4)
-    t32 = multiply(t31, 0.5, w4)
+    t32 = multiply(t31, n7, w4)
     t33 = add(t32, delta_scaled, w4)
-    sigma_scaled = multiply(t33, 0.5, w4)
+    sigma_scaled = multiply(t33, n7, w4)
     t35 = add(t3, t13, w3)
     t36 = multiply(tracking_index, eta_scaled, w2)
     coupling_scaled = divide(t36, t35, w2)
@@ -434,7 +475,7 @@ def _updated_covariance_block(given: Arrays, out: Arrays, work: Arrays, _single:
     rest_scaled = multiply(cross_share, t41, w2)
     t43 = divide(cross_share, sigma_scaled, w3)
     multiply(t43, t2, updated_12)
-    t45 = multiply(updated_12, 2.0, w3)
+    t45 = multiply(updated_12, n8, w3)
     t46 = divide(t3, sigma_scaled, w1)
     t47 = add(rest_scaled, t46, w1)
     t48 = divide(t47, delta_scaled, w1)
@@ -531,36 +572,50 @@ def gains_by_tracking_index(
     )
 
 
-def _gains_by_tracking_index_block(given: Arrays, out: Arrays, work: Arrays, _single: bool) -> None:
+def _gains_by_tracking_index_block(
+    given: Arrays,
+    out: Arrays,
+    work: Arrays,
+    _single: bool,
+    n0: float = 12.0,
+    n1: float = 3.0,
+    n2: float = 16.0,
+    n3: float = 4.0,
+    n4: float = 0.25,
+    n5: float = 0.041666666666666664,
+    n6: float = 1.0,
+    n7: float = 0.5,
+    n8: float = 2.0,
+) -> None:
     tracking_index, velocity_ratio = given
     gain_11, gain_12, gain_21, gain_22 = out
     w0, w1, w2, w3, w4, w5, w6, w7, w8, w9, w10, w11 = work
     t2 = square(velocity_ratio, w0)
     t3 = square(tracking_index, w1)
-    t5 = divide(t3, 12.0, gain_22)
+    t5 = divide(t3, n0, gain_22)
     t6 = add(t2, t5, gain_22)
     level_scaled = sqrt(t6, gain_11)
-    t9 = divide(t3, 3.0, gain_12)
-    t11 = add(t9, 16.0, gain_22)
-    t13 = multiply(t2, 4.0, w2)
+    t9 = divide(t3, n1, gain_12)
+    t11 = add(t9, n2, gain_22)
+    t13 = multiply(t2, n3, w2)
     t14 = add(t13, t3, w3)
-    t15 = multiply(t14, 0.25, w3)
+    t15 = multiply(t14, n4, w3)
     t16 = multiply(t11, t15, w3)
     eta_scaled = sqrt(t16, gain_21)
-    t19 = multiply(t3, 0.041666666666666664, w3)
-    t21 = add(t19, 1.0, w3)
-    t22 = divide(t2, 3.0, w4)
+    t19 = multiply(t3, n5, w3)
+    t21 = add(t19, n6, w3)
+    t22 = divide(t2, n1, w4)
     t23 = add(t22, t21, w4)
     t24 = multiply(t3, t23, w4)
     t25 = multiply(tracking_index, level_scaled, w3)
-    t27 = multiply(eta_scaled, 0.5, w5)
+    t27 = multiply(eta_scaled, n7, w5)
     t28 = multiply(t25, t27, w5)
     t29 = add(t24, t28, w4)
     delta_scaled = sqrt(t29, w4)
     t31 = add(t25, eta_scaled, w5)
-    t32 = multiply(t31, 0.5, w5)
+    t32 = multiply(t31, n7, w5)
     t33 = add(t32, delta_scaled, w6)
-    sigma_scaled = multiply(t33, 0.5, w6)
+    sigma_scaled = multiply(t33, n7, w6)
     t35 = add(t3, t13, w2)
     t36 = multiply(tracking_index, eta_scaled, w7)
     coupling_scaled = divide(t36, t35, w7)
@@ -571,13 +626,13 @@ def _gains_by_tracking_index_block(given: Arrays, out: Arrays, work: Arrays, _si
     t42 = divide(t40, t41, w9)
     t43 = divide(t9, t11, gain_12)
     t44 = multiply(eta_scaled, t43, gain_12)
-    t45 = multiply(delta_scaled, 2.0, gain_22)
+    t45 = multiply(delta_scaled, n8, gain_22)
     t46 = add(t25, t45, w3)
     t47 = add(t46, t44, w3)
-    t48 = multiply(eta_scaled, 0.25, gain_12)
+    t48 = multiply(eta_scaled, n4, gain_12)
     t49 = multiply(t48, t47, gain_12)
     t50 = multiply(level_scaled, t49, gain_12)
-    t51 = multiply(level_scaled, 2.0, w3)
+    t51 = multiply(level_scaled, n8, w3)
     t52 = multiply(t2, t51, w0)
     t53 = multiply(tracking_index, t32, w5)
     t54 = add(t52, t53, w0)
@@ -599,13 +654,13 @@ def _gains_by_tracking_index_block(given: Arrays, out: Arrays, work: Arrays, _si
     t70 = divide(t68, t69, w0)
     t71 = multiply(cross_share, velocity_ratio, w2)
     t72 = multiply(delta_scaled, cross_share, w8)
-    t73 = multiply(t3, 0.5, w1)
+    t73 = multiply(t3, n7, w1)
     t74 = add(t72, t73, w8)
     t75 = divide(t74, velocity_ratio, w8)
     t76 = divide(t75, velocity_ratio, w8)
     t77 = divide(t76, t41, w1)
     t78 = multiply(t71, t77, gain_11)
-    t79 = add(t76, 2.0, w8)
+    t79 = add(t76, n8, w8)
     t80 = divide(t79, t41, w8)
     t81 = multiply(t71, t80, w10)
     t82 = divide(delta_scaled, velocity_ratio, w4)
@@ -614,7 +669,7 @@ def _gains_by_tracking_index_block(given: Arrays, out: Arrays, work: Arrays, _si
     t85 = divide(t78, t59, gain_11)
     t86 = divide(t81, t69, w10)
     t87 = add(t85, t86, gain_11)
-    t88 = divide(t87, 12.0, gain_11)
+    t88 = divide(t87, n0, gain_11)
     t89 = add(t70, t88, w0)
     t90 = multiply(t83, t89, w0)
     t91 = divide(t84, velocity_ratio, w10)
@@ -630,7 +685,7 @@ def _gains_by_tracking_index_block(given: Arrays, out: Arrays, work: Arrays, _si
     t101 = divide(t95, t59, w6)
     t102 = divide(t95, t69, w2)
     t103 = add(t101, t102, w6)
-    t104 = divide(t103, 12.0, w6)
+    t104 = divide(t103, n0, w6)
     t105 = add(t100, t104, gain_12)
     t106 = multiply(t83, t105, gain_12)
     t107 = divide(t106, velocity_ratio, gain_12)
@@ -644,7 +699,7 @@ def _gains_by_tracking_index_block(given: Arrays, out: Arrays, work: Arrays, _si
     t116 = divide(t114, t59, w1)
     t117 = divide(t115, t69, w8)
     t118 = add(t116, t117, w1)
-    t119 = divide(t118, 12.0, w1)
+    t119 = divide(t118, n0, w1)
     t120 = add(t113, t119, w9)
     divide(t107, velocity_ratio, gain_22)
     multiply(t83, t120, gain_11)
@@ -733,36 +788,50 @@ def gains_by_velocity_ratio(
     )
 
 
-def _gains_by_velocity_ratio_block(given: Arrays, out: Arrays, work: Arrays, _single: bool) -> None:
+def _gains_by_velocity_ratio_block(
+    given: Arrays,
+    out: Arrays,
+    work: Arrays,
+    _single: bool,
+    n0: float = 12.0,
+    n1: float = 3.0,
+    n2: float = 16.0,
+    n3: float = 4.0,
+    n4: float = 0.25,
+    n5: float = 0.041666666666666664,
+    n6: float = 1.0,
+    n7: float = 0.5,
+    n8: float = 2.0,
+) -> None:
     tracking_index, velocity_ratio = given
     gain_11, gain_12, gain_21, gain_22 = out
     w0, w1, w2, w3, w4, w5, w6, w7, w8, w9, w10, w11, w12, w13, w14, w15, w16 = work
     t2 = square(velocity_ratio, w0)
     t3 = square(tracking_index, w1)
-    t5 = divide(t3, 12.0, gain_21)
+    t5 = divide(t3, n0, gain_21)
     t6 = add(t2, t5, w2)
     level_scaled = sqrt(t6, gain_11)
-    t9 = divide(t3, 3.0, gain_22)
-    t11 = add(t9, 16.0, w2)
-    t13 = multiply(t2, 4.0, w3)
+    t9 = divide(t3, n1, gain_22)
+    t11 = add(t9, n2, w2)
+    t13 = multiply(t2, n3, w3)
     t14 = add(t13, t3, w4)
-    t15 = multiply(t14, 0.25, w4)
+    t15 = multiply(t14, n4, w4)
     t16 = multiply(t11, t15, w4)
     eta_scaled = sqrt(t16, gain_12)
-    t19 = multiply(t3, 0.041666666666666664, w4)
-    t21 = add(t19, 1.0, w4)
-    t22 = divide(t2, 3.0, w5)
+    t19 = multiply(t3, n5, w4)
+    t21 = add(t19, n6, w4)
+    t22 = divide(t2, n1, w5)
     t23 = add(t22, t21, w5)
     t24 = multiply(t3, t23, w5)
     t25 = multiply(tracking_index, level_scaled, w4)
-    t27 = multiply(eta_scaled, 0.5, w6)
+    t27 = multiply(eta_scaled, n7, w6)
     t28 = multiply(t25, t27, w6)
     t29 = add(t24, t28, w5)
     delta_scaled = sqrt(t29, w5)
     t31 = add(t25, eta_scaled, w6)
-    t32 = multiply(t31, 0.5, w6)
+    t32 = multiply(t31, n7, w6)
     t33 = add(t32, delta_scaled, w7)
-    sigma_scaled = multiply(t33, 0.5, w7)
+    sigma_scaled = multiply(t33, n7, w7)
     t35 = add(t3, t13, w3)
     t36 = multiply(tracking_index, eta_scaled, w8)
     coupling_scaled = divide(t36, t35, w8)
@@ -773,7 +842,7 @@ def _gains_by_velocity_ratio_block(given: Arrays, out: Arrays, work: Arrays, _si
     rest_scaled = multiply(cross_share, t41, gain_21)
     t43 = divide(cross_share, sigma_scaled, w10)
     t44 = multiply(delta_scaled, cross_share, w11)
-    t45 = multiply(t3, 0.5, w1)
+    t45 = multiply(t3, n7, w1)
     t46 = add(t44, t45, w11)
     t47 = divide(t46, velocity_ratio, w11)
     t48 = divide(t47, velocity_ratio, w11)
@@ -781,7 +850,7 @@ def _gains_by_velocity_ratio_block(given: Arrays, out: Arrays, work: Arrays, _si
     t50 = divide(t48, t49, w11)
     t51 = divide(coupling_scaled, t38, w8)
     t52 = divide(t51, t49, w8)
-    t53 = multiply(t52, 2.0, w8)
+    t53 = multiply(t52, n8, w8)
     t54 = square(t50, w3)
     t55 = square(t53, w12)
     t56 = divide(level_scaled, velocity_ratio, w13)
@@ -794,7 +863,7 @@ def _gains_by_velocity_ratio_block(given: Arrays, out: Arrays, work: Arrays, _si
     t63 = divide(velocity_ratio, t62, w15)
     t65 = divide(rest_scaled, velocity_ratio, gain_21)
     t66 = multiply(t50, t65, w16)
-    t67 = multiply(t50, 2.0, w11)
+    t67 = multiply(t50, n8, w11)
     t68 = add(t65, t67, gain_21)
     t69 = multiply(t53, t68, w8)
     t70 = divide(t66, t57, w16)
@@ -806,13 +875,13 @@ def _gains_by_velocity_ratio_block(given: Arrays, out: Arrays, work: Arrays, _si
     t76 = square(t75, w11)
     t77 = divide(t9, t11, gain_22)
     t78 = multiply(eta_scaled, t77, gain_22)
-    t79 = multiply(delta_scaled, 2.0, w5)
+    t79 = multiply(delta_scaled, n8, w5)
     t80 = add(t25, t79, w4)
     t81 = add(t80, t78, w4)
-    t82 = multiply(eta_scaled, 0.25, w2)
+    t82 = multiply(eta_scaled, n4, w2)
     t83 = multiply(t82, t81, w2)
     t84 = multiply(level_scaled, t83, w2)
-    t85 = multiply(level_scaled, 2.0, w4)
+    t85 = multiply(level_scaled, n8, w4)
     t86 = multiply(t2, t85, w0)
     t87 = multiply(tracking_index, t32, w6)
     t88 = add(t86, t87, w0)
@@ -831,24 +900,24 @@ def _gains_by_velocity_ratio_block(given: Arrays, out: Arrays, work: Arrays, _si
     t101 = divide(t76, t57, w13)
     t102 = divide(t76, t59, w11)
     t103 = add(t101, t102, w13)
-    t104 = divide(t103, 12.0, w13)
+    t104 = divide(t103, n0, w13)
     t105 = add(t100, t104, w2)
     t106 = multiply(t74, t105, w8)
-    t107 = multiply(t106, 0.5, w8)
+    t107 = multiply(t106, n7, w8)
     t108 = multiply(tracking_index, t107, w8)
-    t109 = multiply(t75, 2.0, w0)
+    t109 = multiply(t75, n8, w0)
     t110 = multiply(t62, t59, w12)
     t111 = divide(t75, t110, w9)
     t112 = multiply(t109, t111, w0)
     t113 = add(t112, t108, w0)
-    t114 = divide(2.0, velocity_ratio, w1)
+    t114 = divide(n8, velocity_ratio, w1)
     t115 = divide(t114, velocity_ratio, w1)
     t116 = divide(t113, velocity_ratio, w0)
     t117 = multiply(t115, t116, w1)
     t119 = divide(gain_21, velocity_ratio, w0)
     t120 = divide(t119, velocity_ratio, w0)
     t121 = divide(t43, velocity_ratio, w10)
-    t122 = multiply(t121, 2.0, w10)
+    t122 = multiply(t121, n8, w10)
     multiply(t63, t61, gain_11)
     negative(t117, gain_22)
     subtract(t120, t122, gain_12)
@@ -936,37 +1005,49 @@ def predicted_covariance_by_tracking_index(
 
 
 def _predicted_covariance_by_tracking_index_block(
-    given: Arrays, out: Arrays, work: Arrays, _single: bool
+    given: Arrays,
+    out: Arrays,
+    work: Arrays,
+    _single: bool,
+    n0: float = 12.0,
+    n1: float = 3.0,
+    n2: float = 16.0,
+    n3: float = 4.0,
+    n4: float = 0.25,
+    n5: float = 0.041666666666666664,
+    n6: float = 1.0,
+    n7: float = 0.5,
+    n8: float = 2.0,
 ) -> None:
     tracking_index, velocity_ratio = given
     predicted_11, predicted_12, predicted_22 = out
     w0, w1, w2, w3, w4, w5, w6, w7, w8, w9, w10, w11, w12, w13, w14, w15, w16, w17 = work
     t2 = square(velocity_ratio, w0)
     t3 = square(tracking_index, w1)
-    t5 = divide(t3, 12.0, predicted_11)
+    t5 = divide(t3, n0, predicted_11)
     t6 = add(t2, t5, w2)
     level_scaled = sqrt(t6, predicted_12)
-    t9 = divide(t3, 3.0, predicted_22)
-    t11 = add(t9, 16.0, w2)
-    t13 = multiply(t2, 4.0, w3)
+    t9 = divide(t3, n1, predicted_22)
+    t11 = add(t9, n2, w2)
+    t13 = multiply(t2, n3, w3)
     t14 = add(t13, t3, w4)
-    t15 = multiply(t14, 0.25, w4)
+    t15 = multiply(t14, n4, w4)
     t16 = multiply(t11, t15, w4)
     eta_scaled = sqrt(t16, w4)
-    t19 = multiply(t3, 0.041666666666666664, w5)
-    t21 = add(t19, 1.0, w5)
-    t22 = divide(t2, 3.0, w6)
+    t19 = multiply(t3, n5, w5)
+    t21 = add(t19, n6, w5)
+    t22 = divide(t2, n1, w6)
     t23 = add(t22, t21, w6)
     t24 = multiply(t3, t23, w6)
     t25 = multiply(tracking_index, level_scaled, w5)
-    t27 = multiply(eta_scaled, 0.5, w7)
+    t27 = multiply(eta_scaled, n7, w7)
     t28 = multiply(t25, t27, w7)
     t29 = add(t24, t28, w6)
     delta_scaled = sqrt(t29, w6)
     t31 = add(t25, eta_scaled, w7)
-    t32 = multiply(t31, 0.5, w7)
+    t32 = multiply(t31, n7, w7)
     t33 = add(t32, delta_scaled, w8)
-    sigma_scaled = multiply(t33, 0.5, w8)
+    sigma_scaled = multiply(t33, n7, w8)
     t35 = add(t3, t13, w3)
     t36 = multiply(tracking_index, eta_scaled, w9)
     coupling_scaled = divide(t36, t35, w9)
@@ -995,21 +1076,21 @@ def _predicted_covariance_by_tracking_index_block(
     t60 = divide(t59, delta_scaled, predicted_11)
     t61 = multiply(t2, t60, predicted_11)
     t62 = multiply(delta_scaled, cross_share, w17)
-    t63 = multiply(t3, 0.5, w1)
+    t63 = multiply(t3, n7, w1)
     t64 = add(t62, t63, w17)
     t65 = divide(t64, velocity_ratio, w17)
     t66 = divide(t65, velocity_ratio, w17)
     t67 = divide(t66, t44, w17)
     t68 = add(t56, t67, w13)
     t69 = add(t57, t45, w16)
-    t70 = multiply(t69, 2.0, w16)
+    t70 = multiply(t69, n8, w16)
     t71 = multiply(t44, t70, w1)
     t72 = square(t68, w13)
     t73 = square(t71, w1)
     t74 = divide(t72, t51, w13)
     t75 = divide(t73, t53, w1)
     t76 = add(t74, t75, w13)
-    t77 = divide(t76, 12.0, w13)
+    t77 = divide(t76, n0, w13)
     t78 = add(t55, t77, w12)
     t79 = divide(delta_scaled, velocity_ratio, w1)
     t80 = divide(tracking_index, t79, w1)
@@ -1022,7 +1103,7 @@ def _predicted_covariance_by_tracking_index_block(
     t88 = multiply(t2, level_scaled, w13)
     t89 = multiply(tracking_index, sigma_scaled, w17)
     t90 = add(t88, t89, w13)
-    t91 = multiply(level_scaled, 2.0, w17)
+    t91 = multiply(level_scaled, n8, w17)
     t92 = multiply(t2, t91, w0)
     t93 = multiply(tracking_index, t32, w7)
     t94 = add(t92, t93, w0)
@@ -1031,16 +1112,16 @@ def _predicted_covariance_by_tracking_index_block(
     t97 = add(t87, t96, w3)
     t98 = multiply(t82, t70, w16)
     t99 = divide(t98, t53, w16)
-    t100 = divide(t99, 12.0, w16)
+    t100 = divide(t99, n0, w16)
     t101 = add(t97, t100, w3)
     t102 = multiply(t44, t101, w3)
     t104 = square(t82, w10)
     t105 = divide(t9, t11, predicted_22)
     t106 = multiply(eta_scaled, t105, predicted_22)
-    t107 = multiply(delta_scaled, 2.0, w6)
+    t107 = multiply(delta_scaled, n8, w6)
     t108 = add(t25, t107, w5)
     t109 = add(t108, t106, w5)
-    t110 = multiply(eta_scaled, 0.25, w2)
+    t110 = multiply(eta_scaled, n4, w2)
     t111 = multiply(t110, t109, w2)
     t112 = multiply(level_scaled, t111, w2)
     t113 = divide(t112, t94, w2)
@@ -1058,10 +1139,10 @@ def _predicted_covariance_by_tracking_index_block(
     t125 = divide(t104, t51, w14)
     t126 = divide(t104, t53, w10)
     t127 = add(t125, t126, w14)
-    t128 = divide(t127, 12.0, w14)
+    t128 = divide(t127, n0, w14)
     t129 = add(t124, t128, w2)
     t130 = multiply(t80, t129, w2)
-    t131 = multiply(tracking_index, 2.0, w0)
+    t131 = multiply(tracking_index, n8, w0)
     multiply(t80, t78, predicted_11)
     multiply(t80, t102, predicted_12)
     add(t130, t131, predicted_22)
@@ -1147,37 +1228,49 @@ def predicted_covariance_by_velocity_ratio(
 
 
 def _predicted_covariance_by_velocity_ratio_block(
-    given: Arrays, out: Arrays, work: Arrays, _single: bool
+    given: Arrays,
+    out: Arrays,
+    work: Arrays,
+    _single: bool,
+    n0: float = 12.0,
+    n1: float = 3.0,
+    n2: float = 16.0,
+    n3: float = 4.0,
+    n4: float = 0.25,
+    n5: float = 0.041666666666666664,
+    n6: float = 1.0,
+    n7: float = 0.5,
+    n8: float = 2.0,
 ) -> None:
     tracking_index, velocity_ratio = given
     predicted_11, predicted_12, predicted_22 = out
     w0, w1, w2, w3, w4, w5, w6 = work
     t2 = square(velocity_ratio, w0)
     t3 = square(tracking_index, w1)
-    t5 = divide(t3, 12.0, predicted_11)
+    t5 = divide(t3, n0, predicted_11)
     t6 = add(t2, t5, w2)
     level_scaled = sqrt(t6, predicted_12)
-    t9 = divide(t3, 3.0, predicted_22)
-    t11 = add(t9, 16.0, predicted_22)
-    t13 = multiply(t2, 4.0, w2)
+    t9 = divide(t3, n1, predicted_22)
+    t11 = add(t9, n2, predicted_22)
+    t13 = multiply(t2, n3, w2)
     t14 = add(t13, t3, w3)
-    t15 = multiply(t14, 0.25, w3)
+    t15 = multiply(t14, n4, w3)
     t16 = multiply(t11, t15, predicted_22)
     eta_scaled = sqrt(t16, predicted_22)
-    t19 = multiply(t3, 0.041666666666666664, w3)
-    t21 = add(t19, 1.0, w3)
-    t22 = divide(t2, 3.0, w0)
+    t19 = multiply(t3, n5, w3)
+    t21 = add(t19, n6, w3)
+    t22 = divide(t2, n1, w0)
     t23 = add(t22, t21, w0)
     t24 = multiply(t3, t23, w0)
     t25 = multiply(tracking_index, level_scaled, w3)
-    t27 = multiply(eta_scaled, 0.5, w4)
+    t27 = multiply(eta_scaled, n7, w4)
     t28 = multiply(t25, t27, w4)
     t29 = add(t24, t28, w0)
     delta_scaled = sqrt(t29, w0)
     t31 = add(t25, eta_scaled, w3)
-    t32 = multiply(t31, 0.5, w3)
+    t32 = multiply(t31, n7, w3)
     t33 = add(t32, delta_scaled, w3)
-    sigma_scaled = multiply(t33, 0.5, w3)
+    sigma_scaled = multiply(t33, n7, w3)
     t35 = add(t3, t13, w2)
     t36 = multiply(tracking_index, eta_scaled, w4)
     coupling_scaled = divide(t36, t35, w4)
@@ -1188,7 +1281,7 @@ def _predicted_covariance_by_velocity_ratio_block(
     rest_scaled = multiply(cross_share, t41, predicted_11)
     t43 = divide(rest_scaled, velocity_ratio, predicted_11)
     t44 = multiply(delta_scaled, cross_share, w5)
-    t45 = multiply(t3, 0.5, w1)
+    t45 = multiply(t3, n7, w1)
     t46 = add(t44, t45, w5)
     t47 = divide(t46, velocity_ratio, w5)
     t48 = divide(t47, velocity_ratio, w5)
@@ -1197,8 +1290,8 @@ def _predicted_covariance_by_velocity_ratio_block(
     t51 = add(t43, t50, w1)
     t52 = divide(coupling_scaled, t38, w4)
     t53 = multiply(t49, t52, w3)
-    t54 = multiply(t53, 2.0, w3)
-    t55 = multiply(t50, 2.0, w5)
+    t54 = multiply(t53, n8, w3)
+    t55 = multiply(t50, n8, w5)
     t56 = add(t43, t55, w5)
     t57 = square(t51, w2)
     t58 = square(t54, w4)
@@ -1308,37 +1401,49 @@ def updated_covariance_by_tracking_index(
 
 
 def _updated_covariance_by_tracking_index_block(
-    given: Arrays, out: Arrays, work: Arrays, _single: bool
+    given: Arrays,
+    out: Arrays,
+    work: Arrays,
+    _single: bool,
+    n0: float = 12.0,
+    n1: float = 3.0,
+    n2: float = 16.0,
+    n3: float = 4.0,
+    n4: float = 0.25,
+    n5: float = 0.041666666666666664,
+    n6: float = 1.0,
+    n7: float = 0.5,
+    n8: float = 2.0,
 ) -> None:
     tracking_index, velocity_ratio = given
     updated_11, updated_12, updated_22 = out
     w0, w1, w2, w3, w4, w5, w6, w7, w8, w9, w10, w11, w12, w13, w14, w15, w16 = work
     t2 = square(velocity_ratio, w0)
     t3 = square(tracking_index, w1)
-    t5 = divide(t3, 12.0, updated_11)
+    t5 = divide(t3, n0, updated_11)
     t6 = add(t2, t5, updated_11)
     level_scaled = sqrt(t6, updated_22)
-    t9 = divide(t3, 3.0, updated_12)
-    t11 = add(t9, 16.0, updated_11)
-    t13 = multiply(t2, 4.0, w2)
+    t9 = divide(t3, n1, updated_12)
+    t11 = add(t9, n2, updated_11)
+    t13 = multiply(t2, n3, w2)
     t14 = add(t13, t3, w3)
-    t15 = multiply(t14, 0.25, w3)
+    t15 = multiply(t14, n4, w3)
     t16 = multiply(t11, t15, w3)
     eta_scaled = sqrt(t16, w3)
-    t19 = multiply(t3, 0.041666666666666664, w4)
-    t21 = add(t19, 1.0, w4)
-    t22 = divide(t2, 3.0, w5)
+    t19 = multiply(t3, n5, w4)
+    t21 = add(t19, n6, w4)
+    t22 = divide(t2, n1, w5)
     t23 = add(t22, t21, w5)
     t24 = multiply(t3, t23, w5)
     t25 = multiply(tracking_index, level_scaled, w4)
-    t27 = multiply(eta_scaled, 0.5, w6)
+    t27 = multiply(eta_scaled, n7, w6)
     t28 = multiply(t25, t27, w6)
     t29 = add(t24, t28, w5)
     delta_scaled = sqrt(t29, w5)
     t31 = add(t25, eta_scaled, w6)
-    t32 = multiply(t31, 0.5, w6)
+    t32 = multiply(t31, n7, w6)
     t33 = add(t32, delta_scaled, w7)
-    sigma_scaled = multiply(t33, 0.5, w7)
+    sigma_scaled = multiply(t33, n7, w7)
     t35 = add(t3, t13, w2)
     t36 = multiply(tracking_index, eta_scaled, w8)
     coupling_scaled = divide(t36, t35, w8)
@@ -1358,19 +1463,19 @@ def _updated_covariance_by_tracking_index_block(
     t51 = divide(t46, t50, w12)
     t52 = add(t49, t51, w2)
     t53 = multiply(delta_scaled, cross_share, w12)
-    t54 = multiply(t3, 0.5, w1)
+    t54 = multiply(t3, n7, w1)
     t55 = add(t53, t54, w12)
     t56 = divide(t55, velocity_ratio, w12)
     t57 = divide(t56, velocity_ratio, w12)
     t58 = divide(t57, t41, w1)
-    t59 = add(t57, 2.0, w12)
+    t59 = add(t57, n8, w12)
     t60 = divide(t59, t41, w12)
     t61 = square(t58, w15)
     t62 = square(t60, w16)
     t63 = divide(t61, t48, w15)
     t64 = divide(t62, t50, w16)
     t65 = add(t63, t64, w15)
-    t66 = divide(t65, 12.0, w15)
+    t66 = divide(t65, n0, w15)
     t67 = add(t52, t66, w2)
     t68 = divide(delta_scaled, velocity_ratio, w15)
     t69 = divide(tracking_index, t68, w15)
@@ -1378,13 +1483,13 @@ def _updated_covariance_by_tracking_index_block(
     t72 = square(t71, w16)
     t73 = divide(t9, t11, updated_12)
     t74 = multiply(eta_scaled, t73, updated_12)
-    t75 = multiply(delta_scaled, 2.0, w5)
+    t75 = multiply(delta_scaled, n8, w5)
     t76 = add(t25, t75, w4)
     t77 = add(t76, t74, w4)
-    t78 = multiply(eta_scaled, 0.25, w5)
+    t78 = multiply(eta_scaled, n4, w5)
     t79 = multiply(t78, t77, w5)
     t80 = multiply(level_scaled, t79, w5)
-    t81 = multiply(level_scaled, 2.0, w4)
+    t81 = multiply(level_scaled, n8, w4)
     t82 = multiply(t2, t81, w0)
     t83 = multiply(tracking_index, t32, w6)
     t84 = add(t82, t83, w0)
@@ -1403,7 +1508,7 @@ def _updated_covariance_by_tracking_index_block(
     t97 = divide(t72, t48, w3)
     t98 = divide(t72, t50, w16)
     t99 = add(t97, t98, w3)
-    t100 = divide(t99, 12.0, w3)
+    t100 = divide(t99, n0, w3)
     t101 = add(t96, t100, w0)
     t103 = multiply(t42, t86, w10)
     t104 = divide(t103, t48, w10)
@@ -1415,7 +1520,7 @@ def _updated_covariance_by_tracking_index_block(
     t110 = divide(t107, t48, w1)
     t111 = divide(t108, t50, w9)
     t112 = add(t110, t111, w1)
-    t113 = divide(t112, 12.0, w1)
+    t113 = divide(t112, n0, w1)
     t114 = add(t106, t113, w8)
     t115 = multiply(t69, t114, w8)
     multiply(t69, t67, updated_11)
@@ -1502,37 +1607,49 @@ def updated_covariance_by_velocity_ratio(
 
 
 def _updated_covariance_by_velocity_ratio_block(
-    given: Arrays, out: Arrays, work: Arrays, _single: bool
+    given: Arrays,
+    out: Arrays,
+    work: Arrays,
+    _single: bool,
+    n0: float = 12.0,
+    n1: float = 3.0,
+    n2: float = 16.0,
+    n3: float = 4.0,
+    n4: float = 0.25,
+    n5: float = 0.041666666666666664,
+    n6: float = 1.0,
+    n7: float = 0.5,
+    n8: float = 2.0,
 ) -> None:
     tracking_index, velocity_ratio = given
     updated_11, updated_12, updated_22 = out
     w0, w1, w2, w3, w4, w5, w6 = work
     t2 = square(velocity_ratio, w0)
     t3 = square(tracking_index, w1)
-    t5 = divide(t3, 12.0, updated_11)
+    t5 = divide(t3, n0, updated_11)
     t6 = add(t2, t5, w2)
     level_scaled = sqrt(t6, updated_12)
-    t9 = divide(t3, 3.0, updated_22)
-    t11 = add(t9, 16.0, updated_22)
-    t13 = multiply(t2, 4.0, w2)
+    t9 = divide(t3, n1, updated_22)
+    t11 = add(t9, n2, updated_22)
+    t13 = multiply(t2, n3, w2)
     t14 = add(t13, t3, w3)
-    t15 = multiply(t14, 0.25, w3)
+    t15 = multiply(t14, n4, w3)
     t16 = multiply(t11, t15, updated_22)
     eta_scaled = sqrt(t16, updated_22)
-    t19 = multiply(t3, 0.041666666666666664, w3)
-    t21 = add(t19, 1.0, w3)
-    t22 = divide(t2, 3.0, w0)
+    t19 = multiply(t3, n5, w3)
+    t21 = add(t19, n6, w3)
+    t22 = divide(t2, n1, w0)
     t23 = add(t22, t21, w0)
     t24 = multiply(t3, t23, w0)
     t25 = multiply(tracking_index, level_scaled, w3)
-    t27 = multiply(eta_scaled, 0.5, w4)
+    t27 = multiply(eta_scaled, n7, w4)
     t28 = multiply(t25, t27, w4)
     t29 = add(t24, t28, w0)
     delta_scaled = sqrt(t29, w0)
     t31 = add(t25, eta_scaled, w3)
-    t32 = multiply(t31, 0.5, w3)
+    t32 = multiply(t31, n7, w3)
     t33 = add(t32, delta_scaled, w3)
-    sigma_scaled = multiply(t33, 0.5, w3)
+    sigma_scaled = multiply(t33, n7, w3)
     t35 = add(t3, t13, w2)
     t36 = multiply(tracking_index, eta_scaled, w4)
     coupling_scaled = divide(t36, t35, w4)
@@ -1542,7 +1659,7 @@ def _updated_covariance_by_velocity_ratio_block(
     t41 = add(t5, t40, updated_11)
     rest_scaled = multiply(cross_share, t41, updated_11)
     t43 = multiply(delta_scaled, cross_share, w5)
-    t44 = multiply(t3, 0.5, w1)
+    t44 = multiply(t3, n7, w1)
     t45 = add(t43, t44, w5)
     t46 = divide(t45, velocity_ratio, w5)
     t47 = divide(t46, velocity_ratio, w5)
@@ -1550,7 +1667,7 @@ def _updated_covariance_by_velocity_ratio_block(
     t49 = divide(t47, t48, w5)
     t50 = divide(coupling_scaled, t38, w4)
     t51 = divide(t50, t48, w4)
-    t52 = multiply(t51, 2.0, w4)
+    t52 = multiply(t51, n8, w4)
     t53 = square(t49, w1)
     t54 = square(t52, w2)
     t55 = divide(level_scaled, velocity_ratio, updated_12)
@@ -1563,7 +1680,7 @@ def _updated_covariance_by_velocity_ratio_block(
     t62 = divide(velocity_ratio, t61, w0)
     t64 = divide(rest_scaled, velocity_ratio, updated_11)
     t65 = multiply(t49, t64, w2)
-    t66 = multiply(t49, 2.0, w5)
+    t66 = multiply(t49, n8, w5)
     t67 = add(t64, t66, w5)
     t68 = multiply(t52, t67, w4)
     t69 = divide(t65, t56, w2)
@@ -1631,17 +1748,25 @@ def known_velocity(
     return KnownVelocity(*evaluate(_KNOWN_VELOCITY, (tracking_index,), out, workers))
 
 
-def _known_velocity_block(given: Arrays, out: Arrays, work: Arrays, _single: bool) -> None:
+def _known_velocity_block(
+    given: Arrays,
+    out: Arrays,
+    work: Arrays,
+    _single: bool,
+    n0: float = 48.0,
+    n1: float = 2.0,
+    n2: float = 3.0,
+) -> None:
     (tracking_index,) = given
     predicted_11, updated_11 = out
     w0, w1 = work
     t1 = square(tracking_index, w0)
-    t3 = add(t1, 48.0, w1)
+    t3 = add(t1, n0, w1)
     far = sqrt(t3, updated_11)
-    t6 = multiply(tracking_index, 2.0, w1)
+    t6 = multiply(tracking_index, n1, w1)
     t7 = add(tracking_index, far, updated_11)
     divide(t6, t7, updated_11)
-    t10 = divide(t1, 3.0, predicted_11)
+    t10 = divide(t1, n2, predicted_11)
     add(updated_11, t10, predicted_11)
 
 
@@ -1715,66 +1840,90 @@ def closed_loop_poles(
     )
 
 
-def _closed_loop_poles_block(given: Arrays, out: Arrays, work: Arrays, single: bool) -> None:
+def _closed_loop_poles_block(
+    given: Arrays,
+    out: Arrays,
+    work: Arrays,
+    single: bool,
+    n0: float = 12.0,
+    n1: float = 3.0,
+    n2: float = 16.0,
+    n3: float = 4.0,
+    n4: float = 0.25,
+    n5: float = 0.041666666666666664,
+    n6: float = 1.0,
+    n7: float = 0.5,
+    n8: float = -2.449489742783178,
+    n9: float = 8.914125970704845e-08,
+    n10: float = -2.168616518103246e-16,
+    n11: float = 2.449489742783178,
+    n12: float = 6.0,
+    n13: float = 2.0,
+    n14: float = -1.7320508075688772,
+    n15: float = -3.1087250107475484e-08,
+    n16: float = -1.0035084221806903e-16,
+    n17: float = 1.7320508075688772,
+    n18: float = 48.0,
+) -> None:
     tracking_index, velocity_ratio = given
     half_sum, modulus, quarter_discriminant = out
     w0, w1, w2, w3, w4 = work
     t2 = square(velocity_ratio, w0)
     t3 = square(tracking_index, w1)
-    t5 = divide(t3, 12.0, half_sum)
+    t5 = divide(t3, n0, half_sum)
     t6 = add(t2, t5, half_sum)
     level_scaled = sqrt(t6, modulus)
-    t9 = divide(t3, 3.0, quarter_discriminant)
-    t11 = add(t9, 16.0, quarter_discriminant)
-    t13 = multiply(t2, 4.0, half_sum)
+    t9 = divide(t3, n1, quarter_discriminant)
+    t11 = add(t9, n2, quarter_discriminant)
+    t13 = multiply(t2, n3, half_sum)
     t14 = add(t13, t3, half_sum)
-    t15 = multiply(t14, 0.25, half_sum)
+    t15 = multiply(t14, n4, half_sum)
     t16 = multiply(t11, t15, quarter_discriminant)
     eta_scaled = sqrt(t16, quarter_discriminant)
-    t19 = multiply(t3, 0.041666666666666664, half_sum)
-    t21 = add(t19, 1.0, half_sum)
-    t22 = divide(t2, 3.0, w0)
+    t19 = multiply(t3, n5, half_sum)
+    t21 = add(t19, n6, half_sum)
+    t22 = divide(t2, n1, w0)
     t23 = add(t22, t21, w0)
     t24 = multiply(t3, t23, w0)
     t25 = multiply(tracking_index, level_scaled, modulus)
-    t27 = multiply(eta_scaled, 0.5, half_sum)
+    t27 = multiply(eta_scaled, n7, half_sum)
     t28 = multiply(t25, t27, half_sum)
     t29 = add(t24, t28, w0)
     delta_scaled = sqrt(t29, w0)
     t31 = add(t25, eta_scaled, modulus)
-    t32 = multiply(t31, 0.5, half_sum)
+    t32 = multiply(t31, n7, half_sum)
     t33 = add(t32, delta_scaled, half_sum)
-    sigma_scaled = multiply(t33, 0.5, quarter_discriminant)
+    sigma_scaled = multiply(t33, n7, quarter_discriminant)
     t37 = divide(velocity_ratio, t31, half_sum)
     t38 = multiply(t37, velocity_ratio, half_sum)
-    t39 = divide(4.0, sigma_scaled, w2)
+    t39 = divide(n3, sigma_scaled, w2)
     t40 = multiply(t38, t39, half_sum)
     t41 = divide(tracking_index, t31, modulus)
     t42 = divide(tracking_index, sigma_scaled, w2)
     t43 = multiply(t41, t42, modulus)
-    rest = 8.914125970704845e-08 if single else -2.168616518103246e-16
-    add(velocity_ratio, -2.449489742783178, w2)
+    rest = n9 if single else n10
+    add(velocity_ratio, n8, w2)
     t45 = add(w2, rest, w2)
-    t46 = add(velocity_ratio, 2.449489742783178, w3)
+    t46 = add(velocity_ratio, n11, w3)
     t47 = multiply(t45, t46, w2)
-    t48 = divide(t47, 6.0, w2)
+    t48 = divide(t47, n12, w2)
     t49 = multiply(t43, t48, modulus)
     t55 = multiply(delta_scaled, sigma_scaled, w0)
-    t56 = multiply(t55, 2.0, w0)
+    t56 = multiply(t55, n13, w0)
     t57 = divide(tracking_index, t56, w0)
     t58 = multiply(tracking_index, t57, w2)
-    rest_ = -3.1087250107475484e-08 if single else -1.0035084221806903e-16
-    add(velocity_ratio, -1.7320508075688772, w3)
+    rest_ = n15 if single else n16
+    add(velocity_ratio, n14, w3)
     t60 = add(w3, rest_, w3)
-    t61 = add(velocity_ratio, 1.7320508075688772, w4)
+    t61 = add(velocity_ratio, n17, w4)
     t62 = multiply(t60, t61, w3)
-    t63 = divide(t62, 3.0, w3)
+    t63 = divide(t62, n1, w3)
     t64 = multiply(t58, t63, w2)
     t65 = multiply(velocity_ratio, t57, w0)
-    t66 = multiply(velocity_ratio, 2.0, w3)
+    t66 = multiply(velocity_ratio, n13, w3)
     t67 = multiply(t65, t66, w0)
-    t69 = divide(t3, 48.0, w1)
-    t70 = add(t69, 1.0, w1)
+    t69 = divide(t3, n18, w1)
+    t70 = add(t69, n6, w1)
     t71 = square(t64, w2)
     t72 = multiply(t67, t70, w1)
     t73 = multiply(t72, t67, w1)
@@ -1836,23 +1985,35 @@ def real_poles(
     return RealPoles(*evaluate(_REAL_POLES, (tracking_index,), out, workers))
 
 
-def _real_poles_block(given: Arrays, out: Arrays, work: Arrays, _single: bool) -> None:
+def _real_poles_block(
+    given: Arrays,
+    out: Arrays,
+    work: Arrays,
+    _single: bool,
+    n0: float = 48.0,
+    n1: float = 1.0,
+    n2: float = 2.0,
+    n3: float = 0.3333333333333333,
+    n4: float = 12.0,
+    n5: float = -12.0,
+    n6: float = 36.0,
+) -> None:
     (tracking_index,) = given
     positive_from, negative_up_to = out
     (w0,) = work
     t1 = square(tracking_index, w0)
-    t3 = divide(t1, 48.0, positive_from)
-    t5 = add(t3, 1.0, positive_from)
+    t3 = divide(t1, n0, positive_from)
+    t5 = add(t3, n1, positive_from)
     spread_root = sqrt(t5, negative_up_to)
-    t8 = multiply(spread_root, 2.0, negative_up_to)
+    t8 = multiply(spread_root, n2, negative_up_to)
     t9 = divide(t8, tracking_index, negative_up_to)
-    add(0.3333333333333333, t9, positive_from)
-    t13 = add(tracking_index, 12.0, w0)
+    add(n3, t9, positive_from)
+    t13 = add(tracking_index, n4, w0)
     t14 = divide(t13, tracking_index, w0)
-    t16 = add(tracking_index, -12.0, negative_up_to)
+    t16 = add(tracking_index, n5, negative_up_to)
     t17 = divide(t16, tracking_index, negative_up_to)
     t18 = multiply(t14, t17, w0)
-    t20 = divide(t18, 36.0, w0)
+    t20 = divide(t18, n6, w0)
     divide(t20, positive_from, negative_up_to)
 
 

@@ -156,28 +156,37 @@ def gains(
     return Gains(*evaluate(_GAINS, (tracking_index, velocity_ratio), out, workers))
 
 
-def _gains_block(given: Arrays, out: Arrays, work: Arrays, _single: bool) -> None:
+def _gains_block(
+    given: Arrays,
+    out: Arrays,
+    work: Arrays,
+    _single: bool,
+    n0: float = 4.0,
+    n1: float = 0.25,
+    n2: float = 1.0,
+    n3: float = 0.5,
+) -> None:
     tracking_index, velocity_ratio = given
     gain_11, gain_12, gain_21, gain_22 = out
     w0, w1, w2, w3, w4, w5 = work
     t2 = square(tracking_index, w0)
     t3 = square(velocity_ratio, w1)
-    t5 = multiply(t3, 4.0, w2)
+    t5 = multiply(t3, n0, w2)
     t6 = add(t5, t2, w3)
-    t7 = multiply(t6, 4.0, w3)
+    t7 = multiply(t6, n0, w3)
     eta_scaled = sqrt(t7, gain_12)
-    t9 = multiply(t3, 0.25, w3)
-    t11 = add(t9, 1.0, w3)
+    t9 = multiply(t3, n1, w3)
+    t11 = add(t9, n2, w3)
     t12 = multiply(t2, t11, w3)
     t13 = multiply(tracking_index, velocity_ratio, w4)
-    t15 = multiply(eta_scaled, 0.5, w5)
+    t15 = multiply(eta_scaled, n3, w5)
     t16 = multiply(t13, t15, w5)
     t17 = add(t12, t16, w3)
     delta_scaled = sqrt(t17, gain_22)
     t19 = add(t13, eta_scaled, w4)
-    t20 = multiply(t19, 0.5, w4)
+    t20 = multiply(t19, n3, w4)
     t21 = add(t20, delta_scaled, w4)
-    sigma_scaled = multiply(t21, 0.5, w4)
+    sigma_scaled = multiply(t21, n3, w4)
     t23 = add(t2, t5, w2)
     t24 = multiply(tracking_index, eta_scaled, gain_12)
     coupling_scaled = divide(t24, t23, gain_21)
@@ -263,28 +272,38 @@ def predicted_covariance(
     )
 
 
-def _predicted_covariance_block(given: Arrays, out: Arrays, work: Arrays, _single: bool) -> None:
+def _predicted_covariance_block(
+    given: Arrays,
+    out: Arrays,
+    work: Arrays,
+    _single: bool,
+    n0: float = 4.0,
+    n1: float = 0.25,
+    n2: float = 1.0,
+    n3: float = 0.5,
+    n4: float = 2.0,
+) -> None:
     tracking_index, velocity_ratio = given
     predicted_11, predicted_12, predicted_22 = out
     w0, w1, w2, w3, w4, w5 = work
     t2 = square(tracking_index, w0)
     t3 = square(velocity_ratio, w1)
-    t5 = multiply(t3, 4.0, w2)
+    t5 = multiply(t3, n0, w2)
     t6 = add(t5, t2, w3)
-    t7 = multiply(t6, 4.0, w3)
+    t7 = multiply(t6, n0, w3)
     eta_scaled = sqrt(t7, predicted_11)
-    t9 = multiply(t3, 0.25, w3)
-    t11 = add(t9, 1.0, w3)
+    t9 = multiply(t3, n1, w3)
+    t11 = add(t9, n2, w3)
     t12 = multiply(t2, t11, w3)
     t13 = multiply(tracking_index, velocity_ratio, w4)
-    t15 = multiply(eta_scaled, 0.5, w5)
+    t15 = multiply(eta_scaled, n3, w5)
     t16 = multiply(t13, t15, w5)
     t17 = add(t12, t16, w3)
     delta_scaled = sqrt(t17, predicted_12)
     t19 = add(t13, eta_scaled, w4)
-    t20 = multiply(t19, 0.5, w4)
+    t20 = multiply(t19, n3, w4)
     t21 = add(t20, delta_scaled, w4)
-    sigma_scaled = multiply(t21, 0.5, w4)
+    sigma_scaled = multiply(t21, n3, w4)
     t23 = add(t2, t5, w2)
     t24 = multiply(tracking_index, eta_scaled, predicted_11)
     coupling_scaled = divide(t24, t23, predicted_22)
@@ -292,10 +311,10 @@ def _predicted_covariance_block(given: Arrays, out: Arrays, work: Arrays, _singl
     cross_share = divide(tracking_index, t26, w2)
     t28 = multiply(velocity_ratio, coupling_scaled, predicted_22)
     rest_scaled = multiply(cross_share, t28, predicted_22)
-    t30 = multiply(t2, 0.25, w3)
+    t30 = multiply(t2, n1, w3)
     t31 = divide(cross_share, sigma_scaled, w5)
     t32 = multiply(t31, t3, w5)
-    t33 = multiply(t32, 2.0, w5)
+    t33 = multiply(t32, n4, w5)
     t34 = divide(t2, sigma_scaled, predicted_11)
     t35 = add(rest_scaled, t34, predicted_11)
     t36 = divide(t35, delta_scaled, predicted_11)
@@ -305,7 +324,7 @@ def _predicted_covariance_block(given: Arrays, out: Arrays, work: Arrays, _singl
     t40 = multiply(sigma_scaled, t39, w5)
     t41 = add(rest_scaled, t40, predicted_22)
     t44 = multiply(delta_scaled, cross_share, w1)
-    t45 = multiply(t2, 0.5, w0)
+    t45 = multiply(t2, n3, w0)
     divide(t41, delta_scaled, predicted_11)
     multiply(cross_share, sigma_scaled, predicted_12)
     add(t44, t45, predicted_22)
@@ -377,28 +396,38 @@ def updated_covariance(
     )
 
 
-def _updated_covariance_block(given: Arrays, out: Arrays, work: Arrays, _single: bool) -> None:
+def _updated_covariance_block(
+    given: Arrays,
+    out: Arrays,
+    work: Arrays,
+    _single: bool,
+    n0: float = 4.0,
+    n1: float = 0.25,
+    n2: float = 1.0,
+    n3: float = 0.5,
+    n4: float = 2.0,
+) -> None:
     tracking_index, velocity_ratio = given
     updated_11, updated_12, updated_22 = out
     w0, w1, w2, w3, w4, w5 = work
     t2 = square(tracking_index, w0)
     t3 = square(velocity_ratio, w1)
-    t5 = multiply(t3, 4.0, w2)
+    t5 = multiply(t3, n0, w2)
     t6 = add(t5, t2, w3)
-    t7 = multiply(t6, 4.0, w3)
+    t7 = multiply(t6, n0, w3)
     eta_scaled = sqrt(t7, updated_12)
-    t9 = multiply(t3, 0.25, w3)
-    t11 = add(t9, 1.0, w3)
+    t9 = multiply(t3, n1, w3)
+    t11 = add(t9, n2, w3)
     t12 = multiply(t2, t11, w3)
     t13 = multiply(tracking_index, velocity_ratio, w4)
-    t15 = multiply(eta_scaled, 0.5, w5)
+    t15 = multiply(eta_scaled, n3, w5)
     t16 = multiply(t13, t15, w5)
     t17 = add(t12, t16, w3)
     delta_scaled = sqrt(t17, updated_11)
     t19 = add(t13, eta_scaled, w4)
-    t20 = multiply(t19, 0.5, w4)
+    t20 = multiply(t19, n3, w4)
     t21 = add(t20, delta_scaled, w4)
-    sigma_scaled = multiply(t21, 0.5, w4)
+    sigma_scaled = multiply(t21, n3, w4)
     t23 = add(t2, t5, w2)
     t24 = multiply(tracking_index, eta_scaled, updated_12)
     coupling_scaled = divide(t24, t23, updated_22)
@@ -406,10 +435,10 @@ def _updated_covariance_block(given: Arrays, out: Arrays, work: Arrays, _single:
     cross_share = divide(tracking_index, t26, w2)
     t28 = multiply(velocity_ratio, coupling_scaled, updated_22)
     rest_scaled = multiply(cross_share, t28, w3)
-    t30 = multiply(t2, 0.25, w5)
+    t30 = multiply(t2, n1, w5)
     t31 = divide(cross_share, sigma_scaled, w2)
     multiply(t31, t3, updated_12)
-    t33 = multiply(updated_12, 2.0, w2)
+    t33 = multiply(updated_12, n4, w2)
     t34 = divide(t2, sigma_scaled, w0)
     t35 = add(rest_scaled, t34, w0)
     t36 = divide(t35, delta_scaled, w0)
@@ -506,28 +535,38 @@ def gains_by_tracking_index(
     )
 
 
-def _gains_by_tracking_index_block(given: Arrays, out: Arrays, work: Arrays, _single: bool) -> None:
+def _gains_by_tracking_index_block(
+    given: Arrays,
+    out: Arrays,
+    work: Arrays,
+    _single: bool,
+    n0: float = 4.0,
+    n1: float = 0.25,
+    n2: float = 1.0,
+    n3: float = 0.5,
+    n4: float = 2.0,
+) -> None:
     tracking_index, velocity_ratio = given
     gain_11, gain_12, gain_21, gain_22 = out
     w0, w1, w2, w3, w4, w5, w6 = work
     t2 = square(tracking_index, w0)
     t3 = square(velocity_ratio, w1)
-    t5 = multiply(t3, 4.0, w2)
+    t5 = multiply(t3, n0, w2)
     t6 = add(t5, t2, w3)
-    t7 = multiply(t6, 4.0, w3)
+    t7 = multiply(t6, n0, w3)
     eta_scaled = sqrt(t7, gain_22)
-    t9 = multiply(t3, 0.25, w3)
-    t11 = add(t9, 1.0, w3)
+    t9 = multiply(t3, n1, w3)
+    t11 = add(t9, n2, w3)
     t12 = multiply(t2, t11, w3)
     t13 = multiply(tracking_index, velocity_ratio, w4)
-    t15 = multiply(eta_scaled, 0.5, w5)
+    t15 = multiply(eta_scaled, n3, w5)
     t16 = multiply(t13, t15, w5)
     t17 = add(t12, t16, w3)
     delta_scaled = sqrt(t17, gain_11)
     t19 = add(t13, eta_scaled, w3)
-    t20 = multiply(t19, 0.5, w3)
+    t20 = multiply(t19, n3, w3)
     t21 = add(t20, delta_scaled, w5)
-    sigma_scaled = multiply(t21, 0.5, w5)
+    sigma_scaled = multiply(t21, n3, w5)
     t23 = add(t2, t5, w0)
     t24 = multiply(tracking_index, eta_scaled, w2)
     coupling_scaled = divide(t24, t23, gain_12)
@@ -535,12 +574,12 @@ def _gains_by_tracking_index_block(given: Arrays, out: Arrays, work: Arrays, _si
     t27 = divide(velocity_ratio, t26, gain_21)
     t28 = divide(sigma_scaled, velocity_ratio, w2)
     t29 = divide(t27, t28, gain_21)
-    t30 = multiply(delta_scaled, 2.0, w6)
+    t30 = multiply(delta_scaled, n4, w6)
     t31 = add(t13, t30, w4)
-    t32 = multiply(eta_scaled, 0.25, w6)
+    t32 = multiply(eta_scaled, n1, w6)
     t33 = multiply(t32, t31, w6)
     t34 = multiply(velocity_ratio, t33, w6)
-    t35 = multiply(velocity_ratio, 2.0, w4)
+    t35 = multiply(velocity_ratio, n4, w4)
     t36 = multiply(t3, t35, w1)
     t37 = multiply(tracking_index, t20, w3)
     t38 = add(t36, t37, w1)
@@ -665,28 +704,38 @@ def gains_by_velocity_ratio(
     )
 
 
-def _gains_by_velocity_ratio_block(given: Arrays, out: Arrays, work: Arrays, _single: bool) -> None:
+def _gains_by_velocity_ratio_block(
+    given: Arrays,
+    out: Arrays,
+    work: Arrays,
+    _single: bool,
+    n0: float = 4.0,
+    n1: float = 0.25,
+    n2: float = 1.0,
+    n3: float = 0.5,
+    n4: float = 2.0,
+) -> None:
     tracking_index, velocity_ratio = given
     gain_11, gain_12, gain_21, gain_22 = out
     w0, w1, w2, w3, w4, w5, w6, w7, w8, w9, w10, w11, w12 = work
     t2 = square(tracking_index, w0)
     t3 = square(velocity_ratio, w1)
-    t5 = multiply(t3, 4.0, w2)
+    t5 = multiply(t3, n0, w2)
     t6 = add(t5, t2, w3)
-    t7 = multiply(t6, 4.0, w3)
+    t7 = multiply(t6, n0, w3)
     eta_scaled = sqrt(t7, gain_11)
-    t9 = multiply(t3, 0.25, w3)
-    t11 = add(t9, 1.0, w3)
+    t9 = multiply(t3, n1, w3)
+    t11 = add(t9, n2, w3)
     t12 = multiply(t2, t11, w3)
     t13 = multiply(tracking_index, velocity_ratio, w4)
-    t15 = multiply(eta_scaled, 0.5, w5)
+    t15 = multiply(eta_scaled, n3, w5)
     t16 = multiply(t13, t15, w5)
     t17 = add(t12, t16, w3)
     delta_scaled = sqrt(t17, gain_22)
     t19 = add(t13, eta_scaled, w3)
-    t20 = multiply(t19, 0.5, w3)
+    t20 = multiply(t19, n3, w3)
     t21 = add(t20, delta_scaled, w5)
-    sigma_scaled = multiply(t21, 0.5, w5)
+    sigma_scaled = multiply(t21, n3, w5)
     t23 = add(t2, t5, w2)
     t24 = multiply(tracking_index, eta_scaled, w6)
     coupling_scaled = divide(t24, t23, gain_21)
@@ -696,7 +745,7 @@ def _gains_by_velocity_ratio_block(given: Arrays, out: Arrays, work: Arrays, _si
     rest_scaled = multiply(cross_share, t28, w6)
     t30 = divide(cross_share, sigma_scaled, w7)
     t31 = multiply(delta_scaled, cross_share, w8)
-    t32 = multiply(t2, 0.5, w0)
+    t32 = multiply(t2, n3, w0)
     t33 = add(t31, t32, w8)
     t34 = divide(t33, velocity_ratio, w8)
     t35 = divide(t34, velocity_ratio, w8)
@@ -704,7 +753,7 @@ def _gains_by_velocity_ratio_block(given: Arrays, out: Arrays, work: Arrays, _si
     t37 = divide(t35, t36, w8)
     t38 = divide(coupling_scaled, t26, gain_21)
     t39 = divide(t38, t36, gain_21)
-    t40 = multiply(t39, 2.0, gain_21)
+    t40 = multiply(t39, n4, gain_21)
     t41 = square(t37, w2)
     t42 = square(t40, w9)
     t43 = divide(t41, tracking_index, w2)
@@ -715,7 +764,7 @@ def _gains_by_velocity_ratio_block(given: Arrays, out: Arrays, work: Arrays, _si
     t48 = divide(velocity_ratio, t47, w11)
     t50 = divide(rest_scaled, velocity_ratio, w6)
     t51 = multiply(t37, t50, w12)
-    t52 = multiply(t37, 2.0, w8)
+    t52 = multiply(t37, n4, w8)
     t53 = add(t50, t52, w6)
     t54 = multiply(t40, t53, gain_21)
     t55 = divide(t51, tracking_index, w12)
@@ -724,12 +773,12 @@ def _gains_by_velocity_ratio_block(given: Arrays, out: Arrays, work: Arrays, _si
     multiply(t48, t57, gain_21)
     t59 = divide(tracking_index, t47, w6)
     t60 = multiply(cross_share, velocity_ratio, gain_12)
-    t61 = multiply(delta_scaled, 2.0, gain_22)
+    t61 = multiply(delta_scaled, n4, gain_22)
     t62 = add(t13, t61, w4)
-    t63 = multiply(eta_scaled, 0.25, w8)
+    t63 = multiply(eta_scaled, n1, w8)
     t64 = multiply(t63, t62, w8)
     t65 = multiply(velocity_ratio, t64, w8)
-    t66 = multiply(velocity_ratio, 2.0, w4)
+    t66 = multiply(velocity_ratio, n4, w4)
     t67 = multiply(t3, t66, w1)
     t68 = multiply(tracking_index, t20, w3)
     t69 = add(t67, t68, w1)
@@ -746,21 +795,21 @@ def _gains_by_velocity_ratio_block(given: Arrays, out: Arrays, work: Arrays, _si
     t80 = divide(t78, t44, w5)
     t81 = add(t79, t80, w8)
     t82 = multiply(t59, t81, w6)
-    t83 = multiply(t82, 0.5, w6)
+    t83 = multiply(t82, n3, w6)
     t84 = multiply(tracking_index, t83, w6)
-    t85 = multiply(t60, 2.0, w0)
+    t85 = multiply(t60, n4, w0)
     t86 = multiply(t47, t44, w9)
     t87 = divide(t60, t86, gain_12)
     t88 = multiply(t85, t87, w0)
     t89 = add(t88, t84, w0)
-    t90 = divide(2.0, velocity_ratio, w1)
+    t90 = divide(n4, velocity_ratio, w1)
     t91 = divide(t90, velocity_ratio, w1)
     t92 = divide(t89, velocity_ratio, w0)
     t93 = multiply(t91, t92, w1)
     t95 = divide(gain_21, velocity_ratio, w0)
     t96 = divide(t95, velocity_ratio, w0)
     t97 = divide(t30, velocity_ratio, w7)
-    t98 = multiply(t97, 2.0, w7)
+    t98 = multiply(t97, n4, w7)
     multiply(t48, t46, gain_11)
     negative(t93, gain_22)
     subtract(t96, t98, gain_12)
@@ -848,29 +897,37 @@ def predicted_covariance_by_tracking_index(
 
 
 def _predicted_covariance_by_tracking_index_block(
-    given: Arrays, out: Arrays, work: Arrays, _single: bool
+    given: Arrays,
+    out: Arrays,
+    work: Arrays,
+    _single: bool,
+    n0: float = 4.0,
+    n1: float = 0.25,
+    n2: float = 1.0,
+    n3: float = 0.5,
+    n4: float = 2.0,
 ) -> None:
     tracking_index, velocity_ratio = given
     predicted_11, predicted_12, predicted_22 = out
     w0, w1, w2, w3, w4, w5, w6, w7, w8, w9, w10 = work
     t2 = square(tracking_index, w0)
     t3 = square(velocity_ratio, w1)
-    t5 = multiply(t3, 4.0, w2)
+    t5 = multiply(t3, n0, w2)
     t6 = add(t5, t2, w3)
-    t7 = multiply(t6, 4.0, w3)
+    t7 = multiply(t6, n0, w3)
     eta_scaled = sqrt(t7, predicted_11)
-    t9 = multiply(t3, 0.25, w3)
-    t11 = add(t9, 1.0, w3)
+    t9 = multiply(t3, n1, w3)
+    t11 = add(t9, n2, w3)
     t12 = multiply(t2, t11, w3)
     t13 = multiply(tracking_index, velocity_ratio, w4)
-    t15 = multiply(eta_scaled, 0.5, w5)
+    t15 = multiply(eta_scaled, n3, w5)
     t16 = multiply(t13, t15, w5)
     t17 = add(t12, t16, w3)
     delta_scaled = sqrt(t17, predicted_12)
     t19 = add(t13, eta_scaled, w3)
-    t20 = multiply(t19, 0.5, w3)
+    t20 = multiply(t19, n3, w3)
     t21 = add(t20, delta_scaled, w5)
-    sigma_scaled = multiply(t21, 0.5, w5)
+    sigma_scaled = multiply(t21, n3, w5)
     t23 = add(t2, t5, w2)
     t24 = multiply(tracking_index, eta_scaled, w6)
     coupling_scaled = divide(t24, t23, predicted_22)
@@ -904,7 +961,7 @@ def _predicted_covariance_by_tracking_index_block(
     t54 = multiply(t3, velocity_ratio, w7)
     t55 = multiply(tracking_index, sigma_scaled, w9)
     t56 = add(t54, t55, w7)
-    t57 = multiply(velocity_ratio, 2.0, w9)
+    t57 = multiply(velocity_ratio, n4, w9)
     t58 = multiply(t3, t57, w1)
     t59 = multiply(tracking_index, t20, w3)
     t60 = add(t58, t59, w1)
@@ -912,9 +969,9 @@ def _predicted_covariance_by_tracking_index_block(
     t62 = multiply(t30, t61, predicted_22)
     t63 = add(t53, t62, w6)
     t64 = multiply(t31, t63, w6)
-    t66 = multiply(delta_scaled, 2.0, predicted_12)
+    t66 = multiply(delta_scaled, n4, predicted_12)
     t67 = add(t13, t66, w4)
-    t68 = multiply(eta_scaled, 0.25, w3)
+    t68 = multiply(eta_scaled, n1, w3)
     t69 = multiply(t68, t67, w3)
     t70 = multiply(velocity_ratio, t69, w3)
     t71 = divide(t70, t60, w3)
@@ -930,7 +987,7 @@ def _predicted_covariance_by_tracking_index_block(
     t81 = divide(t79, t38, w5)
     t82 = add(t80, t81, w3)
     t83 = multiply(t46, t82, w3)
-    t84 = multiply(tracking_index, 2.0, w1)
+    t84 = multiply(tracking_index, n4, w1)
     multiply(t46, t40, predicted_11)
     multiply(t46, t64, predicted_12)
     add(t83, t84, predicted_22)
@@ -1016,29 +1073,37 @@ def predicted_covariance_by_velocity_ratio(
 
 
 def _predicted_covariance_by_velocity_ratio_block(
-    given: Arrays, out: Arrays, work: Arrays, _single: bool
+    given: Arrays,
+    out: Arrays,
+    work: Arrays,
+    _single: bool,
+    n0: float = 4.0,
+    n1: float = 0.25,
+    n2: float = 1.0,
+    n3: float = 0.5,
+    n4: float = 2.0,
 ) -> None:
     tracking_index, velocity_ratio = given
     predicted_11, predicted_12, predicted_22 = out
     w0, w1, w2, w3, w4 = work
     t2 = square(tracking_index, w0)
     t3 = square(velocity_ratio, w1)
-    t5 = multiply(t3, 4.0, w2)
+    t5 = multiply(t3, n0, w2)
     t6 = add(t5, t2, w3)
-    t7 = multiply(t6, 4.0, w3)
+    t7 = multiply(t6, n0, w3)
     eta_scaled = sqrt(t7, predicted_11)
-    t9 = multiply(t3, 0.25, w1)
-    t11 = add(t9, 1.0, w1)
+    t9 = multiply(t3, n1, w1)
+    t11 = add(t9, n2, w1)
     t12 = multiply(t2, t11, w1)
     t13 = multiply(tracking_index, velocity_ratio, w3)
-    t15 = multiply(eta_scaled, 0.5, w4)
+    t15 = multiply(eta_scaled, n3, w4)
     t16 = multiply(t13, t15, w4)
     t17 = add(t12, t16, w1)
     delta_scaled = sqrt(t17, predicted_12)
     t19 = add(t13, eta_scaled, w3)
-    t20 = multiply(t19, 0.5, w3)
+    t20 = multiply(t19, n3, w3)
     t21 = add(t20, delta_scaled, w3)
-    sigma_scaled = multiply(t21, 0.5, w3)
+    sigma_scaled = multiply(t21, n3, w3)
     t23 = add(t2, t5, w2)
     t24 = multiply(tracking_index, eta_scaled, w1)
     coupling_scaled = divide(t24, t23, predicted_22)
@@ -1048,7 +1113,7 @@ def _predicted_covariance_by_velocity_ratio_block(
     rest_scaled = multiply(cross_share, t28, w4)
     t30 = divide(rest_scaled, velocity_ratio, w4)
     t31 = multiply(delta_scaled, cross_share, w2)
-    t32 = multiply(t2, 0.5, w0)
+    t32 = multiply(t2, n3, w0)
     t33 = add(t31, t32, w2)
     t34 = divide(t33, velocity_ratio, w2)
     t35 = divide(t34, velocity_ratio, w2)
@@ -1057,8 +1122,8 @@ def _predicted_covariance_by_velocity_ratio_block(
     t38 = add(t30, t37, w0)
     t39 = divide(coupling_scaled, t26, predicted_22)
     t40 = multiply(t36, t39, w3)
-    t41 = multiply(t40, 2.0, w3)
-    t42 = multiply(t37, 2.0, w2)
+    t41 = multiply(t40, n4, w3)
+    t42 = multiply(t37, n4, w2)
     t43 = add(t30, t42, w2)
     t44 = square(t38, w1)
     t45 = square(t41, predicted_22)
@@ -1166,29 +1231,37 @@ def updated_covariance_by_tracking_index(
 
 
 def _updated_covariance_by_tracking_index_block(
-    given: Arrays, out: Arrays, work: Arrays, _single: bool
+    given: Arrays,
+    out: Arrays,
+    work: Arrays,
+    _single: bool,
+    n0: float = 4.0,
+    n1: float = 0.25,
+    n2: float = 1.0,
+    n3: float = 0.5,
+    n4: float = 2.0,
 ) -> None:
     tracking_index, velocity_ratio = given
     updated_11, updated_12, updated_22 = out
     w0, w1, w2, w3, w4, w5, w6, w7, w8 = work
     t2 = square(tracking_index, w0)
     t3 = square(velocity_ratio, w1)
-    t5 = multiply(t3, 4.0, w2)
+    t5 = multiply(t3, n0, w2)
     t6 = add(t5, t2, w3)
-    t7 = multiply(t6, 4.0, w3)
+    t7 = multiply(t6, n0, w3)
     eta_scaled = sqrt(t7, updated_11)
-    t9 = multiply(t3, 0.25, w3)
-    t11 = add(t9, 1.0, w3)
+    t9 = multiply(t3, n1, w3)
+    t11 = add(t9, n2, w3)
     t12 = multiply(t2, t11, w3)
     t13 = multiply(tracking_index, velocity_ratio, w4)
-    t15 = multiply(eta_scaled, 0.5, w5)
+    t15 = multiply(eta_scaled, n3, w5)
     t16 = multiply(t13, t15, w5)
     t17 = add(t12, t16, w3)
     delta_scaled = sqrt(t17, updated_22)
     t19 = add(t13, eta_scaled, w3)
-    t20 = multiply(t19, 0.5, w3)
+    t20 = multiply(t19, n3, w3)
     t21 = add(t20, delta_scaled, w5)
-    sigma_scaled = multiply(t21, 0.5, w5)
+    sigma_scaled = multiply(t21, n3, w5)
     t23 = add(t2, t5, w0)
     t24 = multiply(tracking_index, eta_scaled, w2)
     coupling_scaled = divide(t24, t23, updated_12)
@@ -1206,12 +1279,12 @@ def _updated_covariance_by_tracking_index_block(
     t37 = add(t34, t36, w0)
     t38 = divide(delta_scaled, velocity_ratio, w7)
     t39 = divide(tracking_index, t38, w7)
-    t41 = multiply(delta_scaled, 2.0, updated_22)
+    t41 = multiply(delta_scaled, n4, updated_22)
     t42 = add(t13, t41, w4)
-    t43 = multiply(eta_scaled, 0.25, updated_22)
+    t43 = multiply(eta_scaled, n1, updated_22)
     t44 = multiply(t43, t42, updated_22)
     t45 = multiply(velocity_ratio, t44, updated_22)
-    t46 = multiply(velocity_ratio, 2.0, w4)
+    t46 = multiply(velocity_ratio, n4, w4)
     t47 = multiply(t3, t46, w1)
     t48 = multiply(tracking_index, t20, w3)
     t49 = add(t47, t48, w1)
@@ -1317,29 +1390,37 @@ def updated_covariance_by_velocity_ratio(
 
 
 def _updated_covariance_by_velocity_ratio_block(
-    given: Arrays, out: Arrays, work: Arrays, _single: bool
+    given: Arrays,
+    out: Arrays,
+    work: Arrays,
+    _single: bool,
+    n0: float = 4.0,
+    n1: float = 0.25,
+    n2: float = 1.0,
+    n3: float = 0.5,
+    n4: float = 2.0,
 ) -> None:
     tracking_index, velocity_ratio = given
     updated_11, updated_12, updated_22 = out
     w0, w1, w2, w3, w4 = work
     t2 = square(tracking_index, w0)
     t3 = square(velocity_ratio, w1)
-    t5 = multiply(t3, 4.0, w2)
+    t5 = multiply(t3, n0, w2)
     t6 = add(t5, t2, w3)
-    t7 = multiply(t6, 4.0, w3)
+    t7 = multiply(t6, n0, w3)
     eta_scaled = sqrt(t7, updated_11)
-    t9 = multiply(t3, 0.25, w1)
-    t11 = add(t9, 1.0, w1)
+    t9 = multiply(t3, n1, w1)
+    t11 = add(t9, n2, w1)
     t12 = multiply(t2, t11, w1)
     t13 = multiply(tracking_index, velocity_ratio, w3)
-    t15 = multiply(eta_scaled, 0.5, w4)
+    t15 = multiply(eta_scaled, n3, w4)
     t16 = multiply(t13, t15, w4)
     t17 = add(t12, t16, w1)
     delta_scaled = sqrt(t17, updated_12)
     t19 = add(t13, eta_scaled, w3)
-    t20 = multiply(t19, 0.5, w3)
+    t20 = multiply(t19, n3, w3)
     t21 = add(t20, delta_scaled, w3)
-    sigma_scaled = multiply(t21, 0.5, w3)
+    sigma_scaled = multiply(t21, n3, w3)
     t23 = add(t2, t5, w2)
     t24 = multiply(tracking_index, eta_scaled, w1)
     coupling_scaled = divide(t24, t23, updated_22)
@@ -1348,7 +1429,7 @@ def _updated_covariance_by_velocity_ratio_block(
     t28 = multiply(velocity_ratio, coupling_scaled, w4)
     rest_scaled = multiply(cross_share, t28, w4)
     t30 = multiply(delta_scaled, cross_share, w2)
-    t31 = multiply(t2, 0.5, w0)
+    t31 = multiply(t2, n3, w0)
     t32 = add(t30, t31, w2)
     t33 = divide(t32, velocity_ratio, w2)
     t34 = divide(t33, velocity_ratio, w2)
@@ -1356,7 +1437,7 @@ def _updated_covariance_by_velocity_ratio_block(
     t36 = divide(t34, t35, w2)
     t37 = divide(coupling_scaled, t26, updated_22)
     t38 = divide(t37, t35, updated_22)
-    t39 = multiply(t38, 2.0, updated_22)
+    t39 = multiply(t38, n4, updated_22)
     t40 = square(t36, w0)
     t41 = square(t39, w1)
     t42 = divide(t40, tracking_index, w0)
@@ -1367,7 +1448,7 @@ def _updated_covariance_by_velocity_ratio_block(
     t47 = divide(velocity_ratio, t46, w1)
     t49 = divide(rest_scaled, velocity_ratio, w4)
     t50 = multiply(t36, t49, w3)
-    t51 = multiply(t36, 2.0, w2)
+    t51 = multiply(t36, n4, w2)
     t52 = add(t49, t51, w2)
     t53 = multiply(t39, t52, updated_22)
     t54 = divide(t50, tracking_index, w3)
@@ -1429,12 +1510,14 @@ def known_velocity(
     return KnownVelocity(*evaluate(_KNOWN_VELOCITY, (tracking_index,), out, workers))
 
 
-def _known_velocity_block(given: Arrays, out: Arrays, work: Arrays, _single: bool) -> None:
+def _known_velocity_block(
+    given: Arrays, out: Arrays, work: Arrays, _single: bool, n0: float = 0.25
+) -> None:
     (tracking_index,) = given
     (predicted_11,) = out
     (w0,) = work
     t1 = square(tracking_index, w0)
-    multiply(t1, 0.25, predicted_11)
+    multiply(t1, n0, predicted_11)
 
 
 _KNOWN_VELOCITY = Signature(
@@ -1507,47 +1590,58 @@ def closed_loop_poles(
     )
 
 
-def _closed_loop_poles_block(given: Arrays, out: Arrays, work: Arrays, _single: bool) -> None:
+def _closed_loop_poles_block(
+    given: Arrays,
+    out: Arrays,
+    work: Arrays,
+    _single: bool,
+    n0: float = 4.0,
+    n1: float = 0.25,
+    n2: float = 1.0,
+    n3: float = 0.5,
+    n4: float = -2.0,
+    n5: float = 2.0,
+) -> None:
     tracking_index, velocity_ratio = given
     half_sum, modulus, quarter_discriminant = out
     w0, w1, w2, w3 = work
     t2 = square(tracking_index, w0)
     t3 = square(velocity_ratio, w1)
-    t5 = multiply(t3, 4.0, w2)
+    t5 = multiply(t3, n0, w2)
     t6 = add(t5, t2, w2)
-    t7 = multiply(t6, 4.0, w2)
+    t7 = multiply(t6, n0, w2)
     eta_scaled = sqrt(t7, half_sum)
-    t9 = multiply(t3, 0.25, w1)
-    t11 = add(t9, 1.0, w1)
+    t9 = multiply(t3, n1, w1)
+    t11 = add(t9, n2, w1)
     t12 = multiply(t2, t11, w0)
     t13 = multiply(tracking_index, velocity_ratio, w1)
-    t15 = multiply(eta_scaled, 0.5, w2)
+    t15 = multiply(eta_scaled, n3, w2)
     t16 = multiply(t13, t15, w2)
     t17 = add(t12, t16, w0)
     delta_scaled = sqrt(t17, modulus)
     t19 = add(t13, eta_scaled, w1)
-    t20 = multiply(t19, 0.5, w0)
+    t20 = multiply(t19, n3, w0)
     t21 = add(t20, delta_scaled, w0)
-    sigma_scaled = multiply(t21, 0.5, w0)
+    sigma_scaled = multiply(t21, n3, w0)
     t23 = divide(velocity_ratio, t19, quarter_discriminant)
     t24 = multiply(t23, velocity_ratio, quarter_discriminant)
-    t25 = divide(4.0, sigma_scaled, w2)
+    t25 = divide(n0, sigma_scaled, w2)
     t26 = multiply(t24, t25, quarter_discriminant)
     t27 = divide(tracking_index, t19, w1)
     t28 = divide(tracking_index, sigma_scaled, w2)
     t29 = multiply(t27, t28, w1)
-    t31 = add(velocity_ratio, -2.0, w2)
-    t32 = add(velocity_ratio, 2.0, half_sum)
+    t31 = add(velocity_ratio, n4, w2)
+    t32 = add(velocity_ratio, n5, half_sum)
     t33 = multiply(t31, t32, w2)
-    t34 = multiply(t33, 0.25, w2)
+    t34 = multiply(t33, n1, w2)
     t35 = multiply(t29, t34, w1)
     t40 = multiply(delta_scaled, sigma_scaled, modulus)
-    t41 = multiply(t40, 2.0, modulus)
+    t41 = multiply(t40, n5, modulus)
     t42 = divide(tracking_index, t41, modulus)
     t43 = multiply(tracking_index, t42, half_sum)
     t44 = multiply(t43, t34, half_sum)
     t45 = multiply(velocity_ratio, t42, modulus)
-    t46 = multiply(velocity_ratio, 2.0, w2)
+    t46 = multiply(velocity_ratio, n5, w2)
     t47 = multiply(t45, t46, modulus)
     t48 = square(t44, w2)
     t49 = square(t47, w3)
@@ -1609,18 +1703,28 @@ def real_poles(
     return RealPoles(*evaluate(_REAL_POLES, (tracking_index,), out, workers))
 
 
-def _real_poles_block(given: Arrays, out: Arrays, work: Arrays, _single: bool) -> None:
+def _real_poles_block(
+    given: Arrays,
+    out: Arrays,
+    work: Arrays,
+    _single: bool,
+    n0: float = 2.0,
+    n1: float = 0.25,
+    n2: float = 8.0,
+    n3: float = -8.0,
+    n4: float = 0.0625,
+) -> None:
     (tracking_index,) = given
     positive_from, negative_up_to = out
     (w0,) = work
-    t2 = divide(2.0, tracking_index, positive_from)
-    add(0.25, t2, positive_from)
-    t6 = add(tracking_index, 8.0, w0)
+    t2 = divide(n0, tracking_index, positive_from)
+    add(n1, t2, positive_from)
+    t6 = add(tracking_index, n2, w0)
     t7 = divide(t6, tracking_index, negative_up_to)
-    t9 = add(tracking_index, -8.0, w0)
+    t9 = add(tracking_index, n3, w0)
     t10 = divide(t9, tracking_index, w0)
     t11 = multiply(t7, t10, negative_up_to)
-    t13 = multiply(t11, 0.0625, negative_up_to)
+    t13 = multiply(t11, n4, negative_up_to)
     divide(t13, positive_from, negative_up_to)
 
 

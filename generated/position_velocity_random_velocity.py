@@ -160,25 +160,33 @@ def gains(
     return Gains(*evaluate(_GAINS, (tracking_index, velocity_ratio), out, workers))
 
 
-def _gains_block(given: Arrays, out: Arrays, work: Arrays, _single: bool) -> None:
+def _gains_block(
+    given: Arrays,
+    out: Arrays,
+    work: Arrays,
+    _single: bool,
+    n0: float = 16.0,
+    n1: float = 4.0,
+    n2: float = 0.5,
+) -> None:
     tracking_index, velocity_ratio = given
     gain_11, gain_12, gain_21, gain_22 = out
     w0, w1, w2, w3 = work
     t2 = square(tracking_index, w0)
     t3 = square(velocity_ratio, w1)
-    t5 = add(t2, 16.0, w2)
+    t5 = add(t2, n0, w2)
     t6 = multiply(t5, t3, w2)
-    t8 = multiply(t2, 4.0, w3)
+    t8 = multiply(t2, n1, w3)
     t9 = add(t6, t8, w2)
     eta_scaled = sqrt(t9, gain_12)
     t11 = multiply(tracking_index, velocity_ratio, w2)
     t12 = add(t11, eta_scaled, gain_12)
-    t14 = multiply(t12, 0.5, gain_12)
+    t14 = multiply(t12, n2, gain_12)
     t15 = multiply(t11, t14, w2)
     t16 = add(t2, t15, w0)
     delta_scaled = sqrt(t16, gain_22)
     t18 = add(t14, delta_scaled, gain_12)
-    sigma_scaled = multiply(t18, 0.5, w0)
+    sigma_scaled = multiply(t18, n2, w0)
     t20 = multiply(tracking_index, sigma_scaled, w2)
     t21 = divide(t20, velocity_ratio, gain_21)
     coupling_scaled = divide(t21, velocity_ratio, gain_11)
@@ -264,25 +272,34 @@ def predicted_covariance(
     )
 
 
-def _predicted_covariance_block(given: Arrays, out: Arrays, work: Arrays, _single: bool) -> None:
+def _predicted_covariance_block(
+    given: Arrays,
+    out: Arrays,
+    work: Arrays,
+    _single: bool,
+    n0: float = 16.0,
+    n1: float = 4.0,
+    n2: float = 0.5,
+    n3: float = 2.0,
+) -> None:
     tracking_index, velocity_ratio = given
     predicted_11, predicted_12, predicted_22 = out
     w0, w1, w2, w3 = work
     t2 = square(tracking_index, w0)
     t3 = square(velocity_ratio, w1)
-    t5 = add(t2, 16.0, w2)
+    t5 = add(t2, n0, w2)
     t6 = multiply(t5, t3, w2)
-    t8 = multiply(t2, 4.0, w3)
+    t8 = multiply(t2, n1, w3)
     t9 = add(t6, t8, w2)
     eta_scaled = sqrt(t9, predicted_11)
     t11 = multiply(tracking_index, velocity_ratio, w2)
     t12 = add(t11, eta_scaled, predicted_11)
-    t14 = multiply(t12, 0.5, predicted_11)
+    t14 = multiply(t12, n2, predicted_11)
     t15 = multiply(t11, t14, w2)
     t16 = add(t2, t15, w2)
     delta_scaled = sqrt(t16, predicted_12)
     t18 = add(t14, delta_scaled, predicted_11)
-    sigma_scaled = multiply(t18, 0.5, w2)
+    sigma_scaled = multiply(t18, n2, w2)
     t20 = multiply(tracking_index, sigma_scaled, w3)
     t21 = divide(t20, velocity_ratio, predicted_22)
     coupling_scaled = divide(t21, velocity_ratio, predicted_22)
@@ -292,7 +309,7 @@ def _predicted_covariance_block(given: Arrays, out: Arrays, work: Arrays, _singl
     rest_scaled = multiply(cross_share, t25, predicted_22)
     t27 = divide(cross_share, sigma_scaled, predicted_11)
     t28 = multiply(t27, t3, predicted_11)
-    t29 = multiply(t28, 2.0, predicted_11)
+    t29 = multiply(t28, n3, predicted_11)
     t30 = multiply(delta_scaled, cross_share, w1)
     t31 = add(t29, t30, predicted_11)
     t32 = multiply(sigma_scaled, t31, predicted_11)
@@ -368,25 +385,34 @@ def updated_covariance(
     )
 
 
-def _updated_covariance_block(given: Arrays, out: Arrays, work: Arrays, _single: bool) -> None:
+def _updated_covariance_block(
+    given: Arrays,
+    out: Arrays,
+    work: Arrays,
+    _single: bool,
+    n0: float = 16.0,
+    n1: float = 4.0,
+    n2: float = 0.5,
+    n3: float = 2.0,
+) -> None:
     tracking_index, velocity_ratio = given
     updated_11, updated_12, updated_22 = out
     w0, w1, w2, w3, w4 = work
     t2 = square(tracking_index, w0)
     t3 = square(velocity_ratio, w1)
-    t5 = add(t2, 16.0, w2)
+    t5 = add(t2, n0, w2)
     t6 = multiply(t5, t3, w2)
-    t8 = multiply(t2, 4.0, w3)
+    t8 = multiply(t2, n1, w3)
     t9 = add(t6, t8, w2)
     eta_scaled = sqrt(t9, updated_12)
     t11 = multiply(tracking_index, velocity_ratio, w2)
     t12 = add(t11, eta_scaled, updated_12)
-    t14 = multiply(t12, 0.5, updated_12)
+    t14 = multiply(t12, n2, updated_12)
     t15 = multiply(t11, t14, w2)
     t16 = add(t2, t15, w0)
     delta_scaled = sqrt(t16, updated_11)
     t18 = add(t14, delta_scaled, updated_12)
-    sigma_scaled = multiply(t18, 0.5, w0)
+    sigma_scaled = multiply(t18, n2, w0)
     t20 = multiply(tracking_index, sigma_scaled, w2)
     t21 = divide(t20, velocity_ratio, updated_22)
     coupling_scaled = divide(t21, velocity_ratio, updated_22)
@@ -396,7 +422,7 @@ def _updated_covariance_block(given: Arrays, out: Arrays, work: Arrays, _single:
     rest_scaled = multiply(cross_share, t25, w3)
     t27 = divide(cross_share, sigma_scaled, updated_12)
     multiply(t27, t3, updated_12)
-    t29 = multiply(updated_12, 2.0, w4)
+    t29 = multiply(updated_12, n3, w4)
     multiply(delta_scaled, cross_share, updated_22)
     t31 = add(t29, updated_22, w4)
     t32 = divide(t31, sigma_scaled, w4)
@@ -489,25 +515,35 @@ def gains_by_tracking_index(
     )
 
 
-def _gains_by_tracking_index_block(given: Arrays, out: Arrays, work: Arrays, _single: bool) -> None:
+def _gains_by_tracking_index_block(
+    given: Arrays,
+    out: Arrays,
+    work: Arrays,
+    _single: bool,
+    n0: float = 16.0,
+    n1: float = 4.0,
+    n2: float = 0.5,
+    n3: float = 1.0,
+    n4: float = 2.0,
+) -> None:
     tracking_index, velocity_ratio = given
     gain_11, gain_12, gain_21, gain_22 = out
     w0, w1, w2, w3, w4, w5 = work
     t2 = square(tracking_index, w0)
     t3 = square(velocity_ratio, w1)
-    t5 = add(t2, 16.0, w2)
+    t5 = add(t2, n0, w2)
     t6 = multiply(t5, t3, w2)
-    t8 = multiply(t2, 4.0, w1)
+    t8 = multiply(t2, n1, w1)
     t9 = add(t6, t8, w2)
     eta_scaled = sqrt(t9, gain_22)
     t11 = multiply(tracking_index, velocity_ratio, w1)
     t12 = add(t11, eta_scaled, w2)
-    t14 = multiply(t12, 0.5, w2)
+    t14 = multiply(t12, n2, w2)
     t15 = multiply(t11, t14, w1)
     t16 = add(t2, t15, w0)
     delta_scaled = sqrt(t16, gain_11)
     t18 = add(t14, delta_scaled, w2)
-    sigma_scaled = multiply(t18, 0.5, w2)
+    sigma_scaled = multiply(t18, n2, w2)
     t20 = multiply(tracking_index, sigma_scaled, w0)
     t21 = divide(t20, velocity_ratio, gain_12)
     coupling_scaled = divide(t21, velocity_ratio, gain_21)
@@ -525,9 +561,9 @@ def _gains_by_tracking_index_block(given: Arrays, out: Arrays, work: Arrays, _si
     t34 = multiply(t27, t33, w4)
     t35 = divide(t34, tracking_index, w4)
     t36 = divide(coupling_scaled, t23, gain_21)
-    t38 = add(t36, 1.0, gain_21)
+    t38 = add(t36, n3, gain_21)
     t39 = divide(t38, t26, gain_21)
-    t40 = add(t32, 2.0, w3)
+    t40 = add(t32, n4, w3)
     t41 = divide(t40, t26, w3)
     t42 = multiply(t39, t41, w0)
     t43 = divide(eta_scaled, velocity_ratio, gain_22)
@@ -638,25 +674,37 @@ def gains_by_velocity_ratio(
     )
 
 
-def _gains_by_velocity_ratio_block(given: Arrays, out: Arrays, work: Arrays, _single: bool) -> None:
+def _gains_by_velocity_ratio_block(
+    given: Arrays,
+    out: Arrays,
+    work: Arrays,
+    _single: bool,
+    n0: float = 16.0,
+    n1: float = 4.0,
+    n2: float = 0.5,
+    n3: float = 8.0,
+    n4: float = 2.0,
+    n5: float = 1.0,
+    n6: float = 3.0,
+) -> None:
     tracking_index, velocity_ratio = given
     gain_11, gain_12, gain_21, gain_22 = out
     w0, w1, w2, w3, w4, w5, w6, w7, w8, w9, w10, w11 = work
     t2 = square(tracking_index, w0)
     t3 = square(velocity_ratio, w1)
-    t5 = add(t2, 16.0, w2)
+    t5 = add(t2, n0, w2)
     t6 = multiply(t5, t3, w2)
-    t8 = multiply(t2, 4.0, w3)
+    t8 = multiply(t2, n1, w3)
     t9 = add(t6, t8, w2)
     eta_scaled = sqrt(t9, gain_11)
     t11 = multiply(tracking_index, velocity_ratio, w2)
     t12 = add(t11, eta_scaled, w3)
-    t14 = multiply(t12, 0.5, w3)
+    t14 = multiply(t12, n2, w3)
     t15 = multiply(t11, t14, w2)
     t16 = add(t2, t15, w2)
     delta_scaled = sqrt(t16, gain_12)
     t18 = add(t14, delta_scaled, w3)
-    sigma_scaled = multiply(t18, 0.5, w3)
+    sigma_scaled = multiply(t18, n2, w3)
     t20 = multiply(tracking_index, sigma_scaled, w2)
     t21 = divide(t20, velocity_ratio, w2)
     coupling_scaled = divide(t21, velocity_ratio, w2)
@@ -669,28 +717,28 @@ def _gains_by_velocity_ratio_block(given: Arrays, out: Arrays, work: Arrays, _si
     t29 = divide(t27, t2, w5)
     t30 = square(t28, w4)
     t31 = square(t30, w6)
-    t33 = multiply(t31, 8.0, w6)
-    t34 = add(t33, 2.0, w6)
-    t35 = multiply(t30, 2.0, w4)
-    t36 = multiply(t28, 2.0, w7)
+    t33 = multiply(t31, n3, w6)
+    t34 = add(t33, n4, w6)
+    t35 = multiply(t30, n4, w4)
+    t36 = multiply(t28, n4, w7)
     t37 = add(t35, t36, w4)
-    t39 = add(t37, 1.0, w4)
+    t39 = add(t37, n5, w4)
     t40 = divide(t34, t39, w6)
-    t41 = multiply(t28, 4.0, gain_21)
-    t42 = multiply(t29, 2.0, w4)
+    t41 = multiply(t28, n1, gain_21)
+    t42 = multiply(t29, n4, w4)
     t43 = add(t41, t42, gain_21)
     t44 = multiply(t43, t29, gain_21)
     t45 = add(t40, t44, w6)
     t46 = divide(tracking_index, velocity_ratio, gain_21)
     t47 = square(t46, w4)
-    t48 = multiply(t47, 2.0, w7)
-    t49 = add(8.0, t48, w7)
+    t48 = multiply(t47, n4, w7)
+    t49 = add(n3, t48, w7)
     t50 = divide(eta_scaled, velocity_ratio, gain_11)
     t51 = add(tracking_index, t50, w8)
-    t52 = multiply(t51, 0.5, w8)
+    t52 = multiply(t51, n2, w8)
     t53 = divide(t49, t52, w7)
     t54 = divide(t53, tracking_index, w7)
-    t55 = add(t29, 1.0, w5)
+    t55 = add(t29, n5, w5)
     t56 = square(t55, w5)
     t57 = multiply(t54, t56, w7)
     t58 = add(t45, t57, w6)
@@ -704,20 +752,20 @@ def _gains_by_velocity_ratio_block(given: Arrays, out: Arrays, work: Arrays, _si
     t67 = multiply(t64, t66, w7)
     t69 = square(t65, w5)
     t70 = multiply(t65, t50, w8)
-    t72 = multiply(t70, 3.0, w9)
-    t73 = multiply(t72, 0.5, w9)
+    t72 = multiply(t70, n6, w9)
+    t73 = multiply(t72, n2, w9)
     t74 = add(t69, t73, w9)
     t75 = multiply(tracking_index, t50, w10)
-    t76 = multiply(t75, 0.5, w10)
+    t76 = multiply(t75, n2, w10)
     t77 = add(t74, t76, w9)
-    t78 = multiply(t2, 0.5, w10)
+    t78 = multiply(t2, n2, w10)
     t79 = add(t77, t78, w9)
     t80 = multiply(t50, t69, w10)
     t81 = add(t65, tracking_index, w11)
     t82 = multiply(t80, t81, w10)
-    t83 = multiply(t82, 0.5, w10)
+    t83 = multiply(t82, n2, w10)
     t84 = multiply(t47, t79, w9)
-    t85 = multiply(t47, 4.0, w4)
+    t85 = multiply(t47, n1, w4)
     t86 = divide(t46, velocity_ratio, gain_21)
     t87 = multiply(t86, t65, gain_21)
     t88 = multiply(t85, t87, w4)
@@ -726,7 +774,7 @@ def _gains_by_velocity_ratio_block(given: Arrays, out: Arrays, work: Arrays, _si
     t91 = add(t90, t88, w10)
     t92 = add(t3, t69, w1)
     t93 = divide(tracking_index, t61, w5)
-    t94 = multiply(t93, 2.0, w5)
+    t94 = multiply(t93, n4, w5)
     t95 = divide(velocity_ratio, t92, w4)
     t96 = multiply(t94, t95, w5)
     t97 = divide(t91, t92, w10)
@@ -739,7 +787,7 @@ def _gains_by_velocity_ratio_block(given: Arrays, out: Arrays, work: Arrays, _si
     t104 = divide(t102, tracking_index, w10)
     t105 = multiply(t103, t104, gain_12)
     t106 = divide(t105, t61, w10)
-    t107 = add(t105, 2.0, gain_12)
+    t107 = add(t105, n4, gain_12)
     t108 = divide(t107, t61, gain_12)
     t109 = square(t106, w10)
     t110 = square(t108, gain_12)
@@ -747,17 +795,17 @@ def _gains_by_velocity_ratio_block(given: Arrays, out: Arrays, work: Arrays, _si
     t112 = divide(t110, t50, gain_12)
     t113 = add(t111, t112, w10)
     t114 = multiply(t101, t113, w5)
-    t115 = multiply(t114, 0.5, w5)
+    t115 = multiply(t114, n2, w5)
     t116 = multiply(tracking_index, t115, w5)
-    t117 = multiply(t102, 2.0, w10)
+    t117 = multiply(t102, n4, w10)
     t118 = divide(t102, t70, gain_22)
     t119 = multiply(t117, t118, w10)
     t120 = add(t119, t116, w10)
-    t121 = divide(2.0, velocity_ratio, w5)
+    t121 = divide(n4, velocity_ratio, w5)
     t123 = divide(t120, velocity_ratio, w10)
     t126 = divide(gain_21, velocity_ratio, w8)
     t128 = divide(t25, velocity_ratio, w2)
-    t129 = multiply(t128, 2.0, w2)
+    t129 = multiply(t128, n4, w2)
     t59 = divide(t58, t50, gain_11)
     multiply(t67, t59, gain_11)
     t127 = divide(t126, velocity_ratio, gain_12)
@@ -849,26 +897,33 @@ def predicted_covariance_by_tracking_index(
 
 
 def _predicted_covariance_by_tracking_index_block(
-    given: Arrays, out: Arrays, work: Arrays, _single: bool
+    given: Arrays,
+    out: Arrays,
+    work: Arrays,
+    _single: bool,
+    n0: float = 16.0,
+    n1: float = 4.0,
+    n2: float = 0.5,
+    n3: float = 2.0,
 ) -> None:
     tracking_index, velocity_ratio = given
     predicted_11, predicted_12, predicted_22 = out
     w0, w1, w2, w3, w4, w5, w6, w7, w8, w9 = work
     t2 = square(tracking_index, w0)
     t3 = square(velocity_ratio, w1)
-    t5 = add(t2, 16.0, w2)
+    t5 = add(t2, n0, w2)
     t6 = multiply(t5, t3, w2)
-    t8 = multiply(t2, 4.0, w3)
+    t8 = multiply(t2, n1, w3)
     t9 = add(t6, t8, w2)
     eta_scaled = sqrt(t9, predicted_11)
     t11 = multiply(tracking_index, velocity_ratio, w2)
     t12 = add(t11, eta_scaled, w3)
-    t14 = multiply(t12, 0.5, w3)
+    t14 = multiply(t12, n2, w3)
     t15 = multiply(t11, t14, w2)
     t16 = add(t2, t15, w0)
     delta_scaled = sqrt(t16, predicted_12)
     t18 = add(t14, delta_scaled, w3)
-    sigma_scaled = multiply(t18, 0.5, w3)
+    sigma_scaled = multiply(t18, n2, w3)
     t20 = multiply(tracking_index, sigma_scaled, w0)
     t21 = divide(t20, velocity_ratio, predicted_22)
     coupling_scaled = divide(t21, velocity_ratio, predicted_22)
@@ -889,7 +944,7 @@ def _predicted_covariance_by_tracking_index_block(
     t37 = multiply(delta_scaled, cross_share, w6)
     t38 = divide(delta_scaled, velocity_ratio, w7)
     t39 = divide(tracking_index, t38, w8)
-    t41 = multiply(t36, 2.0, w9)
+    t41 = multiply(t36, n3, w9)
     t42 = add(t41, t37, w9)
     t43 = multiply(sigma_scaled, t42, w6)
     t44 = add(rest_scaled, t43, w6)
@@ -902,14 +957,14 @@ def _predicted_covariance_by_tracking_index_block(
     t51 = add(t50, t36, w6)
     t52 = multiply(cross_share, velocity_ratio, w2)
     t53 = divide(t52, tracking_index, w2)
-    t54 = multiply(t28, 2.0, w0)
+    t54 = multiply(t28, n3, w0)
     t55 = multiply(t54, t51, w0)
     t56 = multiply(t53, t55, w0)
     t57 = multiply(t32, t38, w1)
     t59 = multiply(t28, t38, w7)
     t60 = multiply(t59, t53, w7)
     t61 = divide(t60, t28, w2)
-    t62 = add(t60, 2.0, w7)
+    t62 = add(t60, n3, w7)
     t63 = divide(t62, t28, w7)
     t64 = square(t61, w2)
     t65 = square(t63, w7)
@@ -917,7 +972,7 @@ def _predicted_covariance_by_tracking_index_block(
     t67 = divide(t65, t32, w7)
     t68 = add(t66, t67, w2)
     t69 = multiply(t39, t68, w2)
-    t70 = multiply(tracking_index, 2.0, w3)
+    t70 = multiply(tracking_index, n3, w3)
     multiply(t39, t34, predicted_11)
     divide(t56, t57, predicted_12)
     add(t69, t70, predicted_22)
@@ -1003,26 +1058,33 @@ def predicted_covariance_by_velocity_ratio(
 
 
 def _predicted_covariance_by_velocity_ratio_block(
-    given: Arrays, out: Arrays, work: Arrays, _single: bool
+    given: Arrays,
+    out: Arrays,
+    work: Arrays,
+    _single: bool,
+    n0: float = 16.0,
+    n1: float = 4.0,
+    n2: float = 0.5,
+    n3: float = 2.0,
 ) -> None:
     tracking_index, velocity_ratio = given
     predicted_11, predicted_12, predicted_22 = out
     w0, w1, w2, w3, w4 = work
     t2 = square(tracking_index, w0)
     t3 = square(velocity_ratio, w1)
-    t5 = add(t2, 16.0, w2)
+    t5 = add(t2, n0, w2)
     t6 = multiply(t5, t3, w2)
-    t8 = multiply(t2, 4.0, w1)
+    t8 = multiply(t2, n1, w1)
     t9 = add(t6, t8, w2)
     eta_scaled = sqrt(t9, predicted_11)
     t11 = multiply(tracking_index, velocity_ratio, w1)
     t12 = add(t11, eta_scaled, w2)
-    t14 = multiply(t12, 0.5, w2)
+    t14 = multiply(t12, n2, w2)
     t15 = multiply(t11, t14, w1)
     t16 = add(t2, t15, w1)
     delta_scaled = sqrt(t16, predicted_12)
     t18 = add(t14, delta_scaled, w2)
-    sigma_scaled = multiply(t18, 0.5, w2)
+    sigma_scaled = multiply(t18, n2, w2)
     t20 = multiply(tracking_index, sigma_scaled, w1)
     t21 = divide(t20, velocity_ratio, predicted_22)
     coupling_scaled = divide(t21, velocity_ratio, predicted_22)
@@ -1038,14 +1100,14 @@ def _predicted_covariance_by_velocity_ratio_block(
     t32 = multiply(cross_share, velocity_ratio, w1)
     t33 = divide(t32, velocity_ratio, w1)
     t34 = divide(t33, velocity_ratio, w1)
-    t35 = multiply(t34, 2.0, w1)
+    t35 = multiply(t34, n3, w1)
     t36 = add(t35, t31, w1)
     t37 = divide(rest_scaled, velocity_ratio, predicted_22)
     t38 = add(t28, t2, w3)
     t39 = divide(t38, velocity_ratio, w3)
     t40 = divide(t39, velocity_ratio, w3)
     t41 = divide(t40, t27, w3)
-    t42 = multiply(t41, 2.0, w3)
+    t42 = multiply(t41, n3, w3)
     t43 = add(t37, t42, w3)
     t44 = square(t31, w0)
     t45 = square(t36, w2)
@@ -1153,26 +1215,34 @@ def updated_covariance_by_tracking_index(
 
 
 def _updated_covariance_by_tracking_index_block(
-    given: Arrays, out: Arrays, work: Arrays, _single: bool
+    given: Arrays,
+    out: Arrays,
+    work: Arrays,
+    _single: bool,
+    n0: float = 16.0,
+    n1: float = 4.0,
+    n2: float = 0.5,
+    n3: float = 1.0,
+    n4: float = 2.0,
 ) -> None:
     tracking_index, velocity_ratio = given
     updated_11, updated_12, updated_22 = out
     w0, w1, w2, w3, w4, w5 = work
     t2 = square(tracking_index, w0)
     t3 = square(velocity_ratio, w1)
-    t5 = add(t2, 16.0, w2)
+    t5 = add(t2, n0, w2)
     t6 = multiply(t5, t3, w2)
-    t8 = multiply(t2, 4.0, w1)
+    t8 = multiply(t2, n1, w1)
     t9 = add(t6, t8, w2)
     eta_scaled = sqrt(t9, updated_11)
     t11 = multiply(tracking_index, velocity_ratio, w1)
     t12 = add(t11, eta_scaled, w2)
-    t14 = multiply(t12, 0.5, w2)
+    t14 = multiply(t12, n2, w2)
     t15 = multiply(t11, t14, w1)
     t16 = add(t2, t15, w0)
     delta_scaled = sqrt(t16, updated_22)
     t18 = add(t14, delta_scaled, w2)
-    sigma_scaled = multiply(t18, 0.5, w2)
+    sigma_scaled = multiply(t18, n2, w2)
     t20 = multiply(tracking_index, sigma_scaled, w0)
     t21 = divide(t20, velocity_ratio, updated_12)
     coupling_scaled = divide(t21, velocity_ratio, updated_12)
@@ -1182,7 +1252,7 @@ def _updated_covariance_by_tracking_index_block(
     t26 = divide(sigma_scaled, velocity_ratio, w2)
     t27 = divide(t25, t26, w3)
     t28 = divide(coupling_scaled, t23, updated_12)
-    t30 = add(t28, 1.0, updated_12)
+    t30 = add(t28, n3, updated_12)
     t31 = divide(t30, t26, updated_12)
     t32 = square(t27, w0)
     t33 = square(t31, w4)
@@ -1197,7 +1267,7 @@ def _updated_covariance_by_tracking_index_block(
     t43 = divide(t41, tracking_index, w1)
     t44 = multiply(t42, t43, updated_22)
     t45 = divide(t44, t26, w1)
-    t46 = add(t44, 2.0, updated_22)
+    t46 = add(t44, n4, updated_22)
     t47 = divide(t46, t26, updated_22)
     t48 = square(t45, w2)
     t49 = square(t47, w5)
@@ -1294,26 +1364,36 @@ def updated_covariance_by_velocity_ratio(
 
 
 def _updated_covariance_by_velocity_ratio_block(
-    given: Arrays, out: Arrays, work: Arrays, _single: bool
+    given: Arrays,
+    out: Arrays,
+    work: Arrays,
+    _single: bool,
+    n0: float = 16.0,
+    n1: float = 4.0,
+    n2: float = 0.5,
+    n3: float = 8.0,
+    n4: float = 2.0,
+    n5: float = 1.0,
+    n6: float = 3.0,
 ) -> None:
     tracking_index, velocity_ratio = given
     updated_11, updated_12, updated_22 = out
     w0, w1, w2, w3, w4, w5, w6, w7, w8, w9, w10, w11, w12 = work
     t2 = square(tracking_index, w0)
     t3 = square(velocity_ratio, w1)
-    t5 = add(t2, 16.0, w2)
+    t5 = add(t2, n0, w2)
     t6 = multiply(t5, t3, w2)
-    t8 = multiply(t2, 4.0, w3)
+    t8 = multiply(t2, n1, w3)
     t9 = add(t6, t8, w2)
     eta_scaled = sqrt(t9, updated_11)
     t11 = multiply(tracking_index, velocity_ratio, w2)
     t12 = add(t11, eta_scaled, w3)
-    t14 = multiply(t12, 0.5, w3)
+    t14 = multiply(t12, n2, w3)
     t15 = multiply(t11, t14, w2)
     t16 = add(t2, t15, w2)
     delta_scaled = sqrt(t16, updated_12)
     t18 = add(t14, delta_scaled, w3)
-    sigma_scaled = multiply(t18, 0.5, w3)
+    sigma_scaled = multiply(t18, n2, w3)
     t20 = multiply(tracking_index, sigma_scaled, w2)
     t21 = divide(t20, velocity_ratio, w2)
     coupling_scaled = divide(t21, velocity_ratio, updated_22)
@@ -1328,28 +1408,28 @@ def _updated_covariance_by_velocity_ratio_block(
     t31 = divide(t29, t2, w5)
     t32 = square(t30, w6)
     t33 = square(t32, w7)
-    t35 = multiply(t33, 8.0, w7)
-    t36 = add(t35, 2.0, w7)
-    t37 = multiply(t32, 2.0, w6)
-    t38 = multiply(t30, 2.0, w8)
+    t35 = multiply(t33, n3, w7)
+    t36 = add(t35, n4, w7)
+    t37 = multiply(t32, n4, w6)
+    t38 = multiply(t30, n4, w8)
     t39 = add(t37, t38, w6)
-    t41 = add(t39, 1.0, w6)
+    t41 = add(t39, n5, w6)
     t42 = divide(t36, t41, w7)
-    t43 = multiply(t30, 4.0, w4)
-    t44 = multiply(t31, 2.0, w6)
+    t43 = multiply(t30, n1, w4)
+    t44 = multiply(t31, n4, w6)
     t45 = add(t43, t44, w4)
     t46 = multiply(t45, t31, w4)
     t47 = add(t42, t46, w7)
     t48 = divide(tracking_index, velocity_ratio, w4)
     t49 = square(t48, w6)
-    t50 = multiply(t49, 2.0, w8)
-    t51 = add(8.0, t50, w8)
+    t50 = multiply(t49, n4, w8)
+    t51 = add(n3, t50, w8)
     t52 = divide(eta_scaled, velocity_ratio, updated_11)
     t53 = add(tracking_index, t52, w9)
-    t54 = multiply(t53, 0.5, w9)
+    t54 = multiply(t53, n2, w9)
     t55 = divide(t51, t54, w8)
     t56 = divide(t55, tracking_index, w8)
-    t57 = add(t31, 1.0, w5)
+    t57 = add(t31, n5, w5)
     t58 = square(t57, w5)
     t59 = multiply(t56, t58, w8)
     t60 = add(t47, t59, w7)
@@ -1363,20 +1443,20 @@ def _updated_covariance_by_velocity_ratio_block(
     t69 = multiply(t66, t68, w8)
     t71 = square(t67, w9)
     t72 = multiply(t67, t52, w10)
-    t74 = multiply(t72, 3.0, w10)
-    t75 = multiply(t74, 0.5, w10)
+    t74 = multiply(t72, n6, w10)
+    t75 = multiply(t74, n2, w10)
     t76 = add(t71, t75, w10)
     t77 = multiply(tracking_index, t52, w11)
-    t78 = multiply(t77, 0.5, w11)
+    t78 = multiply(t77, n2, w11)
     t79 = add(t76, t78, w10)
-    t80 = multiply(t2, 0.5, w11)
+    t80 = multiply(t2, n2, w11)
     t81 = add(t79, t80, w10)
     t82 = multiply(t52, t71, w11)
     t83 = add(t67, tracking_index, w12)
     t84 = multiply(t82, t83, w11)
-    t85 = multiply(t84, 0.5, w11)
+    t85 = multiply(t84, n2, w11)
     t86 = multiply(t49, t81, w10)
-    t87 = multiply(t49, 4.0, w6)
+    t87 = multiply(t49, n1, w6)
     t88 = divide(t48, velocity_ratio, w4)
     t89 = multiply(t88, t67, w4)
     t90 = multiply(t87, t89, w6)
@@ -1385,7 +1465,7 @@ def _updated_covariance_by_velocity_ratio_block(
     t93 = add(t92, t90, w11)
     t94 = add(t3, t71, w1)
     t95 = divide(tracking_index, t63, w9)
-    t96 = multiply(t95, 2.0, w9)
+    t96 = multiply(t95, n4, w9)
     t97 = divide(velocity_ratio, t94, w6)
     t98 = multiply(t96, t97, w9)
     t99 = divide(t93, t94, w11)
@@ -1395,7 +1475,7 @@ def _updated_covariance_by_velocity_ratio_block(
     t105 = divide(t104, velocity_ratio, w2)
     t106 = divide(t105, velocity_ratio, w2)
     t107 = divide(t106, t63, w2)
-    t108 = multiply(t107, 2.0, w2)
+    t108 = multiply(t107, n4, w2)
     t109 = add(t103, t108, w2)
     t110 = square(t103, updated_22)
     t111 = square(t109, w2)
@@ -1477,38 +1557,47 @@ def closed_loop_poles(
     )
 
 
-def _closed_loop_poles_block(given: Arrays, out: Arrays, work: Arrays, _single: bool) -> None:
+def _closed_loop_poles_block(
+    given: Arrays,
+    out: Arrays,
+    work: Arrays,
+    _single: bool,
+    n0: float = 16.0,
+    n1: float = 4.0,
+    n2: float = 0.5,
+    n3: float = 2.0,
+) -> None:
     tracking_index, velocity_ratio = given
     half_sum, modulus, quarter_discriminant = out
     w0, w1, w2 = work
     t2 = square(tracking_index, w0)
     t3 = square(velocity_ratio, w1)
-    t5 = add(t2, 16.0, w2)
+    t5 = add(t2, n0, w2)
     t6 = multiply(t5, t3, w2)
-    t8 = multiply(t2, 4.0, w1)
+    t8 = multiply(t2, n1, w1)
     t9 = add(t6, t8, w2)
     eta_scaled = sqrt(t9, half_sum)
     t11 = multiply(tracking_index, velocity_ratio, w1)
     t12 = add(t11, eta_scaled, half_sum)
-    t14 = multiply(t12, 0.5, w2)
+    t14 = multiply(t12, n2, w2)
     t15 = multiply(t11, t14, w1)
     t16 = add(t2, t15, w0)
     delta_scaled = sqrt(t16, modulus)
     t18 = add(t14, delta_scaled, w2)
-    sigma_scaled = multiply(t18, 0.5, w2)
+    sigma_scaled = multiply(t18, n2, w2)
     t20 = divide(velocity_ratio, t12, quarter_discriminant)
     t21 = multiply(t20, velocity_ratio, quarter_discriminant)
-    t22 = divide(4.0, sigma_scaled, w0)
+    t22 = divide(n1, sigma_scaled, w0)
     t23 = multiply(t21, t22, quarter_discriminant)
     t24 = divide(tracking_index, t12, half_sum)
     t25 = divide(tracking_index, sigma_scaled, w0)
     t26 = multiply(t24, t25, half_sum)
     t29 = multiply(delta_scaled, sigma_scaled, modulus)
-    t30 = multiply(t29, 2.0, modulus)
+    t30 = multiply(t29, n3, modulus)
     t31 = divide(tracking_index, t30, modulus)
     t32 = multiply(tracking_index, t31, w0)
     t33 = multiply(velocity_ratio, t31, modulus)
-    t34 = multiply(velocity_ratio, 2.0, w1)
+    t34 = multiply(velocity_ratio, n3, w1)
     t35 = multiply(t33, t34, modulus)
     t36 = square(t32, w0)
     t37 = square(t35, w1)
@@ -1563,10 +1652,12 @@ def real_poles(
     return RealPoles(*evaluate(_REAL_POLES, (tracking_index,), out, workers))
 
 
-def _real_poles_block(given: Arrays, out: Arrays, _work: Arrays, _single: bool) -> None:
+def _real_poles_block(
+    given: Arrays, out: Arrays, _work: Arrays, _single: bool, n0: float = 2.0
+) -> None:
     (tracking_index,) = given
     (positive_from,) = out
-    divide(2.0, tracking_index, positive_from)
+    divide(n0, tracking_index, positive_from)
 
 
 _REAL_POLES = Signature(

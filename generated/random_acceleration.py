@@ -148,28 +148,43 @@ def gains(
     return Gains(*evaluate(kernel, (tracking_index,), out, workers))
 
 
-def _gains_block(given: Arrays, out: Arrays, work: Arrays, _single: bool) -> None:
+def _gains_block(
+    given: Arrays,
+    out: Arrays,
+    work: Arrays,
+    _single: bool,
+    n0: float = 1.1102230246251565e-16,
+    n1: float = 1.3877787807814457e-17,
+    n2: float = 1.4901161193847656e-08,
+    n3: float = 2.7755575615628914e-17,
+    n4: float = 2.0,
+    n5: float = 1.5,
+    n6: float = 5.551115123125783e-17,
+    n7: float = 16.0,
+    n8: float = 3.725290298461914e-09,
+    n9: float = 2.220446049250313e-16,
+) -> None:
     (tracking_index,) = given
     alpha, beta = out
     w0, w1, w2 = work
-    kappa = divide(1.1102230246251565e-16, tracking_index, alpha)
-    t4 = add(kappa, 1.3877787807814457e-17, w0)
+    kappa = divide(n0, tracking_index, alpha)
+    t4 = add(kappa, n1, w0)
     rho_scaled = sqrt(t4, beta)
-    twice_rho = multiply(rho_scaled, 1.4901161193847656e-08, beta)
-    t9 = divide(2.7755575615628914e-17, twice_rho, w1)
-    t11 = add(t9, 2.0, w2)
+    twice_rho = multiply(rho_scaled, n2, beta)
+    t9 = divide(n3, twice_rho, w1)
+    t11 = add(t9, n4, w2)
     t12 = multiply(t9, t11, w1)
-    t14 = add(t12, 1.5, w1)
-    t16 = multiply(t14, 5.551115123125783e-17, w1)
+    t14 = add(t12, n5, w1)
+    t16 = multiply(t14, n6, w1)
     t17 = add(twice_rho, t16, w1)
     t18 = add(t4, t17, w0)
-    t20 = divide(16.0, t18, w0)
+    t20 = divide(n7, t18, w0)
     alpha_raised = sqrt(t20, w0)
-    t24 = multiply(kappa, 2.0, alpha)
-    t25 = add(twice_rho, 5.551115123125783e-17, beta)
+    t24 = multiply(kappa, n4, alpha)
+    t25 = add(twice_rho, n6, beta)
     t26 = add(t24, t25, beta)
-    multiply(alpha_raised, 3.725290298461914e-09, alpha)
-    divide(2.220446049250313e-16, t26, beta)
+    multiply(alpha_raised, n8, alpha)
+    divide(n9, t26, beta)
 
 
 _GAINS = Signature(
@@ -250,18 +265,28 @@ def gain_derivatives(
     return GainDerivatives(*evaluate(_GAIN_DERIVATIVES, (tracking_index,), out, workers))
 
 
-def _gain_derivatives_block(given: Arrays, out: Arrays, work: Arrays, _single: bool) -> None:
+def _gain_derivatives_block(
+    given: Arrays,
+    out: Arrays,
+    work: Arrays,
+    _single: bool,
+    n0: float = 1.1102230246251565e-16,
+    n1: float = 1.3877787807814457e-17,
+    n2: float = 1.4901161193847656e-08,
+    n3: float = 5.551115123125783e-17,
+    n4: float = 2.465190328815662e-32,
+) -> None:
     (tracking_index,) = given
     alpha, beta = out
     w0, w1 = work
-    kappa = divide(1.1102230246251565e-16, tracking_index, alpha)
-    t4 = add(kappa, 1.3877787807814457e-17, w0)
+    kappa = divide(n0, tracking_index, alpha)
+    t4 = add(kappa, n1, w0)
     rho_scaled = sqrt(t4, beta)
-    twice_rho = multiply(rho_scaled, 1.4901161193847656e-08, beta)
-    t9 = add(twice_rho, 5.551115123125783e-17, w0)
+    twice_rho = multiply(rho_scaled, n2, beta)
+    t9 = add(twice_rho, n3, w0)
     t10 = square(t9, w1)
     t11 = multiply(tracking_index, t10, w1)
-    t13 = divide(2.465190328815662e-32, t11, w1)
+    t13 = divide(n4, t11, w1)
     t14 = square(t13, w1)
     t15 = divide(t14, twice_rho, w1)
     multiply(t15, kappa, alpha)
@@ -320,25 +345,34 @@ def gains_with_derivatives(
     return GainsWithDerivatives(*evaluate(_GAINS_WITH_DERIVATIVES, (tracking_index,), out, workers))
 
 
-def _gains_with_derivatives_block(given: Arrays, out: Arrays, work: Arrays, _single: bool) -> None:
+def _gains_with_derivatives_block(
+    given: Arrays,
+    out: Arrays,
+    work: Arrays,
+    _single: bool,
+    n0: float = 0.5,
+    n1: float = 0.25,
+    n2: float = 2.0,
+    n3: float = 1.0,
+) -> None:
     (tracking_index,) = given
     alpha, beta, d_alpha, d_beta = out
     w0, w1 = work
     p = sqrt(tracking_index, beta)
-    t3 = multiply(p, 0.5, w0)
-    t5 = multiply(tracking_index, 0.25, w1)
-    t7 = add(t5, 2.0, w1)
+    t3 = multiply(p, n0, w0)
+    t5 = multiply(tracking_index, n1, w1)
+    t7 = add(t5, n2, w1)
     twice_ratio = sqrt(t7, alpha)
-    t9 = divide(2.0, p, d_alpha)
+    t9 = divide(n2, p, d_alpha)
     t10 = add(t3, t9, d_alpha)
     t11 = add(t10, twice_ratio, d_alpha)
-    t12 = multiply(t11, 0.5, w1)
+    t12 = multiply(t11, n0, w1)
     t13 = multiply(p, t12, d_alpha)
     t14 = square(t13, d_alpha)
-    t16 = divide(1.0, t14, d_beta)
+    t16 = divide(n3, t14, d_beta)
     t17 = multiply(p, twice_ratio, d_alpha)
     t19 = divide(t3, twice_ratio, w0)
-    t20 = add(t19, 1.0, w0)
+    t20 = add(t19, n3, w0)
     divide(t16, t17, d_alpha)
     multiply(t16, t20, d_beta)
     divide(twice_ratio, t12, alpha)
@@ -389,28 +423,43 @@ def predictor_gains(
     return PredictorGains(*evaluate(_PREDICTOR_GAINS, (tracking_index,), out, workers))
 
 
-def _predictor_gains_block(given: Arrays, out: Arrays, work: Arrays, _single: bool) -> None:
+def _predictor_gains_block(
+    given: Arrays,
+    out: Arrays,
+    work: Arrays,
+    _single: bool,
+    n0: float = 1.1102230246251565e-16,
+    n1: float = 1.3877787807814457e-17,
+    n2: float = 1.4901161193847656e-08,
+    n3: float = 2.7755575615628914e-17,
+    n4: float = 2.0,
+    n5: float = 1.5,
+    n6: float = 5.551115123125783e-17,
+    n7: float = 16.0,
+    n8: float = 3.725290298461914e-09,
+    n9: float = 2.220446049250313e-16,
+) -> None:
     (tracking_index,) = given
     position, velocity = out
     w0, w1, w2 = work
-    kappa = divide(1.1102230246251565e-16, tracking_index, velocity)
-    t4 = add(kappa, 1.3877787807814457e-17, w0)
+    kappa = divide(n0, tracking_index, velocity)
+    t4 = add(kappa, n1, w0)
     rho_scaled = sqrt(t4, position)
-    twice_rho = multiply(rho_scaled, 1.4901161193847656e-08, position)
-    t9 = divide(2.7755575615628914e-17, twice_rho, w1)
-    t11 = add(t9, 2.0, w2)
+    twice_rho = multiply(rho_scaled, n2, position)
+    t9 = divide(n3, twice_rho, w1)
+    t11 = add(t9, n4, w2)
     t12 = multiply(t9, t11, w1)
-    t14 = add(t12, 1.5, w1)
-    t16 = multiply(t14, 5.551115123125783e-17, w1)
+    t14 = add(t12, n5, w1)
+    t16 = multiply(t14, n6, w1)
     t17 = add(twice_rho, t16, w1)
     t18 = add(t4, t17, w0)
-    t20 = divide(16.0, t18, w0)
+    t20 = divide(n7, t18, w0)
     alpha_raised = sqrt(t20, w0)
-    t23 = multiply(alpha_raised, 3.725290298461914e-09, w0)
-    t24 = multiply(kappa, 2.0, velocity)
-    t25 = add(twice_rho, 5.551115123125783e-17, position)
+    t23 = multiply(alpha_raised, n8, w0)
+    t24 = multiply(kappa, n4, velocity)
+    t25 = add(twice_rho, n6, position)
     t26 = add(t24, t25, velocity)
-    divide(2.220446049250313e-16, t26, velocity)
+    divide(n9, t26, velocity)
     add(t23, velocity, position)
 
 
@@ -461,19 +510,27 @@ def predictor_gain_derivatives(
 
 
 def _predictor_gain_derivatives_block(
-    given: Arrays, out: Arrays, work: Arrays, _single: bool
+    given: Arrays,
+    out: Arrays,
+    work: Arrays,
+    _single: bool,
+    n0: float = 1.1102230246251565e-16,
+    n1: float = 1.3877787807814457e-17,
+    n2: float = 1.4901161193847656e-08,
+    n3: float = 5.551115123125783e-17,
+    n4: float = 2.465190328815662e-32,
 ) -> None:
     (tracking_index,) = given
     position, velocity = out
     w0, w1 = work
-    kappa = divide(1.1102230246251565e-16, tracking_index, velocity)
-    t4 = add(kappa, 1.3877787807814457e-17, w0)
+    kappa = divide(n0, tracking_index, velocity)
+    t4 = add(kappa, n1, w0)
     rho_scaled = sqrt(t4, position)
-    twice_rho = multiply(rho_scaled, 1.4901161193847656e-08, position)
-    t9 = add(twice_rho, 5.551115123125783e-17, w0)
+    twice_rho = multiply(rho_scaled, n2, position)
+    t9 = add(twice_rho, n3, w0)
     t10 = square(t9, w1)
     t11 = multiply(tracking_index, t10, w1)
-    t13 = divide(2.465190328815662e-32, t11, w1)
+    t13 = divide(n4, t11, w1)
     t14 = square(t13, w1)
     t15 = divide(t14, twice_rho, w1)
     t16 = multiply(t15, kappa, position)
@@ -531,22 +588,34 @@ def predicted_covariance(
     return PredictedCovariance(*evaluate(_PREDICTED_COVARIANCE, (tracking_index,), out, workers))
 
 
-def _predicted_covariance_block(given: Arrays, out: Arrays, work: Arrays, _single: bool) -> None:
+def _predicted_covariance_block(
+    given: Arrays,
+    out: Arrays,
+    work: Arrays,
+    _single: bool,
+    n0: float = 1.1102230246251565e-16,
+    n1: float = 1.3877787807814457e-17,
+    n2: float = 1.4901161193847656e-08,
+    n3: float = 5.551115123125783e-17,
+    n4: float = 2.220446049250313e-16,
+    n5: float = 4.056481920730334e31,
+    n6: float = 9007199254740992.0,
+) -> None:
     (tracking_index,) = given
     predicted_11, predicted_12, predicted_22 = out
     w0, w1 = work
-    kappa = divide(1.1102230246251565e-16, tracking_index, predicted_11)
-    t4 = add(kappa, 1.3877787807814457e-17, predicted_11)
+    kappa = divide(n0, tracking_index, predicted_11)
+    t4 = add(kappa, n1, predicted_11)
     rho_scaled = sqrt(t4, predicted_12)
-    twice_rho = multiply(rho_scaled, 1.4901161193847656e-08, predicted_12)
-    t9 = add(twice_rho, 5.551115123125783e-17, predicted_11)
-    t11 = divide(2.220446049250313e-16, t9, predicted_22)
+    twice_rho = multiply(rho_scaled, n2, predicted_12)
+    t9 = add(twice_rho, n3, predicted_11)
+    t11 = divide(n4, t9, predicted_22)
     t12 = multiply(tracking_index, t11, predicted_22)
     t13 = square(t9, predicted_11)
     t14 = multiply(tracking_index, t13, predicted_11)
-    t16 = multiply(t14, 4.056481920730334e31, w0)
+    t16 = multiply(t14, n5, w0)
     t17 = multiply(tracking_index, twice_rho, predicted_12)
-    t19 = multiply(t17, 9007199254740992.0, predicted_12)
+    t19 = multiply(t17, n6, predicted_12)
     t22 = square(tracking_index, w1)
     multiply(t16, t19, predicted_11)
     multiply(tracking_index, t16, predicted_12)
@@ -605,29 +674,41 @@ def predicted_covariance_derivatives(
 
 
 def _predicted_covariance_derivatives_block(
-    given: Arrays, out: Arrays, work: Arrays, _single: bool
+    given: Arrays,
+    out: Arrays,
+    work: Arrays,
+    _single: bool,
+    n0: float = 1.1102230246251565e-16,
+    n1: float = 1.3877787807814457e-17,
+    n2: float = 1.4901161193847656e-08,
+    n3: float = 5.551115123125783e-17,
+    n4: float = 2.220446049250313e-16,
+    n5: float = 1.0,
+    n6: float = 4.056481920730334e31,
+    n7: float = 4503599627370496.0,
+    n8: float = 2.0,
 ) -> None:
     (tracking_index,) = given
     predicted_11, predicted_12, predicted_22 = out
     w0, w1 = work
-    kappa = divide(1.1102230246251565e-16, tracking_index, predicted_12)
-    t4 = add(kappa, 1.3877787807814457e-17, w0)
+    kappa = divide(n0, tracking_index, predicted_12)
+    t4 = add(kappa, n1, w0)
     rho_scaled = sqrt(t4, predicted_11)
-    twice_rho = multiply(rho_scaled, 1.4901161193847656e-08, predicted_11)
-    t9 = add(twice_rho, 5.551115123125783e-17, w0)
-    t11 = divide(2.220446049250313e-16, t9, predicted_22)
+    twice_rho = multiply(rho_scaled, n2, predicted_11)
+    t9 = add(twice_rho, n3, w0)
+    t11 = divide(n4, t9, predicted_22)
     t12 = divide(kappa, t9, predicted_12)
-    t13 = divide(1.1102230246251565e-16, twice_rho, w1)
+    t13 = divide(n0, twice_rho, w1)
     t14 = multiply(t12, t13, predicted_12)
-    t16 = add(1.0, t14, predicted_12)
+    t16 = add(n5, t14, predicted_12)
     t17 = multiply(t11, t16, predicted_22)
     t18 = square(t9, w1)
     t19 = multiply(tracking_index, t18, w1)
-    t21 = multiply(t19, 4.056481920730334e31, w1)
+    t21 = multiply(t19, n6, w1)
     t22 = divide(t9, twice_rho, predicted_11)
     multiply(t21, t22, predicted_12)
-    t25 = multiply(t9, 4503599627370496.0, w0)
-    t28 = multiply(tracking_index, 2.0, w1)
+    t25 = multiply(t9, n7, w0)
+    t28 = multiply(tracking_index, n8, w1)
     multiply(predicted_12, t25, predicted_11)
     add(t17, t28, predicted_22)
 
@@ -682,20 +763,30 @@ def updated_covariance(
     return UpdatedCovariance(*evaluate(_UPDATED_COVARIANCE, (tracking_index,), out, workers))
 
 
-def _updated_covariance_block(given: Arrays, out: Arrays, work: Arrays, _single: bool) -> None:
+def _updated_covariance_block(
+    given: Arrays,
+    out: Arrays,
+    work: Arrays,
+    _single: bool,
+    n0: float = 1.1102230246251565e-16,
+    n1: float = 1.3877787807814457e-17,
+    n2: float = 1.4901161193847656e-08,
+    n3: float = 5.551115123125783e-17,
+    n4: float = 2.220446049250313e-16,
+) -> None:
     (tracking_index,) = given
     updated_11, updated_12, updated_22 = out
     (w0,) = work
-    kappa = divide(1.1102230246251565e-16, tracking_index, updated_11)
-    t4 = add(kappa, 1.3877787807814457e-17, updated_11)
+    kappa = divide(n0, tracking_index, updated_11)
+    t4 = add(kappa, n1, updated_11)
     rho_scaled = sqrt(t4, updated_12)
-    twice_rho = multiply(rho_scaled, 1.4901161193847656e-08, updated_12)
-    t9 = add(twice_rho, 5.551115123125783e-17, updated_11)
+    twice_rho = multiply(rho_scaled, n2, updated_12)
+    t9 = add(twice_rho, n3, updated_11)
     t10 = square(t9, w0)
-    t12 = divide(2.220446049250313e-16, t10, updated_22)
-    t15 = divide(2.220446049250313e-16, t9, w0)
+    t12 = divide(n4, t10, updated_22)
+    t15 = divide(n4, t9, w0)
     multiply(t12, twice_rho, updated_11)
-    multiply(t12, 1.1102230246251565e-16, updated_12)
+    multiply(t12, n0, updated_12)
     multiply(tracking_index, t15, updated_22)
 
 
@@ -750,28 +841,38 @@ def updated_covariance_derivatives(
 
 
 def _updated_covariance_derivatives_block(
-    given: Arrays, out: Arrays, work: Arrays, _single: bool
+    given: Arrays,
+    out: Arrays,
+    work: Arrays,
+    _single: bool,
+    n0: float = 1.1102230246251565e-16,
+    n1: float = 1.3877787807814457e-17,
+    n2: float = 1.4901161193847656e-08,
+    n3: float = 5.551115123125783e-17,
+    n4: float = 2.465190328815662e-32,
+    n5: float = 1.0,
+    n6: float = 2.220446049250313e-16,
 ) -> None:
     (tracking_index,) = given
     updated_11, updated_12, updated_22 = out
     w0, w1, w2 = work
-    kappa = divide(1.1102230246251565e-16, tracking_index, updated_11)
-    t4 = add(kappa, 1.3877787807814457e-17, w0)
+    kappa = divide(n0, tracking_index, updated_11)
+    t4 = add(kappa, n1, w0)
     rho_scaled = sqrt(t4, w0)
-    twice_rho = multiply(rho_scaled, 1.4901161193847656e-08, w0)
-    t9 = add(twice_rho, 5.551115123125783e-17, w1)
+    twice_rho = multiply(rho_scaled, n2, w0)
+    t9 = add(twice_rho, n3, w1)
     t10 = square(t9, w2)
     t11 = multiply(tracking_index, t10, w2)
-    t13 = divide(2.465190328815662e-32, t11, w2)
+    t13 = divide(n4, t11, w2)
     t14 = square(t13, w2)
     t15 = divide(t14, twice_rho, updated_12)
     t20 = divide(kappa, t9, w2)
-    t21 = divide(1.1102230246251565e-16, twice_rho, w0)
+    t21 = divide(n0, twice_rho, w0)
     t22 = multiply(t20, t21, w2)
-    t24 = add(1.0, t22, w2)
+    t24 = add(n5, t22, w2)
     multiply(t15, kappa, updated_11)
     multiply(t15, t9, updated_12)
-    t19 = divide(2.220446049250313e-16, t9, updated_22)
+    t19 = divide(n6, t9, updated_22)
     multiply(t19, t24, updated_22)
 
 
@@ -825,32 +926,47 @@ def gain_second_derivatives(
     )
 
 
-def _gain_second_derivatives_block(given: Arrays, out: Arrays, work: Arrays, _single: bool) -> None:
+def _gain_second_derivatives_block(
+    given: Arrays,
+    out: Arrays,
+    work: Arrays,
+    _single: bool,
+    n0: float = 1.1102230246251565e-16,
+    n1: float = 1.3877787807814457e-17,
+    n2: float = 1.4901161193847656e-08,
+    n3: float = 5.551115123125783e-17,
+    n4: float = 2.465190328815662e-32,
+    n5: float = 2.0,
+    n6: float = 6.0,
+    n7: float = 0.0625,
+    n8: float = 2.7755575615628914e-17,
+    n9: float = 0.5,
+) -> None:
     (tracking_index,) = given
     alpha, beta = out
     w0, w1, w2, w3, w4, w5 = work
-    kappa = divide(1.1102230246251565e-16, tracking_index, alpha)
-    t4 = add(kappa, 1.3877787807814457e-17, w0)
+    kappa = divide(n0, tracking_index, alpha)
+    t4 = add(kappa, n1, w0)
     rho_scaled = sqrt(t4, beta)
-    twice_rho = multiply(rho_scaled, 1.4901161193847656e-08, beta)
-    t9 = add(twice_rho, 5.551115123125783e-17, w1)
+    twice_rho = multiply(rho_scaled, n2, beta)
+    t9 = add(twice_rho, n3, w1)
     t10 = square(t9, w1)
     t11 = multiply(tracking_index, t10, w1)
-    t13 = divide(2.465190328815662e-32, t11, w1)
+    t13 = divide(n4, t11, w1)
     t14 = divide(t13, tracking_index, w2)
     t15 = divide(kappa, twice_rho, w3)
     t16 = multiply(t13, t15, w3)
-    t17 = divide(1.1102230246251565e-16, twice_rho, beta)
-    t19 = add(2.0, t17, w4)
-    t21 = add(6.0, t17, w5)
+    t17 = divide(n0, twice_rho, beta)
+    t19 = add(n5, t17, w4)
+    t21 = add(n6, t17, w5)
     t22 = multiply(t19, t21, w4)
-    t24 = multiply(t22, 0.0625, w4)
+    t24 = multiply(t22, n7, w4)
     t25 = multiply(t13, t24, w1)
     t26 = multiply(t16, t25, w3)
     t27 = multiply(t17, t14, w1)
-    t29 = add(kappa, 2.7755575615628914e-17, alpha)
+    t29 = add(kappa, n8, alpha)
     t30 = divide(t29, t4, alpha)
-    t31 = multiply(t30, 0.5, alpha)
+    t31 = multiply(t30, n9, alpha)
     t32 = add(t17, t31, beta)
     t33 = multiply(t32, t14, beta)
     t34 = multiply(t27, t33, w1)
@@ -907,34 +1023,47 @@ def predictor_gain_second_derivatives(
 
 
 def _predictor_gain_second_derivatives_block(
-    given: Arrays, out: Arrays, work: Arrays, _single: bool
+    given: Arrays,
+    out: Arrays,
+    work: Arrays,
+    _single: bool,
+    n0: float = 1.1102230246251565e-16,
+    n1: float = 1.3877787807814457e-17,
+    n2: float = 1.4901161193847656e-08,
+    n3: float = 5.551115123125783e-17,
+    n4: float = 2.465190328815662e-32,
+    n5: float = 2.0,
+    n6: float = 6.0,
+    n7: float = 0.0625,
+    n8: float = 2.7755575615628914e-17,
+    n9: float = 0.5,
 ) -> None:
     (tracking_index,) = given
     position, velocity = out
     w0, w1, w2, w3, w4, w5 = work
-    kappa = divide(1.1102230246251565e-16, tracking_index, position)
-    t4 = add(kappa, 1.3877787807814457e-17, w0)
+    kappa = divide(n0, tracking_index, position)
+    t4 = add(kappa, n1, w0)
     rho_scaled = sqrt(t4, w1)
-    twice_rho = multiply(rho_scaled, 1.4901161193847656e-08, w1)
-    t9 = add(twice_rho, 5.551115123125783e-17, w2)
+    twice_rho = multiply(rho_scaled, n2, w1)
+    t9 = add(twice_rho, n3, w2)
     t10 = square(t9, w2)
     t11 = multiply(tracking_index, t10, w2)
-    t13 = divide(2.465190328815662e-32, t11, velocity)
+    t13 = divide(n4, t11, velocity)
     t14 = divide(t13, tracking_index, w2)
     t15 = divide(kappa, twice_rho, w3)
     t16 = multiply(t13, t15, w3)
-    t17 = divide(1.1102230246251565e-16, twice_rho, w1)
-    t19 = add(2.0, t17, w4)
-    t21 = add(6.0, t17, w5)
+    t17 = divide(n0, twice_rho, w1)
+    t19 = add(n5, t17, w4)
+    t21 = add(n6, t17, w5)
     t22 = multiply(t19, t21, w4)
-    t24 = multiply(t22, 0.0625, w4)
+    t24 = multiply(t22, n7, w4)
     t25 = multiply(t13, t24, velocity)
     t26 = multiply(t16, t25, w3)
     t27 = multiply(t17, t14, w4)
-    t29 = add(kappa, 2.7755575615628914e-17, position)
+    t29 = add(kappa, n8, position)
     negative(t26, velocity)
     t30 = divide(t29, t4, position)
-    t31 = multiply(t30, 0.5, position)
+    t31 = multiply(t30, n9, position)
     t32 = add(t17, t31, position)
     t33 = multiply(t32, t14, position)
     t34 = multiply(t27, t33, position)
@@ -999,53 +1128,77 @@ def predicted_covariance_second_derivatives(
 
 
 def _predicted_covariance_second_derivatives_block(
-    given: Arrays, out: Arrays, work: Arrays, single: bool
+    given: Arrays,
+    out: Arrays,
+    work: Arrays,
+    single: bool,
+    n0: float = 1.1102230246251565e-16,
+    n1: float = 1.3877787807814457e-17,
+    n2: float = 7.450580596923828e-09,
+    n3: float = 1.4901161193847656e-08,
+    n4: float = 0.0,
+    n5: float = 2.7755575615628914e-17,
+    n6: float = -0.6188021535170061,
+    n7: float = -2.329468529183032e-08,
+    n8: float = -4.555764098981943e-17,
+    n9: float = 0.20200317547305482,
+    n10: float = 2.0,
+    n11: float = 0.125,
+    n12: float = 0.36602540378443865,
+    n13: float = 2.366025403784439,
+    n14: float = 5.551115123125783e-17,
+    n15: float = 1.8014398509481984e16,
+    n16: float = 0.5,
+    n17: float = 1.0,
+    n18: float = 1125899906842624.0,
+    n19: float = 3.0,
+    n20: float = 0.25,
 ) -> None:
     (tracking_index,) = given
     predicted_11, predicted_12, predicted_22 = out
     w0, w1, w2, w3, w4, w5, w6, w7 = work
-    kappa = divide(1.1102230246251565e-16, tracking_index, predicted_12)
-    t4 = add(kappa, 1.3877787807814457e-17, w0)
+    kappa = divide(n0, tracking_index, predicted_12)
+    t4 = add(kappa, n1, w0)
     rho_scaled = sqrt(t4, predicted_11)
-    rho = multiply(rho_scaled, 7.450580596923828e-09, w1)
-    twice_rho = multiply(rho_scaled, 1.4901161193847656e-08, predicted_11)
-    t12 = add(kappa, 0.0, w2)
-    t14 = add(rho, 2.7755575615628914e-17, w3)
+    rho = multiply(rho_scaled, n2, w1)
+    twice_rho = multiply(rho_scaled, n3, predicted_11)
+    t12 = add(kappa, n4, w2)
+    t14 = add(rho, n5, w3)
     t15 = divide(t12, t14, predicted_22)
-    t16 = divide(1.1102230246251565e-16, twice_rho, w2)
-    rest = -2.329468529183032e-08 if single else -4.555764098981943e-17
-    add(tracking_index, -0.6188021535170061, w3)
+    t16 = divide(n0, twice_rho, w2)
+    rest = n7 if single else n8
+    add(tracking_index, n6, w3)
     t20 = add(w3, rest, w3)
-    t22 = multiply(t20, 0.20200317547305482, w3)
-    t24 = add(2.0, t16, w4)
+    t22 = multiply(t20, n9, w3)
+    t24 = add(n10, t16, w4)
     t25 = square(t24, w5)
-    t27 = multiply(t24, 0.125, w6)
+    t27 = multiply(t24, n11, w6)
     t28 = multiply(t25, t27, w5)
-    t31 = add(t15, 0.36602540378443865, w6)
-    t33 = add(t15, 2.366025403784439, w7)
+    t31 = add(t15, n12, w6)
+    t33 = add(t15, n13, w7)
     t34 = divide(t31, t33, w6)
-    t36 = add(twice_rho, 5.551115123125783e-17, predicted_11)
-    t38 = multiply(t36, 1.8014398509481984e16, w7)
+    t36 = add(twice_rho, n14, predicted_11)
+    t38 = multiply(t36, n15, w7)
     t40 = multiply(t28, t34, w5)
-    t42 = multiply(t16, 0.5, w2)
-    t43 = add(1.0, t42, w2)
-    t48 = multiply(t36, 1125899906842624.0, predicted_11)
+    t42 = multiply(t16, n16, w2)
+    t43 = add(n17, t42, w2)
+    t48 = multiply(t36, n18, predicted_11)
     t49 = multiply(t24, t48, w4)
-    t51 = multiply(rho, 0.5, w1)
+    t51 = multiply(rho, n16, w1)
     t52 = add(t4, t51, w1)
     t53 = divide(kappa, t52, predicted_11)
     t54 = square(t53, w1)
-    t55 = multiply(t15, 3.0, predicted_22)
-    t56 = add(t55, 2.0, predicted_22)
-    t57 = multiply(t56, 0.25, predicted_22)
+    t55 = multiply(t15, n19, predicted_22)
+    t56 = add(t55, n10, predicted_22)
+    t57 = multiply(t56, n20, predicted_22)
     t58 = multiply(t53, t57, predicted_11)
     t59 = multiply(t54, t58, w1)
-    add(t59, 2.0, predicted_22)
+    add(t59, n10, predicted_22)
     t23 = divide(t22, tracking_index, predicted_11)
     t39 = multiply(t23, t38, predicted_11)
     multiply(t39, t40, predicted_11)
     t44 = divide(kappa, t4, predicted_12)
-    t45 = multiply(t44, 0.5, predicted_12)
+    t45 = multiply(t44, n16, predicted_12)
     t46 = add(t43, t45, predicted_12)
     multiply(t49, t46, predicted_12)
 
@@ -1103,47 +1256,64 @@ def updated_covariance_second_derivatives(
 
 
 def _updated_covariance_second_derivatives_block(
-    given: Arrays, out: Arrays, work: Arrays, _single: bool
+    given: Arrays,
+    out: Arrays,
+    work: Arrays,
+    _single: bool,
+    n0: float = 1.1102230246251565e-16,
+    n1: float = 1.3877787807814457e-17,
+    n2: float = 7.450580596923828e-09,
+    n3: float = 1.4901161193847656e-08,
+    n4: float = 5.551115123125783e-17,
+    n5: float = 2.465190328815662e-32,
+    n6: float = 2.0,
+    n7: float = 6.0,
+    n8: float = 0.0625,
+    n9: float = 2.7755575615628914e-17,
+    n10: float = 0.5,
+    n11: float = 0.0,
+    n12: float = 3.0,
+    n13: float = 0.25,
 ) -> None:
     (tracking_index,) = given
     updated_11, updated_12, updated_22 = out
     w0, w1, w2, w3, w4, w5 = work
-    kappa = divide(1.1102230246251565e-16, tracking_index, updated_11)
-    t4 = add(kappa, 1.3877787807814457e-17, w0)
+    kappa = divide(n0, tracking_index, updated_11)
+    t4 = add(kappa, n1, w0)
     rho_scaled = sqrt(t4, updated_12)
-    rho = multiply(rho_scaled, 7.450580596923828e-09, w1)
-    twice_rho = multiply(rho_scaled, 1.4901161193847656e-08, updated_12)
-    t11 = add(twice_rho, 5.551115123125783e-17, w2)
+    rho = multiply(rho_scaled, n2, w1)
+    twice_rho = multiply(rho_scaled, n3, updated_12)
+    t11 = add(twice_rho, n4, w2)
     t12 = square(t11, w2)
     t13 = multiply(tracking_index, t12, w2)
-    t15 = divide(2.465190328815662e-32, t13, updated_22)
+    t15 = divide(n5, t13, updated_22)
     t16 = divide(t15, tracking_index, w2)
     t17 = divide(kappa, twice_rho, w3)
     t18 = multiply(t15, t17, w3)
-    t19 = divide(1.1102230246251565e-16, twice_rho, updated_12)
-    t21 = add(2.0, t19, w4)
-    t23 = add(6.0, t19, w5)
+    t19 = divide(n0, twice_rho, updated_12)
+    t21 = add(n6, t19, w4)
+    t23 = add(n7, t19, w5)
     t24 = multiply(t21, t23, w4)
-    t26 = multiply(t24, 0.0625, w4)
+    t26 = multiply(t24, n8, w4)
     t27 = multiply(t15, t26, updated_22)
     t28 = multiply(t18, t27, w3)
     t29 = multiply(t19, t16, w4)
-    t31 = add(kappa, 2.7755575615628914e-17, w5)
+    t31 = add(kappa, n9, w5)
     t32 = divide(t31, t4, w5)
-    t33 = multiply(t32, 0.5, w5)
+    t33 = multiply(t32, n10, w5)
     t34 = add(t19, t33, updated_12)
     t35 = multiply(t34, t16, updated_12)
     t36 = multiply(t29, t35, w4)
-    t40 = add(kappa, 0.0, w2)
-    t41 = add(rho, 2.7755575615628914e-17, w5)
+    t40 = add(kappa, n11, w2)
+    t41 = add(rho, n9, w5)
     t42 = divide(t40, t41, w2)
-    t43 = multiply(rho, 0.5, w1)
+    t43 = multiply(rho, n10, w1)
     t44 = add(t4, t43, w0)
     t45 = divide(kappa, t44, updated_11)
     t46 = square(t45, w0)
-    t48 = multiply(t42, 3.0, w2)
-    t49 = add(t48, 2.0, w2)
-    t51 = multiply(t49, 0.25, w2)
+    t48 = multiply(t42, n12, w2)
+    t49 = add(t48, n6, w2)
+    t51 = multiply(t49, n13, w2)
     t52 = multiply(t45, t51, w2)
     negative(t36, updated_11)
     negative(t28, updated_12)
@@ -1201,38 +1371,55 @@ def closed_loop_poles(
     return ClosedLoopPoles(*evaluate(_CLOSED_LOOP_POLES, (tracking_index,), out, workers))
 
 
-def _closed_loop_poles_block(given: Arrays, out: Arrays, work: Arrays, single: bool) -> None:
+def _closed_loop_poles_block(
+    given: Arrays,
+    out: Arrays,
+    work: Arrays,
+    single: bool,
+    n0: float = 1.1102230246251565e-16,
+    n1: float = 1.3877787807814457e-17,
+    n2: float = 7.450580596923828e-09,
+    n3: float = 1.4901161193847656e-08,
+    n4: float = 5.551115123125783e-17,
+    n5: float = 2.465190328815662e-32,
+    n6: float = 0.25,
+    n7: float = 2.0,
+    n8: float = 2.7755575615628914e-17,
+    n9: float = 0.5,
+    n10: float = 8.0,
+    n11: float = 0.0,
+) -> None:
     (tracking_index,) = given
     first_real, first_imaginary, second_real, second_imaginary = out
     w0, w1, w2, w3 = work
-    kappa = divide(1.1102230246251565e-16, tracking_index, first_real)
-    t4 = add(kappa, 1.3877787807814457e-17, w0)
+    kappa = divide(n0, tracking_index, first_real)
+    t4 = add(kappa, n1, w0)
     rho_scaled = sqrt(t4, second_real)
-    rho = multiply(rho_scaled, 7.450580596923828e-09, w0)
-    twice_rho = multiply(rho_scaled, 1.4901161193847656e-08, second_real)
-    t11 = add(twice_rho, 5.551115123125783e-17, second_real)
+    rho = multiply(rho_scaled, n2, w0)
+    twice_rho = multiply(rho_scaled, n3, second_real)
+    t11 = add(twice_rho, n4, second_real)
     t12 = square(t11, second_real)
     t13 = multiply(tracking_index, t12, second_real)
-    t15 = divide(2.465190328815662e-32, t13, first_imaginary)
-    t19 = multiply(tracking_index, 0.25, second_real)
-    t20 = subtract(2.0, t19, w1)
+    t15 = divide(n5, t13, first_imaginary)
+    t19 = multiply(tracking_index, n6, second_real)
+    t20 = subtract(n7, t19, w1)
     distance = absolute(t20, w1)
     below = sqrt(distance, second_imaginary)
-    t23 = add(2.0, t19, second_real)
+    t23 = add(n7, t19, second_real)
     above = sqrt(t23, second_real)
-    t26 = add(kappa, 2.7755575615628914e-17, first_real)
+    t26 = add(kappa, n8, first_real)
     t27 = multiply(tracking_index, t26, first_real)
-    t28 = multiply(tracking_index, 0.5, w1)
-    t29 = subtract(2.0, t28, w2)
+    t28 = multiply(tracking_index, n9, w1)
+    t29 = subtract(n7, t28, w2)
     t30 = divide(t29, t27, w2)
-    t31 = add(2.0, t28, w1)
+    t31 = add(n7, t28, w1)
     t32 = multiply(t31, t15, w1)
     t33 = multiply(t30, t32, w2)
-    t34 = multiply(t33, 2.7755575615628914e-17, w2)
+    t34 = multiply(t33, n8, w2)
     t35 = divide(below, rho, second_imaginary)
     t36 = multiply(above, t15, second_real)
     t37 = multiply(t35, t36, second_imaginary)
-    t38 = multiply(t37, 2.7755575615628914e-17, second_imaginary)
+    t38 = multiply(t37, n8, second_imaginary)
     middle_size = absolute(t34, w0)
     t40 = add(middle_size, t38, w0)
     t41 = divide(t15, t40, w1)
@@ -1240,11 +1427,11 @@ def _closed_loop_poles_block(given: Arrays, out: Arrays, work: Arrays, single: b
     t44 = negative(t40, w0)
     t46 = negative(t42, w1)
     t49 = negative(t38, w3)
-    mask = mask_of(less(tracking_index, 8.0), single)
+    mask = mask_of(less(tracking_index, n10), single)
     choose(mask, t34, t44, out=first_real)
     choose(mask, t34, t46, out=second_real)
-    choose(mask, t38, 0.0, out=first_imaginary)
-    choose(mask, t49, 0.0, out=second_imaginary)
+    choose(mask, t38, n11, out=first_imaginary)
+    choose(mask, t49, n11, out=second_imaginary)
 
 
 _CLOSED_LOOP_POLES = Signature(
@@ -1284,17 +1471,25 @@ def index_from_alpha(
     return IndexFromAlpha(*evaluate(_INDEX_FROM_ALPHA, (alpha,), out, workers))
 
 
-def _index_from_alpha_block(given: Arrays, out: Arrays, work: Arrays, _single: bool) -> None:
+def _index_from_alpha_block(
+    given: Arrays,
+    out: Arrays,
+    work: Arrays,
+    _single: bool,
+    n0: float = 1.0,
+    n1: float = 4.0,
+    n2: float = 2.0,
+) -> None:
     (alpha,) = given
     (tracking_index,) = out
     w0, w1, w2 = work
-    t2 = subtract(1.0, alpha, w0)
-    t4 = multiply(t2, 4.0, w1)
+    t2 = subtract(n0, alpha, w0)
+    t4 = multiply(t2, n1, w1)
     alpha_radical = sqrt(t4, tracking_index)
     root_of_rest = sqrt(t2, w0)
     t7 = square(alpha, w1)
-    t9 = multiply(t7, 2.0, w1)
-    t10 = subtract(2.0, alpha, w2)
+    t9 = multiply(t7, n2, w1)
+    t10 = subtract(n2, alpha, w2)
     t11 = add(t10, alpha_radical, w2)
     t12 = divide(t9, t11, w1)
     divide(t12, root_of_rest, tracking_index)
@@ -1337,16 +1532,24 @@ def beta_from_alpha(
     return BetaFromAlpha(*evaluate(_BETA_FROM_ALPHA, (alpha,), out, workers))
 
 
-def _beta_from_alpha_block(given: Arrays, out: Arrays, work: Arrays, _single: bool) -> None:
+def _beta_from_alpha_block(
+    given: Arrays,
+    out: Arrays,
+    work: Arrays,
+    _single: bool,
+    n0: float = 1.0,
+    n1: float = 4.0,
+    n2: float = 2.0,
+) -> None:
     (alpha,) = given
     (beta,) = out
     w0, w1 = work
-    t2 = subtract(1.0, alpha, w0)
-    t4 = multiply(t2, 4.0, w0)
+    t2 = subtract(n0, alpha, w0)
+    t4 = multiply(t2, n1, w0)
     alpha_radical = sqrt(t4, beta)
     t6 = square(alpha, w0)
-    t8 = multiply(t6, 2.0, w0)
-    t9 = subtract(2.0, alpha, w1)
+    t8 = multiply(t6, n2, w0)
+    t9 = subtract(n2, alpha, w1)
     t10 = add(t9, alpha_radical, w1)
     divide(t8, t10, beta)
 
@@ -1388,17 +1591,19 @@ def index_from_beta(
     return IndexFromBeta(*evaluate(_INDEX_FROM_BETA, (beta,), out, workers))
 
 
-def _index_from_beta_block(given: Arrays, out: Arrays, work: Arrays, _single: bool) -> None:
+def _index_from_beta_block(
+    given: Arrays, out: Arrays, work: Arrays, _single: bool, n0: float = 8.0, n1: float = 2.0
+) -> None:
     (beta,) = given
     (tracking_index,) = out
     w0, w1 = work
-    t2 = multiply(beta, 8.0, w0)
+    t2 = multiply(beta, n0, w0)
     beta_radical = sqrt(t2, tracking_index)
-    t5 = subtract(2.0, beta, w0)
+    t5 = subtract(n1, beta, w0)
     t6 = square(t5, w0)
-    t7 = add(2.0, beta, w1)
+    t7 = add(n1, beta, w1)
     t8 = add(t7, beta_radical, w1)
-    t9 = multiply(t8, 2.0, w1)
+    t9 = multiply(t8, n1, w1)
     t10 = divide(t6, t9, w0)
     root_of_rest = sqrt(t10, w0)
     divide(beta, root_of_rest, tracking_index)
@@ -1441,18 +1646,27 @@ def alpha_from_beta(
     return AlphaFromBeta(*evaluate(_ALPHA_FROM_BETA, (beta,), out, workers))
 
 
-def _alpha_from_beta_block(given: Arrays, out: Arrays, work: Arrays, _single: bool) -> None:
+def _alpha_from_beta_block(
+    given: Arrays,
+    out: Arrays,
+    work: Arrays,
+    _single: bool,
+    n0: float = 1.152921504606847e18,
+    n1: float = 8.0,
+    n2: float = 1073741824.0,
+    n3: float = 2147483648.0,
+) -> None:
     (beta,) = given
     (alpha,) = out
     w0, w1 = work
-    t2 = multiply(beta, 1.152921504606847e18, w0)
-    t4 = multiply(t2, 8.0, w1)
+    t2 = multiply(beta, n0, w0)
+    t4 = multiply(t2, n1, w1)
     scaled_beta_radical = sqrt(t4, alpha)
-    t6 = subtract(8.0, beta, w1)
+    t6 = subtract(n1, beta, w1)
     t7 = multiply(t2, t6, w0)
-    t9 = multiply(beta, 1073741824.0, w1)
+    t9 = multiply(beta, n2, w1)
     t10 = add(scaled_beta_radical, t9, alpha)
-    t12 = multiply(t10, 2147483648.0, alpha)
+    t12 = multiply(t10, n3, alpha)
     divide(t7, t12, alpha)
 
 

@@ -147,34 +147,48 @@ def gains(
     return Gains(*evaluate(kernel, (tracking_index,), out, workers))
 
 
-def _gains_block(given: Arrays, out: Arrays, work: Arrays, _single: bool) -> None:
+def _gains_block(
+    given: Arrays,
+    out: Arrays,
+    work: Arrays,
+    _single: bool,
+    n0: float = 1.8014398509481984e16,
+    n1: float = 1.3510798882111488e16,
+    n2: float = 5.404319552844595e16,
+    n3: float = 7.205759403792794e16,
+    n4: float = 2.0,
+    n5: float = 6.0,
+    n6: float = 1.152921504606847e18,
+    n7: float = 4.0,
+    n8: float = 3.725290298461914e-09,
+) -> None:
     (tracking_index,) = given
     alpha, beta = out
     w0, w1, w2, w3, w4 = work
-    t2 = multiply(tracking_index, 1.8014398509481984e16, w0)
-    index_or_switch = minimum(t2, 1.3510798882111488e16, out=w0)
-    t7 = divide(5.404319552844595e16, tracking_index, alpha)
-    four_or_less = minimum(7.205759403792794e16, t7, out=alpha)
+    t2 = multiply(tracking_index, n0, w0)
+    index_or_switch = minimum(t2, n1, out=w0)
+    t7 = divide(n2, tracking_index, alpha)
+    four_or_less = minimum(n3, t7, out=alpha)
     t10 = square(four_or_less, alpha)
     t11 = square(index_or_switch, w1)
     t12 = add(t10, t11, alpha)
     eta_scaled = sqrt(t12, beta)
-    t15 = multiply(eta_scaled, 2.0, w1)
-    t16 = multiply(index_or_switch, 2.0, alpha)
+    t15 = multiply(eta_scaled, n4, w1)
+    t16 = multiply(index_or_switch, n4, alpha)
     t17 = add(t15, t16, alpha)
     t18 = multiply(index_or_switch, t17, alpha)
     ratio_scaled = sqrt(t18, alpha)
-    t21 = multiply(index_or_switch, 6.0, w2)
-    t23 = multiply(index_or_switch, 1.152921504606847e18, w3)
-    t25 = multiply(ratio_scaled, 4.0, w4)
+    t21 = multiply(index_or_switch, n5, w2)
+    t23 = multiply(index_or_switch, n6, w3)
+    t25 = multiply(ratio_scaled, n7, w4)
     t26 = add(t25, t21, w4)
     t27 = add(t15, t26, w1)
     t28 = divide(t23, t27, w3)
     alpha_raised = sqrt(t28, w3)
-    t32 = multiply(index_or_switch, 4.0, w1)
+    t32 = multiply(index_or_switch, n7, w1)
     t33 = add(index_or_switch, ratio_scaled, w0)
     t34 = add(eta_scaled, t33, beta)
-    multiply(alpha_raised, 3.725290298461914e-09, alpha)
+    multiply(alpha_raised, n8, alpha)
     divide(t32, t34, beta)
 
 
@@ -261,28 +275,39 @@ def gain_derivatives(
     return GainDerivatives(*evaluate(_GAIN_DERIVATIVES, (tracking_index,), out, workers))
 
 
-def _gain_derivatives_block(given: Arrays, out: Arrays, work: Arrays, _single: bool) -> None:
+def _gain_derivatives_block(
+    given: Arrays,
+    out: Arrays,
+    work: Arrays,
+    _single: bool,
+    n0: float = 1.9721522630525295e-31,
+    n1: float = 1.232595164407831e-32,
+    n2: float = 1.1102230246251565e-16,
+    n3: float = 1.4901161193847656e-08,
+    n4: float = 4.440892098500626e-16,
+    n5: float = 4.930380657631324e-32,
+) -> None:
     (tracking_index,) = given
     alpha, beta = out
     w0, w1 = work
     p = sqrt(tracking_index, alpha)
-    t3 = divide(1.9721522630525295e-31, tracking_index, beta)
-    t5 = multiply(tracking_index, 1.232595164407831e-32, w0)
+    t3 = divide(n0, tracking_index, beta)
+    t5 = multiply(tracking_index, n1, w0)
     t6 = add(t3, t5, beta)
     h_scaled = sqrt(t6, beta)
     kappa = divide(h_scaled, p, w0)
     half_eta = multiply(p, h_scaled, alpha)
-    t11 = add(kappa, 1.1102230246251565e-16, beta)
+    t11 = add(kappa, n2, beta)
     rho_scaled = sqrt(t11, beta)
-    rho = multiply(rho_scaled, 1.4901161193847656e-08, beta)
-    t15 = add(rho, 1.1102230246251565e-16, w1)
+    rho = multiply(rho_scaled, n3, beta)
+    t15 = add(rho, n2, w1)
     t16 = add(kappa, t15, w0)
     t17 = multiply(tracking_index, t16, w0)
-    t19 = divide(4.440892098500626e-16, t17, w0)
+    t19 = divide(n4, t17, w0)
     t20 = square(t19, w0)
     t21 = divide(t20, half_eta, w0)
-    t24 = divide(4.930380657631324e-32, rho, w1)
-    t25 = add(t24, 4.440892098500626e-16, w1)
+    t24 = divide(n5, rho, w1)
+    t25 = add(t24, n4, w1)
     multiply(t21, rho, alpha)
     multiply(t21, t25, beta)
 
@@ -339,29 +364,41 @@ def gains_with_derivatives(
     return GainsWithDerivatives(*evaluate(_GAINS_WITH_DERIVATIVES, (tracking_index,), out, workers))
 
 
-def _gains_with_derivatives_block(given: Arrays, out: Arrays, work: Arrays, _single: bool) -> None:
+def _gains_with_derivatives_block(
+    given: Arrays,
+    out: Arrays,
+    work: Arrays,
+    _single: bool,
+    n0: float = 9.094947017729282e-13,
+    n1: float = 1.8189894035458565e-12,
+    n2: float = 1.3234889800848443e-23,
+    n3: float = 8.271806125530277e-25,
+    n4: float = 0.5,
+    n5: float = 6.018531076210112e-36,
+    n6: float = 2.0,
+) -> None:
     (tracking_index,) = given
     alpha, beta, d_alpha, d_beta = out
     w0, w1, w2, w3 = work
     p = sqrt(tracking_index, alpha)
-    t3 = multiply(p, 9.094947017729282e-13, w0)
-    t5 = multiply(p, 1.8189894035458565e-12, w1)
-    t7 = divide(1.3234889800848443e-23, tracking_index, w2)
-    t9 = multiply(tracking_index, 8.271806125530277e-25, w3)
+    t3 = multiply(p, n0, w0)
+    t5 = multiply(p, n1, w1)
+    t7 = divide(n2, tracking_index, w2)
+    t9 = multiply(tracking_index, n3, w3)
     t10 = add(t7, t9, w2)
     h_at_once = sqrt(t10, beta)
     t12 = add(t3, h_at_once, w0)
     t13 = multiply(t5, t12, w2)
     twice_ratio = sqrt(t13, d_alpha)
     t15 = add(t12, twice_ratio, w0)
-    t17 = multiply(t15, 0.5, w0)
+    t17 = multiply(t15, n4, w0)
     t18 = multiply(p, t17, w2)
     t19 = square(t18, w2)
     t20 = multiply(p, h_at_once, alpha)
     t21 = multiply(t19, t20, w2)
-    t23 = divide(6.018531076210112e-36, t21, d_beta)
+    t23 = divide(n5, t21, d_beta)
     t24 = divide(t5, twice_ratio, w2)
-    t28 = add(t24, 2.0, w3)
+    t28 = add(t24, n6, w3)
     divide(twice_ratio, t17, alpha)
     divide(t5, t17, beta)
     divide(t23, t24, d_alpha)
@@ -412,30 +449,43 @@ def predictor_gains(
     return PredictorGains(*evaluate(_PREDICTOR_GAINS, (tracking_index,), out, workers))
 
 
-def _predictor_gains_block(given: Arrays, out: Arrays, work: Arrays, _single: bool) -> None:
+def _predictor_gains_block(
+    given: Arrays,
+    out: Arrays,
+    work: Arrays,
+    _single: bool,
+    n0: float = 1.8014398509481984e16,
+    n1: float = 1.3510798882111488e16,
+    n2: float = 5.404319552844595e16,
+    n3: float = 7.205759403792794e16,
+    n4: float = 2.0,
+    n5: float = 1.152921504606847e18,
+    n6: float = 4.0,
+    n7: float = 3.725290298461914e-09,
+) -> None:
     (tracking_index,) = given
     position, velocity = out
     w0, w1, w2 = work
-    t2 = multiply(tracking_index, 1.8014398509481984e16, w0)
-    index_or_switch = minimum(t2, 1.3510798882111488e16, out=w0)
-    t7 = divide(5.404319552844595e16, tracking_index, position)
-    four_or_less = minimum(7.205759403792794e16, t7, out=position)
+    t2 = multiply(tracking_index, n0, w0)
+    index_or_switch = minimum(t2, n1, out=w0)
+    t7 = divide(n2, tracking_index, position)
+    four_or_less = minimum(n3, t7, out=position)
     t10 = square(four_or_less, position)
     t11 = square(index_or_switch, w1)
     t12 = add(t10, t11, position)
     eta_scaled = sqrt(t12, velocity)
-    t15 = multiply(eta_scaled, 2.0, w1)
-    t16 = multiply(index_or_switch, 2.0, position)
+    t15 = multiply(eta_scaled, n4, w1)
+    t16 = multiply(index_or_switch, n4, position)
     t17 = add(t15, t16, w1)
     t18 = multiply(index_or_switch, t17, position)
     ratio_scaled = sqrt(t18, position)
-    t21 = multiply(index_or_switch, 1.152921504606847e18, w2)
+    t21 = multiply(index_or_switch, n5, w2)
     t22 = divide(t21, t17, w2)
     position_raised = sqrt(t22, w2)
-    t27 = multiply(index_or_switch, 4.0, w1)
+    t27 = multiply(index_or_switch, n6, w1)
     t28 = add(index_or_switch, ratio_scaled, w0)
     t29 = add(eta_scaled, t28, velocity)
-    multiply(position_raised, 3.725290298461914e-09, position)
+    multiply(position_raised, n7, position)
     divide(t27, t29, velocity)
 
 
@@ -486,30 +536,39 @@ def predictor_gain_derivatives(
 
 
 def _predictor_gain_derivatives_block(
-    given: Arrays, out: Arrays, work: Arrays, _single: bool
+    given: Arrays,
+    out: Arrays,
+    work: Arrays,
+    _single: bool,
+    n0: float = 1.9721522630525295e-31,
+    n1: float = 1.232595164407831e-32,
+    n2: float = 1.1102230246251565e-16,
+    n3: float = 1.4901161193847656e-08,
+    n4: float = 4.440892098500626e-16,
+    n5: float = 4.930380657631324e-32,
 ) -> None:
     (tracking_index,) = given
     position, velocity = out
     w0, w1 = work
     p = sqrt(tracking_index, velocity)
-    t3 = divide(1.9721522630525295e-31, tracking_index, position)
-    t5 = multiply(tracking_index, 1.232595164407831e-32, w0)
+    t3 = divide(n0, tracking_index, position)
+    t5 = multiply(tracking_index, n1, w0)
     t6 = add(t3, t5, position)
     h_scaled = sqrt(t6, position)
     kappa = divide(h_scaled, p, w0)
     half_eta = multiply(p, h_scaled, velocity)
-    t11 = add(kappa, 1.1102230246251565e-16, position)
+    t11 = add(kappa, n2, position)
     rho_scaled = sqrt(t11, position)
-    rho = multiply(rho_scaled, 1.4901161193847656e-08, position)
-    t15 = add(rho, 1.1102230246251565e-16, w1)
+    rho = multiply(rho_scaled, n3, position)
+    t15 = add(rho, n2, w1)
     t16 = add(kappa, t15, w0)
     t17 = multiply(tracking_index, t16, w0)
-    t19 = divide(4.440892098500626e-16, t17, w0)
+    t19 = divide(n4, t17, w0)
     t20 = square(t19, w0)
     t21 = divide(t20, half_eta, w0)
     t22 = multiply(t21, rho, w1)
-    t24 = divide(4.930380657631324e-32, rho, position)
-    t25 = add(t24, 4.440892098500626e-16, position)
+    t24 = divide(n5, rho, position)
+    t25 = add(t24, n4, position)
     multiply(t21, t25, velocity)
     add(t22, velocity, position)
 
@@ -564,26 +623,37 @@ def predicted_covariance(
     return PredictedCovariance(*evaluate(_PREDICTED_COVARIANCE, (tracking_index,), out, workers))
 
 
-def _predicted_covariance_block(given: Arrays, out: Arrays, work: Arrays, _single: bool) -> None:
+def _predicted_covariance_block(
+    given: Arrays,
+    out: Arrays,
+    work: Arrays,
+    _single: bool,
+    n0: float = 1.9721522630525295e-31,
+    n1: float = 1.232595164407831e-32,
+    n2: float = 1.1102230246251565e-16,
+    n3: float = 1.4901161193847656e-08,
+    n4: float = 4503599627370496.0,
+    n5: float = 2251799813685248.0,
+) -> None:
     (tracking_index,) = given
     predicted_11, predicted_12, predicted_22 = out
     w0, w1 = work
     p = sqrt(tracking_index, predicted_11)
-    t3 = divide(1.9721522630525295e-31, tracking_index, predicted_12)
-    t5 = multiply(tracking_index, 1.232595164407831e-32, w0)
+    t3 = divide(n0, tracking_index, predicted_12)
+    t5 = multiply(tracking_index, n1, w0)
     t6 = add(t3, t5, predicted_12)
     h_scaled = sqrt(t6, predicted_22)
     kappa = divide(h_scaled, p, predicted_22)
-    t10 = add(kappa, 1.1102230246251565e-16, w0)
+    t10 = add(kappa, n2, w0)
     rho_scaled = sqrt(t10, w0)
-    rho = multiply(rho_scaled, 1.4901161193847656e-08, w0)
+    rho = multiply(rho_scaled, n3, w0)
     t14 = multiply(tracking_index, rho, predicted_11)
-    t16 = multiply(t14, 4503599627370496.0, predicted_11)
+    t16 = multiply(t14, n4, predicted_11)
     t17 = multiply(tracking_index, t16, w1)
-    t18 = add(rho, 1.1102230246251565e-16, w0)
+    t18 = add(rho, n2, w0)
     t19 = add(kappa, t18, predicted_22)
     t20 = multiply(tracking_index, t19, predicted_22)
-    t22 = multiply(t20, 2251799813685248.0, predicted_22)
+    t22 = multiply(t20, n5, predicted_22)
     t25 = square(tracking_index, w0)
     multiply(t22, t16, predicted_11)
     multiply(tracking_index, t22, predicted_12)
@@ -642,38 +712,50 @@ def predicted_covariance_derivatives(
 
 
 def _predicted_covariance_derivatives_block(
-    given: Arrays, out: Arrays, work: Arrays, _single: bool
+    given: Arrays,
+    out: Arrays,
+    work: Arrays,
+    _single: bool,
+    n0: float = 1.9721522630525295e-31,
+    n1: float = 1.232595164407831e-32,
+    n2: float = 1.1102230246251565e-16,
+    n3: float = 1.4901161193847656e-08,
+    n4: float = 4503599627370496.0,
+    n5: float = 0.5,
+    n6: float = 2251799813685248.0,
+    n7: float = 1.0,
+    n8: float = 2.0,
 ) -> None:
     (tracking_index,) = given
     predicted_11, predicted_12, predicted_22 = out
     w0, w1, w2 = work
     p = sqrt(tracking_index, predicted_11)
-    t3 = divide(1.9721522630525295e-31, tracking_index, predicted_12)
-    t5 = multiply(tracking_index, 1.232595164407831e-32, w0)
+    t3 = divide(n0, tracking_index, predicted_12)
+    t5 = multiply(tracking_index, n1, w0)
     t6 = add(t3, t5, predicted_12)
     h_scaled = sqrt(t6, predicted_22)
     kappa = divide(h_scaled, p, predicted_22)
-    t10 = add(kappa, 1.1102230246251565e-16, w0)
+    t10 = add(kappa, n2, w0)
     rho_scaled = sqrt(t10, predicted_11)
-    rho = multiply(rho_scaled, 1.4901161193847656e-08, predicted_11)
+    rho = multiply(rho_scaled, n3, predicted_11)
     t14 = divide(t10, rho, predicted_12)
     t15 = divide(t10, kappa, w0)
     t16 = multiply(t14, t15, predicted_12)
-    t18 = multiply(rho, 4503599627370496.0, w1)
-    t20 = multiply(t16, 0.5, predicted_12)
+    t18 = multiply(rho, n4, w1)
+    t20 = multiply(t16, n5, predicted_12)
     t21 = add(t18, t20, w1)
     t22 = multiply(tracking_index, t21, w1)
-    t23 = add(rho, 1.1102230246251565e-16, predicted_12)
+    t23 = add(rho, n2, predicted_12)
     t24 = add(kappa, t23, predicted_22)
     t25 = multiply(tracking_index, t24, predicted_12)
-    t27 = multiply(t25, 2251799813685248.0, predicted_12)
+    t27 = multiply(t25, n6, predicted_12)
     t28 = divide(t24, rho, predicted_22)
-    t29 = multiply(t28, 0.5, predicted_22)
+    t29 = multiply(t28, n5, predicted_22)
     t30 = multiply(t15, t29, predicted_22)
-    t32 = divide(1.1102230246251565e-16, rho, predicted_11)
+    t32 = divide(n2, rho, predicted_11)
     t33 = multiply(t15, t32, w0)
-    t35 = add(1.0, t33, w0)
-    t37 = multiply(tracking_index, 2.0, w2)
+    t35 = add(n7, t33, w0)
+    t37 = multiply(tracking_index, n8, w2)
     multiply(t27, t30, predicted_11)
     multiply(t27, t35, predicted_12)
     add(t22, t37, predicted_22)
@@ -729,26 +811,38 @@ def updated_covariance(
     return UpdatedCovariance(*evaluate(_UPDATED_COVARIANCE, (tracking_index,), out, workers))
 
 
-def _updated_covariance_block(given: Arrays, out: Arrays, work: Arrays, _single: bool) -> None:
+def _updated_covariance_block(
+    given: Arrays,
+    out: Arrays,
+    work: Arrays,
+    _single: bool,
+    n0: float = 1.9721522630525295e-31,
+    n1: float = 1.232595164407831e-32,
+    n2: float = 1.1102230246251565e-16,
+    n3: float = 1.4901161193847656e-08,
+    n4: float = 2.0,
+    n5: float = 4503599627370496.0,
+    n6: float = 2.220446049250313e-16,
+) -> None:
     (tracking_index,) = given
     updated_11, updated_12, updated_22 = out
     w0, w1 = work
     p = sqrt(tracking_index, updated_11)
-    t3 = divide(1.9721522630525295e-31, tracking_index, updated_12)
-    t5 = multiply(tracking_index, 1.232595164407831e-32, w0)
+    t3 = divide(n0, tracking_index, updated_12)
+    t5 = multiply(tracking_index, n1, w0)
     t6 = add(t3, t5, updated_12)
     h_scaled = sqrt(t6, updated_22)
     kappa = divide(h_scaled, p, updated_22)
-    t10 = add(kappa, 1.1102230246251565e-16, w0)
+    t10 = add(kappa, n2, w0)
     rho_scaled = sqrt(t10, w0)
-    rho = multiply(rho_scaled, 1.4901161193847656e-08, w0)
-    t14 = add(rho, 1.1102230246251565e-16, updated_11)
+    rho = multiply(rho_scaled, n3, w0)
+    t14 = add(rho, n2, updated_11)
     t15 = add(kappa, t14, updated_22)
-    t17 = divide(2.0, t15, updated_22)
+    t17 = divide(n4, t15, updated_22)
     t21 = multiply(tracking_index, rho, updated_11)
-    t23 = multiply(t21, 4503599627370496.0, w1)
+    t23 = multiply(t21, n5, w1)
     multiply(t17, rho, updated_11)
-    multiply(t17, 2.220446049250313e-16, updated_12)
+    multiply(t17, n6, updated_12)
     multiply(tracking_index, t23, updated_22)
 
 
@@ -803,34 +897,45 @@ def updated_covariance_derivatives(
 
 
 def _updated_covariance_derivatives_block(
-    given: Arrays, out: Arrays, work: Arrays, _single: bool
+    given: Arrays,
+    out: Arrays,
+    work: Arrays,
+    _single: bool,
+    n0: float = 1.9721522630525295e-31,
+    n1: float = 1.232595164407831e-32,
+    n2: float = 1.1102230246251565e-16,
+    n3: float = 1.4901161193847656e-08,
+    n4: float = 4.440892098500626e-16,
+    n5: float = 4.930380657631324e-32,
+    n6: float = 4503599627370496.0,
+    n7: float = 0.5,
 ) -> None:
     (tracking_index,) = given
     updated_11, updated_12, updated_22 = out
     w0, w1, w2 = work
     p = sqrt(tracking_index, updated_11)
-    t3 = divide(1.9721522630525295e-31, tracking_index, updated_12)
-    t5 = multiply(tracking_index, 1.232595164407831e-32, w0)
+    t3 = divide(n0, tracking_index, updated_12)
+    t5 = multiply(tracking_index, n1, w0)
     t6 = add(t3, t5, updated_12)
     h_scaled = sqrt(t6, updated_22)
     kappa = divide(h_scaled, p, w0)
     half_eta = multiply(p, h_scaled, updated_11)
-    t11 = add(kappa, 1.1102230246251565e-16, updated_12)
+    t11 = add(kappa, n2, updated_12)
     rho_scaled = sqrt(t11, updated_22)
-    rho = multiply(rho_scaled, 1.4901161193847656e-08, updated_22)
-    t15 = add(rho, 1.1102230246251565e-16, w1)
+    rho = multiply(rho_scaled, n3, updated_22)
+    t15 = add(rho, n2, w1)
     t16 = add(kappa, t15, w1)
     t17 = multiply(tracking_index, t16, w1)
-    t19 = divide(4.440892098500626e-16, t17, w1)
+    t19 = divide(n4, t17, w1)
     t20 = square(t19, w1)
     t21 = divide(t20, half_eta, w1)
-    t24 = divide(4.930380657631324e-32, rho, updated_11)
-    t25 = add(t24, 4.440892098500626e-16, w2)
+    t24 = divide(n5, rho, updated_11)
+    t25 = add(t24, n4, w2)
     t27 = divide(t11, rho, updated_11)
     t28 = divide(t11, kappa, updated_12)
     t29 = multiply(t27, t28, updated_11)
-    t31 = multiply(rho, 4503599627370496.0, w0)
-    t33 = multiply(t29, 0.5, updated_11)
+    t31 = multiply(rho, n6, w0)
+    t33 = multiply(t29, n7, updated_11)
     t34 = add(t31, t33, w0)
     multiply(t21, rho, updated_11)
     multiply(t21, t25, updated_12)
@@ -887,51 +992,68 @@ def gain_second_derivatives(
     )
 
 
-def _gain_second_derivatives_block(given: Arrays, out: Arrays, work: Arrays, _single: bool) -> None:
+def _gain_second_derivatives_block(
+    given: Arrays,
+    out: Arrays,
+    work: Arrays,
+    _single: bool,
+    n0: float = 1.9721522630525295e-31,
+    n1: float = 1.232595164407831e-32,
+    n2: float = 1.1102230246251565e-16,
+    n3: float = 1.4901161193847656e-08,
+    n4: float = 2.9802322387695312e-08,
+    n5: float = 4.440892098500626e-16,
+    n6: float = 2.220446049250313e-16,
+    n7: float = 2251799813685248.0,
+    n8: float = 3.0,
+    n9: float = 0.5,
+    n10: float = 1.0,
+    n11: float = 5.551115123125783e-17,
+) -> None:
     (tracking_index,) = given
     alpha, beta = out
     w0, w1, w2, w3, w4, w5, w6 = work
     p = sqrt(tracking_index, alpha)
-    t3 = divide(1.9721522630525295e-31, tracking_index, beta)
-    t5 = multiply(tracking_index, 1.232595164407831e-32, w0)
+    t3 = divide(n0, tracking_index, beta)
+    t5 = multiply(tracking_index, n1, w0)
     t6 = add(t3, t5, beta)
     h_scaled = sqrt(t6, beta)
     kappa = divide(h_scaled, p, w0)
     half_eta = multiply(p, h_scaled, alpha)
-    t11 = add(kappa, 1.1102230246251565e-16, beta)
+    t11 = add(kappa, n2, beta)
     rho_scaled = sqrt(t11, w1)
-    rho = multiply(rho_scaled, 1.4901161193847656e-08, w2)
-    twice_rho = multiply(rho_scaled, 2.9802322387695312e-08, w1)
-    t17 = add(rho, 1.1102230246251565e-16, w3)
+    rho = multiply(rho_scaled, n3, w2)
+    twice_rho = multiply(rho_scaled, n4, w1)
+    t17 = add(rho, n2, w3)
     t18 = add(kappa, t17, w3)
     t19 = multiply(tracking_index, t18, w3)
-    t21 = divide(4.440892098500626e-16, t19, w3)
+    t21 = divide(n5, t19, w3)
     t22 = divide(t21, tracking_index, w4)
-    t24 = multiply(t21, 2.220446049250313e-16, w3)
+    t24 = multiply(t21, n6, w3)
     t25 = divide(t24, half_eta, w3)
-    t26 = divide(2.220446049250313e-16, rho, alpha)
-    t27 = divide(2.220446049250313e-16, kappa, w5)
-    t29 = multiply(twice_rho, 2251799813685248.0, w1)
-    t31 = multiply(t29, 3.0, w1)
+    t26 = divide(n6, rho, alpha)
+    t27 = divide(n6, kappa, w5)
+    t29 = multiply(twice_rho, n7, w1)
+    t31 = multiply(t29, n8, w1)
     t32 = add(t31, t26, w1)
-    t34 = multiply(t32, 0.5, w1)
-    t35 = multiply(t26, 0.5, alpha)
-    t37 = add(1.0, t35, alpha)
-    t38 = multiply(t27, 0.5, w6)
+    t34 = multiply(t32, n9, w1)
+    t35 = multiply(t26, n9, alpha)
+    t37 = add(n10, t35, alpha)
+    t38 = multiply(t27, n9, w6)
     t39 = multiply(t37, t38, alpha)
-    t40 = add(1.0, t39, alpha)
+    t40 = add(n10, t39, alpha)
     t41 = add(t34, t40, w1)
     t42 = multiply(t25, t41, w1)
     t43 = multiply(t25, t42, w3)
     t44 = divide(rho, kappa, w2)
     t45 = multiply(t44, t22, w1)
-    t46 = add(kappa, 2.220446049250313e-16, w6)
+    t46 = add(kappa, n6, w6)
     t47 = divide(t46, kappa, w6)
-    t49 = multiply(t27, 5.551115123125783e-17, w5)
+    t49 = multiply(t27, n11, w5)
     t50 = multiply(t47, t49, w6)
     t51 = add(kappa, t50, w0)
     t52 = divide(t51, t11, w0)
-    t53 = multiply(t52, 0.5, w0)
+    t53 = multiply(t52, n9, w0)
     t54 = add(t44, t53, w2)
     t55 = multiply(t54, t22, w2)
     t56 = multiply(t45, t55, w1)
@@ -988,52 +1110,67 @@ def predictor_gain_second_derivatives(
 
 
 def _predictor_gain_second_derivatives_block(
-    given: Arrays, out: Arrays, work: Arrays, _single: bool
+    given: Arrays,
+    out: Arrays,
+    work: Arrays,
+    _single: bool,
+    n0: float = 1.9721522630525295e-31,
+    n1: float = 1.232595164407831e-32,
+    n2: float = 1.1102230246251565e-16,
+    n3: float = 1.4901161193847656e-08,
+    n4: float = 2.9802322387695312e-08,
+    n5: float = 4.440892098500626e-16,
+    n6: float = 2.220446049250313e-16,
+    n7: float = 2251799813685248.0,
+    n8: float = 3.0,
+    n9: float = 0.5,
+    n10: float = 1.0,
+    n11: float = 5.551115123125783e-17,
 ) -> None:
     (tracking_index,) = given
     position, velocity = out
     w0, w1, w2, w3, w4, w5, w6 = work
     p = sqrt(tracking_index, position)
-    t3 = divide(1.9721522630525295e-31, tracking_index, velocity)
-    t5 = multiply(tracking_index, 1.232595164407831e-32, w0)
+    t3 = divide(n0, tracking_index, velocity)
+    t5 = multiply(tracking_index, n1, w0)
     t6 = add(t3, t5, velocity)
     h_scaled = sqrt(t6, velocity)
     kappa = divide(h_scaled, p, w0)
     half_eta = multiply(p, h_scaled, position)
-    t11 = add(kappa, 1.1102230246251565e-16, velocity)
+    t11 = add(kappa, n2, velocity)
     rho_scaled = sqrt(t11, w1)
-    rho = multiply(rho_scaled, 1.4901161193847656e-08, w2)
-    twice_rho = multiply(rho_scaled, 2.9802322387695312e-08, w1)
-    t17 = add(rho, 1.1102230246251565e-16, w3)
+    rho = multiply(rho_scaled, n3, w2)
+    twice_rho = multiply(rho_scaled, n4, w1)
+    t17 = add(rho, n2, w3)
     t18 = add(kappa, t17, w3)
     t19 = multiply(tracking_index, t18, w3)
-    t21 = divide(4.440892098500626e-16, t19, w3)
+    t21 = divide(n5, t19, w3)
     t22 = divide(t21, tracking_index, w4)
-    t24 = multiply(t21, 2.220446049250313e-16, w3)
+    t24 = multiply(t21, n6, w3)
     t25 = divide(t24, half_eta, w3)
-    t26 = divide(2.220446049250313e-16, rho, position)
-    t27 = divide(2.220446049250313e-16, kappa, w5)
-    t29 = multiply(twice_rho, 2251799813685248.0, w1)
-    t31 = multiply(t29, 3.0, w1)
+    t26 = divide(n6, rho, position)
+    t27 = divide(n6, kappa, w5)
+    t29 = multiply(twice_rho, n7, w1)
+    t31 = multiply(t29, n8, w1)
     t32 = add(t31, t26, w1)
-    t34 = multiply(t32, 0.5, w1)
-    t35 = multiply(t26, 0.5, position)
-    t37 = add(1.0, t35, position)
-    t38 = multiply(t27, 0.5, w6)
+    t34 = multiply(t32, n9, w1)
+    t35 = multiply(t26, n9, position)
+    t37 = add(n10, t35, position)
+    t38 = multiply(t27, n9, w6)
     t39 = multiply(t37, t38, position)
-    t40 = add(1.0, t39, position)
+    t40 = add(n10, t39, position)
     t41 = add(t34, t40, w1)
     t42 = multiply(t25, t41, w1)
     t43 = multiply(t25, t42, w3)
     t44 = divide(rho, kappa, w2)
     t45 = multiply(t44, t22, w1)
-    t46 = add(kappa, 2.220446049250313e-16, w6)
+    t46 = add(kappa, n6, w6)
     t47 = divide(t46, kappa, w6)
-    t49 = multiply(t27, 5.551115123125783e-17, w5)
+    t49 = multiply(t27, n11, w5)
     t50 = multiply(t47, t49, w6)
     t51 = add(kappa, t50, w0)
     t52 = divide(t51, t11, w0)
-    t53 = multiply(t52, 0.5, w0)
+    t53 = multiply(t52, n9, w0)
     t54 = add(t44, t53, w2)
     t55 = multiply(t54, t22, w2)
     t56 = multiply(t45, t55, w1)
@@ -1102,69 +1239,87 @@ def predicted_covariance_second_derivatives(
 
 
 def _predicted_covariance_second_derivatives_block(
-    given: Arrays, out: Arrays, work: Arrays, _single: bool
+    given: Arrays,
+    out: Arrays,
+    work: Arrays,
+    _single: bool,
+    n0: float = 1.9721522630525295e-31,
+    n1: float = 1.232595164407831e-32,
+    n2: float = 1.1102230246251565e-16,
+    n3: float = 1.4901161193847656e-08,
+    n4: float = 2.9802322387695312e-08,
+    n5: float = 2.220446049250313e-16,
+    n6: float = 0.5,
+    n7: float = 1.0,
+    n8: float = 4503599627370496.0,
+    n9: float = 0.25,
+    n10: float = 0.125,
+    n11: float = 2251799813685248.0,
+    n12: float = 5.0,
+    n13: float = 0.75,
+    n14: float = 2.0,
 ) -> None:
     (tracking_index,) = given
     predicted_11, predicted_12, predicted_22 = out
     w0, w1, w2, w3, w4, w5, w6, w7, w8, w9, w10 = work
     p = sqrt(tracking_index, predicted_11)
-    t3 = divide(1.9721522630525295e-31, tracking_index, predicted_12)
-    t5 = multiply(tracking_index, 1.232595164407831e-32, w0)
+    t3 = divide(n0, tracking_index, predicted_12)
+    t5 = multiply(tracking_index, n1, w0)
     t6 = add(t3, t5, predicted_12)
     h_scaled = sqrt(t6, predicted_22)
     kappa = divide(h_scaled, p, w0)
     half_eta = multiply(p, h_scaled, predicted_11)
-    t11 = add(kappa, 1.1102230246251565e-16, predicted_12)
+    t11 = add(kappa, n2, predicted_12)
     rho_scaled = sqrt(t11, predicted_22)
-    rho = multiply(rho_scaled, 1.4901161193847656e-08, w1)
-    twice_rho = multiply(rho_scaled, 2.9802322387695312e-08, predicted_22)
-    t18 = divide(2.220446049250313e-16, rho, w2)
-    t19 = divide(2.220446049250313e-16, kappa, w3)
-    t20 = add(rho, 1.1102230246251565e-16, w4)
+    rho = multiply(rho_scaled, n3, w1)
+    twice_rho = multiply(rho_scaled, n4, predicted_22)
+    t18 = divide(n5, rho, w2)
+    t19 = divide(n5, kappa, w3)
+    t20 = add(rho, n2, w4)
     t21 = add(kappa, t20, w4)
     t22 = divide(t21, kappa, w5)
-    t24 = multiply(t19, 0.5, w6)
-    t26 = add(1.0, t24, w7)
+    t24 = multiply(t19, n6, w6)
+    t26 = add(n7, t24, w7)
     t27 = multiply(t21, t26, w7)
     t28 = multiply(t22, t27, w7)
-    t30 = multiply(t21, 4503599627370496.0, w8)
-    t31 = add(1.0, t19, w9)
+    t30 = multiply(t21, n8, w8)
+    t31 = add(n7, t19, w9)
     t32 = square(t19, w10)
-    t34 = multiply(t32, 0.25, w10)
+    t34 = multiply(t32, n9, w10)
     t35 = multiply(t31, t34, w10)
-    t36 = add(1.0, t35, w10)
+    t36 = add(n7, t35, w10)
     t37 = multiply(t30, t36, w8)
-    t38 = multiply(t28, 0.25, w7)
+    t38 = multiply(t28, n9, w7)
     t39 = multiply(t21, t18, w4)
     t40 = multiply(t39, t37, w4)
-    t42 = multiply(t40, 0.125, w4)
+    t42 = multiply(t40, n10, w4)
     predicted_11_turn = subtract(t38, t42, w7)
     t47 = divide(rho, kappa, w1)
-    t48 = multiply(t47, 0.5, w1)
-    t49 = add(1.0, t48, w1)
-    t50 = divide(1.9721522630525295e-31, half_eta, predicted_11)
+    t48 = multiply(t47, n6, w1)
+    t49 = add(n7, t48, w1)
+    t50 = divide(n0, half_eta, predicted_11)
     t51 = divide(t50, tracking_index, predicted_11)
     t52 = divide(t51, t11, predicted_12)
-    t53 = multiply(t52, 0.5, w4)
+    t53 = multiply(t52, n6, w4)
     t54 = multiply(t53, t31, w4)
     t55 = add(t49, t54, w1)
-    t57 = multiply(twice_rho, 2251799813685248.0, predicted_22)
-    t58 = multiply(t57, 0.25, w4)
+    t57 = multiply(twice_rho, n11, predicted_22)
+    t58 = multiply(t57, n9, w4)
     t59 = multiply(t22, t58, w5)
-    t62 = multiply(t19, 0.25, w3)
-    t64 = add(0.5, t62, w3)
-    t66 = add(5.0, t52, predicted_12)
+    t62 = multiply(t19, n9, w3)
+    t64 = add(n6, t62, w3)
+    t66 = add(n12, t52, predicted_12)
     t67 = multiply(t64, t66, w3)
     t68 = divide(t51, kappa, predicted_11)
     t69 = multiply(t68, t24, predicted_11)
     t70 = add(t67, t69, w3)
-    t72 = multiply(t57, 0.75, predicted_22)
-    t73 = multiply(t70, 0.25, w3)
+    t72 = multiply(t57, n13, predicted_22)
+    t73 = multiply(t70, n9, w3)
     t74 = multiply(t18, t73, w2)
     t75 = add(t72, t74, predicted_22)
-    multiply(predicted_11_turn, 4503599627370496.0, predicted_11)
+    multiply(predicted_11_turn, n8, predicted_11)
     multiply(t59, t55, predicted_12)
-    add(t75, 2.0, predicted_22)
+    add(t75, n14, predicted_22)
 
 
 _PREDICTED_COVARIANCE_SECOND_DERIVATIVES = Signature(
@@ -1220,67 +1375,85 @@ def updated_covariance_second_derivatives(
 
 
 def _updated_covariance_second_derivatives_block(
-    given: Arrays, out: Arrays, work: Arrays, _single: bool
+    given: Arrays,
+    out: Arrays,
+    work: Arrays,
+    _single: bool,
+    n0: float = 1.9721522630525295e-31,
+    n1: float = 1.232595164407831e-32,
+    n2: float = 1.1102230246251565e-16,
+    n3: float = 1.4901161193847656e-08,
+    n4: float = 2.9802322387695312e-08,
+    n5: float = 4.440892098500626e-16,
+    n6: float = 2.220446049250313e-16,
+    n7: float = 2251799813685248.0,
+    n8: float = 3.0,
+    n9: float = 0.5,
+    n10: float = 1.0,
+    n11: float = 5.551115123125783e-17,
+    n12: float = 0.25,
+    n13: float = 5.0,
+    n14: float = 0.75,
 ) -> None:
     (tracking_index,) = given
     updated_11, updated_12, updated_22 = out
     w0, w1, w2, w3, w4, w5, w6, w7, w8, w9 = work
     p = sqrt(tracking_index, updated_11)
-    t3 = divide(1.9721522630525295e-31, tracking_index, updated_12)
-    t5 = multiply(tracking_index, 1.232595164407831e-32, w0)
+    t3 = divide(n0, tracking_index, updated_12)
+    t5 = multiply(tracking_index, n1, w0)
     t6 = add(t3, t5, updated_12)
     h_scaled = sqrt(t6, updated_22)
     kappa = divide(h_scaled, p, w0)
     half_eta = multiply(p, h_scaled, updated_11)
-    t11 = add(kappa, 1.1102230246251565e-16, updated_12)
+    t11 = add(kappa, n2, updated_12)
     rho_scaled = sqrt(t11, updated_22)
-    rho = multiply(rho_scaled, 1.4901161193847656e-08, w1)
-    twice_rho = multiply(rho_scaled, 2.9802322387695312e-08, updated_22)
-    t17 = add(rho, 1.1102230246251565e-16, w2)
+    rho = multiply(rho_scaled, n3, w1)
+    twice_rho = multiply(rho_scaled, n4, updated_22)
+    t17 = add(rho, n2, w2)
     t18 = add(kappa, t17, w2)
     t19 = multiply(tracking_index, t18, w2)
-    t21 = divide(4.440892098500626e-16, t19, w2)
+    t21 = divide(n5, t19, w2)
     t22 = divide(t21, tracking_index, w3)
-    t24 = multiply(t21, 2.220446049250313e-16, w2)
+    t24 = multiply(t21, n6, w2)
     t25 = divide(t24, half_eta, w2)
-    t26 = divide(2.220446049250313e-16, rho, w4)
-    t27 = divide(2.220446049250313e-16, kappa, w5)
-    t29 = multiply(twice_rho, 2251799813685248.0, updated_22)
-    t31 = multiply(t29, 3.0, w6)
+    t26 = divide(n6, rho, w4)
+    t27 = divide(n6, kappa, w5)
+    t29 = multiply(twice_rho, n7, updated_22)
+    t31 = multiply(t29, n8, w6)
     t32 = add(t31, t26, w6)
-    t34 = multiply(t32, 0.5, w6)
-    t35 = multiply(t26, 0.5, w7)
-    t37 = add(1.0, t35, w7)
-    t38 = multiply(t27, 0.5, w8)
+    t34 = multiply(t32, n9, w6)
+    t35 = multiply(t26, n9, w7)
+    t37 = add(n10, t35, w7)
+    t38 = multiply(t27, n9, w8)
     t39 = multiply(t37, t38, w7)
-    t40 = add(1.0, t39, w7)
+    t40 = add(n10, t39, w7)
     t41 = add(t34, t40, w6)
     t42 = multiply(t25, t41, w6)
     t43 = multiply(t25, t42, w2)
     t44 = divide(rho, kappa, w1)
     t45 = multiply(t44, t22, w6)
-    t46 = add(kappa, 2.220446049250313e-16, w7)
+    t46 = add(kappa, n6, w7)
     t47 = divide(t46, kappa, w7)
-    t49 = multiply(t27, 5.551115123125783e-17, w9)
+    t49 = multiply(t27, n11, w9)
     t50 = multiply(t47, t49, w7)
     t51 = add(kappa, t50, w7)
     t52 = divide(t51, t11, w7)
-    t53 = multiply(t52, 0.5, w7)
+    t53 = multiply(t52, n9, w7)
     t54 = add(t44, t53, w1)
     t55 = multiply(t54, t22, w1)
     t56 = multiply(t45, t55, w6)
-    t59 = divide(1.9721522630525295e-31, half_eta, updated_11)
+    t59 = divide(n0, half_eta, updated_11)
     t60 = divide(t59, tracking_index, updated_11)
     t61 = divide(t60, t11, updated_12)
-    t63 = multiply(t27, 0.25, w5)
-    t65 = add(0.5, t63, w5)
-    t67 = add(5.0, t61, updated_12)
+    t63 = multiply(t27, n12, w5)
+    t65 = add(n9, t63, w5)
+    t67 = add(n13, t61, updated_12)
     t68 = multiply(t65, t67, w5)
     t69 = divide(t60, kappa, updated_11)
     t70 = multiply(t69, t38, updated_11)
     t71 = add(t68, t70, w5)
-    t73 = multiply(t29, 0.75, updated_22)
-    t75 = multiply(t71, 0.25, w5)
+    t73 = multiply(t29, n14, updated_22)
+    t75 = multiply(t71, n12, w5)
     t76 = multiply(t26, t75, w4)
     negative(t56, updated_11)
     negative(t43, updated_12)
@@ -1338,27 +1511,39 @@ def closed_loop_poles(
     return ClosedLoopPoles(*evaluate(_CLOSED_LOOP_POLES, (tracking_index,), out, workers))
 
 
-def _closed_loop_poles_block(given: Arrays, out: Arrays, work: Arrays, _single: bool) -> None:
+def _closed_loop_poles_block(
+    given: Arrays,
+    out: Arrays,
+    work: Arrays,
+    _single: bool,
+    n0: float = 1.9721522630525295e-31,
+    n1: float = 1.232595164407831e-32,
+    n2: float = 1.1102230246251565e-16,
+    n3: float = 1.4901161193847656e-08,
+    n4: float = 4.440892098500626e-16,
+    n5: float = 2251799813685248.0,
+    n6: float = 2.220446049250313e-16,
+) -> None:
     (tracking_index,) = given
     first_real, first_imaginary, second_real, second_imaginary = out
     (w0,) = work
     p = sqrt(tracking_index, first_imaginary)
-    t3 = divide(1.9721522630525295e-31, tracking_index, first_real)
-    t5 = multiply(tracking_index, 1.232595164407831e-32, w0)
+    t3 = divide(n0, tracking_index, first_real)
+    t5 = multiply(tracking_index, n1, w0)
     t6 = add(t3, t5, first_real)
     h_scaled = sqrt(t6, second_imaginary)
     kappa = divide(h_scaled, p, second_imaginary)
-    t10 = add(kappa, 1.1102230246251565e-16, w0)
+    t10 = add(kappa, n2, w0)
     rho_scaled = sqrt(t10, first_real)
-    rho = multiply(rho_scaled, 1.4901161193847656e-08, first_real)
-    t14 = add(rho, 1.1102230246251565e-16, first_imaginary)
+    rho = multiply(rho_scaled, n3, first_real)
+    t14 = add(rho, n2, first_imaginary)
     t15 = add(kappa, t14, second_imaginary)
     t16 = multiply(tracking_index, t15, second_imaginary)
-    t18 = divide(4.440892098500626e-16, t16, second_imaginary)
+    t18 = divide(n4, t16, second_imaginary)
     t19 = multiply(tracking_index, t10, w0)
-    t21 = multiply(t19, 2251799813685248.0, w0)
+    t21 = multiply(t19, n5, w0)
     t23 = divide(t18, rho, first_real)
-    multiply(t23, 2.220446049250313e-16, first_imaginary)
+    multiply(t23, n6, first_imaginary)
     divide(t18, t21, first_real)
     negative(first_imaginary, second_imaginary)
     copyto(second_real, first_real)
@@ -1401,18 +1586,26 @@ def index_from_alpha(
     return IndexFromAlpha(*evaluate(_INDEX_FROM_ALPHA, (alpha,), out, workers))
 
 
-def _index_from_alpha_block(given: Arrays, out: Arrays, work: Arrays, _single: bool) -> None:
+def _index_from_alpha_block(
+    given: Arrays,
+    out: Arrays,
+    work: Arrays,
+    _single: bool,
+    n0: float = 1.0,
+    n1: float = 4.0,
+    n2: float = 2.0,
+) -> None:
     (alpha,) = given
     (tracking_index,) = out
     w0, w1, w2 = work
-    t2 = subtract(1.0, alpha, w0)
-    t4 = multiply(t2, 4.0, w1)
+    t2 = subtract(n0, alpha, w0)
+    t4 = multiply(t2, n1, w1)
     t5 = square(alpha, w2)
     t6 = add(t4, t5, w1)
     alpha_radical = sqrt(t6, tracking_index)
     root_of_rest = sqrt(t2, w0)
-    t10 = multiply(t5, 2.0, w2)
-    t11 = subtract(2.0, alpha, w1)
+    t10 = multiply(t5, n2, w2)
+    t11 = subtract(n2, alpha, w1)
     t12 = add(t11, alpha_radical, w1)
     t13 = divide(t10, t12, w2)
     divide(t13, root_of_rest, tracking_index)
@@ -1455,17 +1648,25 @@ def beta_from_alpha(
     return BetaFromAlpha(*evaluate(_BETA_FROM_ALPHA, (alpha,), out, workers))
 
 
-def _beta_from_alpha_block(given: Arrays, out: Arrays, work: Arrays, _single: bool) -> None:
+def _beta_from_alpha_block(
+    given: Arrays,
+    out: Arrays,
+    work: Arrays,
+    _single: bool,
+    n0: float = 1.0,
+    n1: float = 4.0,
+    n2: float = 2.0,
+) -> None:
     (alpha,) = given
     (beta,) = out
     w0, w1 = work
-    t2 = subtract(1.0, alpha, w0)
-    t4 = multiply(t2, 4.0, w0)
+    t2 = subtract(n0, alpha, w0)
+    t4 = multiply(t2, n1, w0)
     t5 = square(alpha, w1)
     t6 = add(t4, t5, w0)
     alpha_radical = sqrt(t6, beta)
-    t9 = multiply(t5, 2.0, w1)
-    t10 = subtract(2.0, alpha, w0)
+    t9 = multiply(t5, n2, w1)
+    t10 = subtract(n2, alpha, w0)
     t11 = add(t10, alpha_radical, w0)
     divide(t9, t11, beta)
 
@@ -1507,18 +1708,27 @@ def index_from_beta(
     return IndexFromBeta(*evaluate(_INDEX_FROM_BETA, (beta,), out, workers))
 
 
-def _index_from_beta_block(given: Arrays, out: Arrays, work: Arrays, _single: bool) -> None:
+def _index_from_beta_block(
+    given: Arrays,
+    out: Arrays,
+    work: Arrays,
+    _single: bool,
+    n0: float = 8.0,
+    n1: float = 1.0,
+    n2: float = 4.0,
+    n3: float = 2.0,
+) -> None:
     (beta,) = given
     (tracking_index,) = out
     w0, w1 = work
-    t2 = add(8.0, beta, w0)
+    t2 = add(n0, beta, w0)
     t3 = multiply(beta, t2, w0)
     beta_radical = sqrt(t3, tracking_index)
-    t6 = subtract(1.0, beta, w0)
-    t8 = multiply(t6, 4.0, w0)
-    t10 = add(2.0, beta, w1)
+    t6 = subtract(n1, beta, w0)
+    t8 = multiply(t6, n2, w0)
+    t10 = add(n3, beta, w1)
     t11 = add(t10, beta_radical, w1)
-    t12 = multiply(t11, 2.0, w1)
+    t12 = multiply(t11, n3, w1)
     t13 = divide(t8, t12, w0)
     root_of_rest = sqrt(t13, w0)
     divide(beta, root_of_rest, tracking_index)
@@ -1561,18 +1771,27 @@ def alpha_from_beta(
     return AlphaFromBeta(*evaluate(_ALPHA_FROM_BETA, (beta,), out, workers))
 
 
-def _alpha_from_beta_block(given: Arrays, out: Arrays, work: Arrays, _single: bool) -> None:
+def _alpha_from_beta_block(
+    given: Arrays,
+    out: Arrays,
+    work: Arrays,
+    _single: bool,
+    n0: float = 1.152921504606847e18,
+    n1: float = 8.0,
+    n2: float = 1073741824.0,
+    n3: float = 2147483648.0,
+) -> None:
     (beta,) = given
     (alpha,) = out
     w0, w1 = work
-    t2 = multiply(beta, 1.152921504606847e18, w0)
-    t4 = add(8.0, beta, w1)
+    t2 = multiply(beta, n0, w0)
+    t4 = add(n1, beta, w1)
     t5 = multiply(t2, t4, w1)
     scaled_beta_radical = sqrt(t5, alpha)
-    t7 = multiply(t2, 8.0, w0)
-    t9 = multiply(beta, 1073741824.0, w1)
+    t7 = multiply(t2, n1, w0)
+    t9 = multiply(beta, n2, w1)
     t10 = add(scaled_beta_radical, t9, alpha)
-    t12 = multiply(t10, 2147483648.0, alpha)
+    t12 = multiply(t10, n3, alpha)
     divide(t7, t12, alpha)
 
 

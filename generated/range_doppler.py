@@ -1627,7 +1627,9 @@ def range_rate_hessian(
     )
 
 
-def _range_rate_hessian_block(given: Arrays, out: Arrays, work: Arrays, _single: bool) -> None:
+def _range_rate_hessian_block(
+    given: Arrays, out: Arrays, work: Arrays, _single: bool, n0: float = 2.0
+) -> None:
     (
         target_x,
         target_y,
@@ -1694,7 +1696,7 @@ def _range_rate_hessian_block(given: Arrays, out: Arrays, work: Arrays, _single:
     t52 = negative(t51, w8)
     t53 = add(t49, t42, w7)
     t54 = multiply(t24, turning_x, w1)
-    t56 = multiply(t54, 2.0, w1)
+    t56 = multiply(t54, n0, w1)
     t57 = multiply(t41, t44, w3)
     t58 = add(t56, t57, w1)
     t59 = negative(t58, w1)
@@ -1711,7 +1713,7 @@ def _range_rate_hessian_block(given: Arrays, out: Arrays, work: Arrays, _single:
     t72 = add(t70, t71, range_rate_D_xx)
     t73 = negative(t72, w4)
     t75 = multiply(t25, turning_y, w6)
-    t76 = multiply(t75, 2.0, w6)
+    t76 = multiply(t75, n0, w6)
     t77 = multiply(t41, t50, w2)
     t78 = add(t76, t77, w6)
     t79 = negative(t78, w6)
@@ -1722,7 +1724,7 @@ def _range_rate_hessian_block(given: Arrays, out: Arrays, work: Arrays, _single:
     t85 = add(t83, t84, range_rate_D_xy)
     t86 = negative(t85, w2)
     t88 = multiply(t26, turning_z, range_rate_D_xz)
-    t89 = multiply(t88, 2.0, range_rate_D_xz)
+    t89 = multiply(t88, n0, range_rate_D_xz)
     t90 = multiply(t41, t53, w0)
     t91 = add(t89, t90, range_rate_D_xz)
     t92 = negative(t91, w0)
@@ -1934,7 +1936,9 @@ def doppler_shift(
     )
 
 
-def _doppler_shift_block(given: Arrays, out: Arrays, work: Arrays, _single: bool) -> None:
+def _doppler_shift_block(
+    given: Arrays, out: Arrays, work: Arrays, _single: bool, n0: float = 299792458.0
+) -> None:
     (
         target_x,
         target_y,
@@ -1975,7 +1979,7 @@ def _doppler_shift_block(given: Arrays, out: Arrays, work: Arrays, _single: bool
     t24 = divide(place_x, slant_range, doppler_shift_D_velocity_x)
     t25 = divide(place_y, slant_range, doppler_shift_D_velocity_y)
     t26 = divide(place_z, slant_range, doppler_shift_D_velocity_z)
-    t29 = divide(carrier_frequency, 299792458.0, doppler_shift_D_x)
+    t29 = divide(carrier_frequency, n0, doppler_shift_D_x)
     t30 = negative(t29, w0)
     t31 = multiply(t24, velocity_x, w1)
     t32 = multiply(t25, velocity_y, w2)
@@ -3005,7 +3009,7 @@ def range_rate_hessian_in_plane(
 
 
 def _range_rate_hessian_in_plane_block(
-    given: Arrays, out: Arrays, work: Arrays, _single: bool
+    given: Arrays, out: Arrays, work: Arrays, _single: bool, n0: float = 2.0
 ) -> None:
     (
         target_x,
@@ -3044,7 +3048,7 @@ def _range_rate_hessian_in_plane_block(
     t30 = negative(t29, w4)
     t31 = square(t16, w5)
     t32 = multiply(t16, turning_x, w6)
-    t34 = multiply(t32, 2.0, w6)
+    t34 = multiply(t32, n0, w6)
     t35 = multiply(t27, t28, w1)
     t36 = add(t34, t35, w6)
     t37 = negative(t36, w6)
@@ -3055,7 +3059,7 @@ def _range_rate_hessian_in_plane_block(
     t43 = add(t41, t42, range_rate_D_xx)
     t44 = negative(t43, w1)
     t46 = multiply(t17, turning_y, range_rate_D_xy)
-    t47 = multiply(t46, 2.0, range_rate_D_xy)
+    t47 = multiply(t46, n0, range_rate_D_xy)
     t48 = multiply(t27, t31, w0)
     t49 = add(t47, t48, range_rate_D_xy)
     t50 = negative(t49, w0)
@@ -3221,7 +3225,9 @@ def doppler_shift_in_plane(
     )
 
 
-def _doppler_shift_in_plane_block(given: Arrays, out: Arrays, work: Arrays, _single: bool) -> None:
+def _doppler_shift_in_plane_block(
+    given: Arrays, out: Arrays, work: Arrays, _single: bool, n0: float = 299792458.0
+) -> None:
     (
         target_x,
         target_y,
@@ -3251,7 +3257,7 @@ def _doppler_shift_in_plane_block(given: Arrays, out: Arrays, work: Arrays, _sin
     slant_range = sqrt(t14, doppler_shift)
     t16 = divide(place_x, slant_range, doppler_shift_D_velocity_x)
     t17 = divide(place_y, slant_range, doppler_shift_D_velocity_y)
-    t20 = divide(carrier_frequency, 299792458.0, doppler_shift_D_x)
+    t20 = divide(carrier_frequency, n0, doppler_shift_D_x)
     t21 = negative(t20, w0)
     t22 = multiply(t16, velocity_x, w1)
     t23 = multiply(t17, velocity_y, w4)

@@ -595,13 +595,28 @@ def start_acceleration_increments(
 
 
 def _start_acceleration_increments_block(
-    given: Arrays, out: Arrays, work: Arrays, _single: bool
+    given: Arrays,
+    out: Arrays,
+    work: Arrays,
+    _single: bool,
+    n0: float = 2.0,
+    n1: float = 8.0,
+    n2: float = 12.0,
+    n3: float = 20.0,
+    n4: float = 16.0,
+    n5: float = 40.0,
+    n6: float = 32.0,
+    n7: float = 48.0,
+    n8: float = 4.0,
+    n9: float = 24.0,
+    n10: float = 0.25,
+    n11: float = 0.5,
 ) -> None:
     first_interval, interval, strength, measurement_variance = given
     diagonal_1, diagonal_2, diagonal_3, first_shear, second_shear, third_shear = out
     w0, w1, w2, w3, w4, w5, w6, w7, w8, w9, w10 = work
     t4 = square(first_interval, w0)
-    t6 = multiply(first_interval, 2.0, w1)
+    t6 = multiply(first_interval, n0, w1)
     t7 = multiply(first_interval, t6, w1)
     t8 = multiply(first_interval, t7, w1)
     t9 = multiply(interval, t4, w2)
@@ -611,8 +626,8 @@ def _start_acceleration_increments_block(
     t13 = add(t12, t11, w3)
     t14 = multiply(interval, t13, w3)
     t15 = multiply(interval, t14, w3)
-    t17 = multiply(first_interval, 8.0, w1)
-    t18 = multiply(interval, 8.0, w4)
+    t17 = multiply(first_interval, n1, w1)
+    t18 = multiply(interval, n1, w4)
     t19 = add(t18, t17, w5)
     t20 = multiply(first_interval, t17, w1)
     t21 = multiply(interval, t19, w5)
@@ -625,9 +640,9 @@ def _start_acceleration_increments_block(
     t28 = multiply(interval, t27, w6)
     t29 = multiply(interval, t28, w6)
     t30 = multiply(interval, t29, w7)
-    t32 = multiply(first_interval, 12.0, w8)
+    t32 = multiply(first_interval, n2, w8)
     t33 = add(t18, t32, w8)
-    t35 = multiply(first_interval, 20.0, w9)
+    t35 = multiply(first_interval, n3, w9)
     t36 = multiply(first_interval, t35, w9)
     t37 = multiply(interval, t33, w8)
     t38 = add(t37, t36, w8)
@@ -641,13 +656,13 @@ def _start_acceleration_increments_block(
     t46 = multiply(interval, t45, w2)
     t47 = multiply(measurement_variance, t46, w2)
     t48 = multiply(interval, t30, w7)
-    t50 = multiply(first_interval, 16.0, w0)
+    t50 = multiply(first_interval, n4, w0)
     t51 = add(t18, t50, w4)
-    t53 = multiply(first_interval, 40.0, w8)
+    t53 = multiply(first_interval, n5, w8)
     t54 = multiply(first_interval, t53, w8)
     t55 = multiply(interval, t51, w4)
     t56 = add(t55, t54, w8)
-    t58 = multiply(first_interval, 32.0, w10)
+    t58 = multiply(first_interval, n6, w10)
     t59 = multiply(first_interval, t58, w10)
     t60 = multiply(first_interval, t59, w10)
     t61 = multiply(interval, t56, w8)
@@ -660,12 +675,12 @@ def _start_acceleration_increments_block(
     t68 = multiply(measurement_variance, t67, w8)
     t69 = multiply(strength, t48, w10)
     t70 = add(t69, t68, w10)
-    t72 = multiply(measurement_variance, 48.0, w8)
+    t72 = multiply(measurement_variance, n7, w8)
     t73 = multiply(measurement_variance, t72, w8)
     t74 = multiply(strength, t70, w10)
     t75 = add(t74, t73, w10)
     t76 = multiply(measurement_variance, t29, w6)
-    t78 = multiply(first_interval, 4.0, w8)
+    t78 = multiply(first_interval, n8, w8)
     t79 = multiply(first_interval, t78, w8)
     t80 = add(t21, t79, w5)
     t81 = multiply(measurement_variance, t80, w5)
@@ -673,7 +688,7 @@ def _start_acceleration_increments_block(
     t83 = multiply(strength, t76, w6)
     t84 = add(t83, t82, w6)
     t85 = multiply(measurement_variance, t48, w7)
-    t87 = multiply(first_interval, 24.0, w5)
+    t87 = multiply(first_interval, n9, w5)
     t88 = multiply(first_interval, t87, w5)
     t89 = add(t55, t88, w4)
     t90 = multiply(interval, t89, w4)
@@ -685,7 +700,7 @@ def _start_acceleration_increments_block(
     t96 = multiply(measurement_variance, t95, w4)
     t97 = multiply(strength, t85, w7)
     t98 = add(t97, t96, w7)
-    t99 = multiply(measurement_variance, 16.0, w4)
+    t99 = multiply(measurement_variance, n4, w4)
     t100 = multiply(measurement_variance, t99, w4)
     t101 = multiply(measurement_variance, t100, w4)
     t102 = multiply(strength, t98, w7)
@@ -698,14 +713,14 @@ def _start_acceleration_increments_block(
     divide(t103, t75, diagonal_1)
     divide(t25, t110, diagonal_3)
     t108 = divide(t75, t25, diagonal_2)
-    multiply(t108, 0.25, diagonal_2)
+    multiply(t108, n10, diagonal_2)
     t112 = divide(t47, t44, first_shear)
-    multiply(t112, 4.0, first_shear)
+    multiply(t112, n8, first_shear)
     t114 = divide(t44, t25, second_shear)
-    multiply(t114, 0.5, second_shear)
+    multiply(t114, n11, second_shear)
     t116 = divide(t25, t75, third_shear)
     t118 = multiply(t116, t117, third_shear)
-    multiply(t118, 4.0, third_shear)
+    multiply(t118, n8, third_shear)
 
 
 _START_ACCELERATION_INCREMENTS = Signature(
@@ -798,7 +813,17 @@ def start_wiener_acceleration(
 
 
 def _start_wiener_acceleration_block(
-    given: Arrays, out: Arrays, work: Arrays, _single: bool
+    given: Arrays,
+    out: Arrays,
+    work: Arrays,
+    _single: bool,
+    n0: float = 8.0,
+    n1: float = 12.0,
+    n2: float = 20.0,
+    n3: float = 6.0,
+    n4: float = 4.0,
+    n5: float = 0.5,
+    n6: float = 2.0,
 ) -> None:
     first_interval, interval, strength, measurement_variance = given
     diagonal_1, diagonal_2, diagonal_3, first_shear, second_shear, third_shear = out
@@ -808,8 +833,8 @@ def _start_wiener_acceleration_block(
     t6 = multiply(first_interval, t5, w2)
     t7 = multiply(interval, t6, w3)
     t8 = multiply(interval, t7, w3)
-    t10 = multiply(first_interval, 8.0, w4)
-    t11 = multiply(interval, 8.0, w5)
+    t10 = multiply(first_interval, n0, w4)
+    t11 = multiply(interval, n0, w5)
     t12 = add(t11, t10, w6)
     t13 = multiply(first_interval, t10, w4)
     t14 = multiply(interval, t12, w6)
@@ -818,9 +843,9 @@ def _start_wiener_acceleration_block(
     t17 = multiply(strength, t8, w8)
     t18 = add(t17, t16, w8)
     t19 = multiply(interval, t8, w7)
-    t21 = multiply(first_interval, 12.0, w9)
+    t21 = multiply(first_interval, n1, w9)
     t22 = add(t11, t21, w5)
-    t24 = multiply(first_interval, 20.0, w9)
+    t24 = multiply(first_interval, n2, w9)
     t25 = multiply(first_interval, t24, w9)
     t26 = multiply(interval, t22, w5)
     t27 = add(t26, t25, w5)
@@ -835,12 +860,12 @@ def _start_wiener_acceleration_block(
     t36 = multiply(interval, t35, w0)
     t37 = multiply(measurement_variance, t36, w0)
     t38 = multiply(measurement_variance, t6, w2)
-    t40 = multiply(measurement_variance, 6.0, w1)
+    t40 = multiply(measurement_variance, n3, w1)
     t41 = multiply(measurement_variance, t40, w1)
     t42 = multiply(strength, t38, w4)
     t43 = add(t42, t41, w4)
     t44 = multiply(measurement_variance, t8, w3)
-    t46 = multiply(first_interval, 4.0, w1)
+    t46 = multiply(first_interval, n4, w1)
     t47 = multiply(first_interval, t46, w1)
     t48 = add(t14, t47, w6)
     t49 = multiply(measurement_variance, t48, w6)
@@ -848,7 +873,7 @@ def _start_wiener_acceleration_block(
     t51 = multiply(strength, t44, w3)
     t52 = add(t51, t50, w3)
     t53 = multiply(measurement_variance, t38, w2)
-    t54 = multiply(measurement_variance, 4.0, w1)
+    t54 = multiply(measurement_variance, n4, w1)
     t55 = multiply(measurement_variance, t54, w1)
     t56 = multiply(measurement_variance, t55, w1)
     t57 = multiply(strength, t53, w2)
@@ -864,12 +889,12 @@ def _start_wiener_acceleration_block(
     t73 = divide(t18, t43, diagonal_3)
     t74 = divide(t52, t33, third_shear)
     t75 = multiply(t73, t74, third_shear)
-    multiply(t62, 0.5, diagonal_1)
-    multiply(t65, 2.0, diagonal_2)
+    multiply(t62, n5, diagonal_1)
+    multiply(t65, n6, diagonal_2)
     divide(t18, t67, diagonal_3)
-    multiply(t69, 4.0, first_shear)
-    multiply(t71, 0.5, second_shear)
-    multiply(t75, 0.5, third_shear)
+    multiply(t69, n4, first_shear)
+    multiply(t71, n5, second_shear)
+    multiply(t75, n5, third_shear)
 
 
 _START_WIENER_ACCELERATION = Signature(
@@ -961,18 +986,42 @@ def start_random_jerk(
     )
 
 
-def _start_random_jerk_block(given: Arrays, out: Arrays, work: Arrays, _single: bool) -> None:
+def _start_random_jerk_block(
+    given: Arrays,
+    out: Arrays,
+    work: Arrays,
+    _single: bool,
+    n0: float = 4.0,
+    n1: float = 12.0,
+    n2: float = 9.0,
+    n3: float = 72.0,
+    n4: float = 2.0,
+    n5: float = 7.0,
+    n6: float = 6.0,
+    n7: float = 108.0,
+    n8: float = 180.0,
+    n9: float = 216.0,
+    n10: float = 864.0,
+    n11: float = 1296.0,
+    n12: float = 648.0,
+    n13: float = 3888.0,
+    n14: float = 3.0,
+    n15: float = 36.0,
+    n16: float = 540.0,
+    n17: float = 324.0,
+    n18: float = 0.5,
+) -> None:
     first_interval, interval, strength, measurement_variance = given
     diagonal_1, diagonal_2, diagonal_3, first_shear, second_shear, third_shear = out
     w0, w1, w2, w3, w4, w5, w6, w7, w8, w9, w10, w11, w12 = work
-    t5 = multiply(first_interval, 4.0, w0)
+    t5 = multiply(first_interval, n0, w0)
     t6 = multiply(first_interval, t5, w0)
-    t8 = multiply(first_interval, 12.0, w1)
+    t8 = multiply(first_interval, n1, w1)
     t9 = multiply(first_interval, t8, w1)
     t10 = multiply(first_interval, t9, w1)
     t11 = multiply(interval, t6, w0)
     t12 = add(t11, t10, w0)
-    t14 = multiply(first_interval, 9.0, w1)
+    t14 = multiply(first_interval, n2, w1)
     t15 = multiply(first_interval, t14, w1)
     t16 = multiply(first_interval, t15, w1)
     t17 = multiply(first_interval, t16, w2)
@@ -988,8 +1037,8 @@ def _start_random_jerk_block(given: Arrays, out: Arrays, work: Arrays, _single: 
     t27 = add(t26, t25, w0)
     t28 = multiply(interval, t27, w0)
     t29 = multiply(interval, t28, w0)
-    t31 = multiply(first_interval, 72.0, w5)
-    t32 = multiply(interval, 72.0, w6)
+    t31 = multiply(first_interval, n3, w5)
+    t32 = multiply(interval, n3, w6)
     t33 = add(t32, t31, w7)
     t34 = multiply(first_interval, t31, w5)
     t35 = multiply(interval, t33, w7)
@@ -997,14 +1046,14 @@ def _start_random_jerk_block(given: Arrays, out: Arrays, work: Arrays, _single: 
     t37 = multiply(measurement_variance, t36, w8)
     t38 = multiply(strength, t29, w0)
     t39 = add(t38, t37, w0)
-    t41 = multiply(first_interval, 2.0, w8)
+    t41 = multiply(first_interval, n4, w8)
     t42 = multiply(first_interval, t41, w8)
-    t44 = multiply(first_interval, 7.0, w9)
+    t44 = multiply(first_interval, n5, w9)
     t45 = multiply(first_interval, t44, w9)
     t46 = multiply(first_interval, t45, w9)
     t47 = multiply(interval, t42, w8)
     t48 = add(t47, t46, w8)
-    t50 = multiply(first_interval, 6.0, w9)
+    t50 = multiply(first_interval, n6, w9)
     t51 = multiply(first_interval, t50, w9)
     t52 = multiply(first_interval, t51, w9)
     t53 = multiply(first_interval, t52, w9)
@@ -1016,9 +1065,9 @@ def _start_random_jerk_block(given: Arrays, out: Arrays, work: Arrays, _single: 
     t59 = multiply(interval, t58, w8)
     t60 = multiply(interval, t59, w8)
     t61 = multiply(interval, t60, w8)
-    t63 = multiply(first_interval, 108.0, w10)
+    t63 = multiply(first_interval, n7, w10)
     t64 = add(t32, t63, w10)
-    t66 = multiply(first_interval, 180.0, w11)
+    t66 = multiply(first_interval, n8, w11)
     t67 = multiply(first_interval, t66, w11)
     t68 = multiply(interval, t64, w10)
     t69 = add(t68, t67, w10)
@@ -1038,18 +1087,18 @@ def _start_random_jerk_block(given: Arrays, out: Arrays, work: Arrays, _single: 
     t83 = multiply(interval, t82, w3)
     t84 = multiply(interval, t83, w3)
     t85 = multiply(interval, t84, w3)
-    t87 = multiply(first_interval, 216.0, w10)
+    t87 = multiply(first_interval, n9, w10)
     t88 = add(t32, t87, w6)
-    t90 = multiply(first_interval, 864.0, w10)
+    t90 = multiply(first_interval, n10, w10)
     t91 = multiply(first_interval, t90, w10)
     t92 = multiply(interval, t88, w6)
     t93 = add(t92, t91, w10)
-    t95 = multiply(first_interval, 1296.0, w11)
+    t95 = multiply(first_interval, n11, w11)
     t96 = multiply(first_interval, t95, w11)
     t97 = multiply(first_interval, t96, w11)
     t98 = multiply(interval, t93, w10)
     t99 = add(t98, t97, w10)
-    t101 = multiply(first_interval, 648.0, w11)
+    t101 = multiply(first_interval, n12, w11)
     t102 = multiply(first_interval, t101, w11)
     t103 = multiply(first_interval, t102, w11)
     t104 = multiply(first_interval, t103, w12)
@@ -1064,11 +1113,11 @@ def _start_random_jerk_block(given: Arrays, out: Arrays, work: Arrays, _single: 
     t113 = multiply(measurement_variance, t112, w10)
     t114 = multiply(strength, t85, w5)
     t115 = add(t114, t113, w5)
-    t117 = multiply(measurement_variance, 3888.0, w10)
+    t117 = multiply(measurement_variance, n13, w10)
     t118 = multiply(measurement_variance, t117, w10)
     t119 = multiply(strength, t115, w5)
     t120 = add(t119, t118, w5)
-    t122 = multiply(first_interval, 3.0, w10)
+    t122 = multiply(first_interval, n14, w10)
     t123 = multiply(first_interval, t122, w10)
     t124 = multiply(interval, t123, w10)
     t125 = add(t124, t16, w10)
@@ -1080,7 +1129,7 @@ def _start_random_jerk_block(given: Arrays, out: Arrays, work: Arrays, _single: 
     t131 = multiply(interval, t130, w10)
     t132 = multiply(interval, t131, w10)
     t133 = multiply(measurement_variance, t132, w10)
-    t135 = multiply(first_interval, 36.0, w1)
+    t135 = multiply(first_interval, n15, w1)
     t136 = multiply(first_interval, t135, w1)
     t137 = add(t35, t136, w7)
     t138 = multiply(measurement_variance, t137, w7)
@@ -1088,12 +1137,12 @@ def _start_random_jerk_block(given: Arrays, out: Arrays, work: Arrays, _single: 
     t140 = multiply(strength, t133, w10)
     t141 = add(t140, t139, w10)
     t142 = multiply(measurement_variance, t85, w3)
-    t144 = multiply(first_interval, 540.0, w4)
+    t144 = multiply(first_interval, n16, w4)
     t145 = multiply(first_interval, t144, w4)
     t146 = add(t92, t145, w6)
     t147 = multiply(interval, t146, w6)
     t148 = add(t147, t103, w6)
-    t150 = multiply(first_interval, 324.0, w4)
+    t150 = multiply(first_interval, n17, w4)
     t151 = multiply(first_interval, t150, w4)
     t152 = multiply(first_interval, t151, w4)
     t153 = multiply(first_interval, t152, w4)
@@ -1110,7 +1159,7 @@ def _start_random_jerk_block(given: Arrays, out: Arrays, work: Arrays, _single: 
     t164 = multiply(measurement_variance, t163, w6)
     t165 = multiply(strength, t142, w3)
     t166 = add(t165, t164, w3)
-    t167 = multiply(measurement_variance, 1296.0, w1)
+    t167 = multiply(measurement_variance, n11, w1)
     t168 = multiply(measurement_variance, t167, w1)
     t169 = multiply(measurement_variance, t168, w1)
     t170 = multiply(strength, t166, w3)
@@ -1119,7 +1168,7 @@ def _start_random_jerk_block(given: Arrays, out: Arrays, work: Arrays, _single: 
     t173 = add(first_interval, interval, w4)
     t174 = multiply(t172, t173, w1)
     t176 = divide(t120, t39, diagonal_2)
-    t178 = divide(t39, 9.0, diagonal_3)
+    t178 = divide(t39, n2, diagonal_3)
     t179 = square(t174, w1)
     t181 = divide(t79, t75, first_shear)
     t183 = divide(t75, t39, second_shear)
@@ -1127,11 +1176,11 @@ def _start_random_jerk_block(given: Arrays, out: Arrays, work: Arrays, _single: 
     t186 = divide(t141, t75, third_shear)
     t187 = multiply(t185, t186, third_shear)
     divide(t171, t120, diagonal_1)
-    divide(t176, 36.0, diagonal_2)
+    divide(t176, n15, diagonal_2)
     divide(t178, t179, diagonal_3)
-    multiply(t181, 36.0, first_shear)
-    multiply(t183, 0.5, second_shear)
-    multiply(t187, 36.0, third_shear)
+    multiply(t181, n15, first_shear)
+    multiply(t183, n18, second_shear)
+    multiply(t187, n15, third_shear)
 
 
 _START_RANDOM_JERK = Signature(
@@ -1224,25 +1273,52 @@ def start_continuous_white_jerk(
 
 
 def _start_continuous_white_jerk_block(
-    given: Arrays, out: Arrays, work: Arrays, _single: bool
+    given: Arrays,
+    out: Arrays,
+    work: Arrays,
+    _single: bool,
+    n0: float = 8.0,
+    n1: float = 20.0,
+    n2: float = 15.0,
+    n3: float = 3.0,
+    n4: float = 120.0,
+    n5: float = 7.0,
+    n6: float = 21.0,
+    n7: float = 6.0,
+    n8: float = 360.0,
+    n9: float = 240.0,
+    n10: float = 600.0,
+    n11: float = 60.0,
+    n12: float = 80.0,
+    n13: float = 36.0,
+    n14: float = 3600.0,
+    n15: float = 1440.0,
+    n16: float = 12000.0,
+    n17: float = 14400.0,
+    n18: float = 7200.0,
+    n19: float = 43200.0,
+    n20: float = 10.0,
+    n21: float = 25.0,
+    n22: float = 720.0,
+    n23: float = 0.25,
 ) -> None:
     first_interval, interval, strength, measurement_variance = given
     diagonal_1, diagonal_2, diagonal_3, first_shear, second_shear, third_shear = out
     w0, w1, w2, w3, w4, w5, w6, w7, w8, w9, w10, w11, w12, w13, w14, w15 = work
-    t5 = multiply(first_interval, 8.0, w0)
+    t5 = multiply(first_interval, n0, w0)
     t6 = multiply(first_interval, t5, w0)
-    t8 = multiply(first_interval, 20.0, w1)
+    t8 = multiply(first_interval, n1, w1)
     t9 = multiply(first_interval, t8, w1)
     t10 = multiply(first_interval, t9, w1)
     t11 = multiply(interval, t6, w0)
     t12 = add(t11, t10, w0)
-    t14 = multiply(first_interval, 15.0, w2)
+    t14 = multiply(first_interval, n2, w2)
     t15 = multiply(first_interval, t14, w2)
     t16 = multiply(first_interval, t15, w3)
     t17 = multiply(first_interval, t16, w3)
     t18 = multiply(interval, t12, w0)
     t19 = add(t18, t17, w0)
-    t21 = multiply(first_interval, 3.0, w3)
+    t21 = multiply(first_interval, n3, w3)
     t22 = multiply(first_interval, t21, w3)
     t23 = multiply(first_interval, t22, w3)
     t24 = multiply(first_interval, t23, w3)
@@ -1251,8 +1327,8 @@ def _start_continuous_white_jerk_block(
     t27 = add(t26, t25, w0)
     t28 = multiply(interval, t27, w0)
     t29 = multiply(interval, t28, w0)
-    t31 = multiply(first_interval, 120.0, w3)
-    t32 = multiply(interval, 120.0, w4)
+    t31 = multiply(first_interval, n4, w3)
+    t32 = multiply(interval, n4, w4)
     t33 = add(t32, t31, w4)
     t34 = multiply(first_interval, t31, w3)
     t35 = multiply(interval, t33, w4)
@@ -1260,9 +1336,9 @@ def _start_continuous_white_jerk_block(
     t37 = multiply(measurement_variance, t36, w4)
     t38 = multiply(strength, t29, w0)
     t39 = add(t38, t37, w0)
-    t41 = multiply(first_interval, 7.0, w4)
+    t41 = multiply(first_interval, n5, w4)
     t42 = multiply(first_interval, t41, w4)
-    t44 = multiply(first_interval, 21.0, w5)
+    t44 = multiply(first_interval, n6, w5)
     t45 = multiply(first_interval, t44, w5)
     t46 = multiply(first_interval, t45, w5)
     t47 = multiply(interval, t42, w4)
@@ -1270,7 +1346,7 @@ def _start_continuous_white_jerk_block(
     t49 = multiply(first_interval, t10, w1)
     t50 = multiply(interval, t48, w4)
     t51 = add(t50, t49, w4)
-    t53 = multiply(first_interval, 6.0, w5)
+    t53 = multiply(first_interval, n7, w5)
     t54 = multiply(first_interval, t53, w5)
     t55 = multiply(first_interval, t54, w5)
     t56 = multiply(first_interval, t55, w5)
@@ -1280,14 +1356,14 @@ def _start_continuous_white_jerk_block(
     t60 = multiply(interval, t59, w4)
     t61 = multiply(interval, t60, w4)
     t62 = multiply(interval, t61, w4)
-    t64 = multiply(first_interval, 360.0, w6)
-    t66 = multiply(interval, 240.0, w7)
+    t64 = multiply(first_interval, n8, w6)
+    t66 = multiply(interval, n9, w7)
     t67 = add(t66, t64, w6)
-    t69 = multiply(first_interval, 600.0, w8)
+    t69 = multiply(first_interval, n10, w8)
     t70 = multiply(first_interval, t69, w8)
     t71 = multiply(interval, t67, w6)
     t72 = add(t71, t70, w6)
-    t73 = multiply(first_interval, 240.0, w8)
+    t73 = multiply(first_interval, n9, w8)
     t74 = multiply(first_interval, t73, w9)
     t75 = multiply(first_interval, t74, w9)
     t76 = multiply(interval, t72, w6)
@@ -1301,18 +1377,18 @@ def _start_continuous_white_jerk_block(
     t84 = add(t83, t82, w6)
     t85 = multiply(interval, t84, w6)
     t86 = multiply(measurement_variance, t85, w6)
-    t88 = multiply(first_interval, 60.0, w9)
+    t88 = multiply(first_interval, n11, w9)
     t89 = multiply(first_interval, t88, w9)
     t90 = multiply(first_interval, t89, w9)
     t91 = multiply(interval, t15, w2)
     t92 = add(t91, t90, w2)
-    t94 = multiply(first_interval, 80.0, w9)
+    t94 = multiply(first_interval, n12, w9)
     t95 = multiply(first_interval, t94, w9)
     t96 = multiply(first_interval, t95, w9)
     t97 = multiply(first_interval, t96, w9)
     t98 = multiply(interval, t92, w2)
     t99 = add(t98, t97, w2)
-    t101 = multiply(first_interval, 36.0, w9)
+    t101 = multiply(first_interval, n13, w9)
     t102 = multiply(first_interval, t101, w9)
     t103 = multiply(first_interval, t102, w9)
     t104 = multiply(first_interval, t103, w9)
@@ -1324,25 +1400,25 @@ def _start_continuous_white_jerk_block(
     t110 = multiply(interval, t109, w2)
     t111 = multiply(interval, t110, w2)
     t112 = multiply(interval, t111, w2)
-    t114 = multiply(first_interval, 3600.0, w9)
-    t116 = multiply(interval, 1440.0, w10)
+    t114 = multiply(first_interval, n14, w9)
+    t116 = multiply(interval, n15, w10)
     t117 = add(t116, t114, w10)
-    t119 = multiply(first_interval, 12000.0, w11)
+    t119 = multiply(first_interval, n16, w11)
     t120 = multiply(first_interval, t119, w11)
     t121 = multiply(interval, t117, w10)
     t122 = add(t121, t120, w11)
-    t124 = multiply(first_interval, 14400.0, w12)
+    t124 = multiply(first_interval, n17, w12)
     t125 = multiply(first_interval, t124, w12)
     t126 = multiply(first_interval, t125, w12)
     t127 = multiply(interval, t122, w11)
     t128 = add(t127, t126, w11)
-    t130 = multiply(first_interval, 7200.0, w12)
+    t130 = multiply(first_interval, n18, w12)
     t131 = multiply(first_interval, t130, w12)
     t132 = multiply(first_interval, t131, w13)
     t133 = multiply(first_interval, t132, w14)
     t134 = multiply(interval, t128, w11)
     t135 = add(t134, t133, w11)
-    t136 = multiply(first_interval, 1440.0, w14)
+    t136 = multiply(first_interval, n15, w14)
     t137 = multiply(first_interval, t136, w14)
     t138 = multiply(first_interval, t137, w14)
     t139 = multiply(first_interval, t138, w14)
@@ -1352,13 +1428,13 @@ def _start_continuous_white_jerk_block(
     t143 = multiply(measurement_variance, t142, w11)
     t144 = multiply(strength, t112, w14)
     t145 = add(t144, t143, w14)
-    t147 = multiply(measurement_variance, 43200.0, w11)
+    t147 = multiply(measurement_variance, n19, w11)
     t148 = multiply(measurement_variance, t147, w11)
     t149 = multiply(strength, t145, w14)
     t150 = add(t149, t148, w14)
-    t152 = multiply(first_interval, 10.0, w11)
+    t152 = multiply(first_interval, n20, w11)
     t153 = multiply(first_interval, t152, w11)
-    t155 = multiply(first_interval, 25.0, w15)
+    t155 = multiply(first_interval, n21, w15)
     t156 = multiply(first_interval, t155, w15)
     t157 = multiply(first_interval, t156, w15)
     t158 = multiply(interval, t153, w11)
@@ -1386,7 +1462,7 @@ def _start_continuous_white_jerk_block(
     t180 = multiply(first_interval, t179, w9)
     t181 = multiply(interval, t177, w10)
     t182 = add(t181, t180, w10)
-    t184 = multiply(first_interval, 720.0, w1)
+    t184 = multiply(first_interval, n22, w1)
     t185 = multiply(first_interval, t184, w1)
     t186 = multiply(first_interval, t185, w1)
     t187 = multiply(first_interval, t186, w1)
@@ -1397,7 +1473,7 @@ def _start_continuous_white_jerk_block(
     t192 = multiply(measurement_variance, t191, w10)
     t193 = multiply(strength, t174, w2)
     t194 = add(t193, t192, w2)
-    t195 = multiply(measurement_variance, 14400.0, w1)
+    t195 = multiply(measurement_variance, n17, w1)
     t196 = multiply(measurement_variance, t195, w1)
     t197 = multiply(measurement_variance, t196, w1)
     t198 = multiply(strength, t194, w2)
@@ -1406,7 +1482,7 @@ def _start_continuous_white_jerk_block(
     t201 = add(first_interval, interval, w3)
     t202 = multiply(t200, t201, w1)
     t204 = divide(t150, t39, diagonal_2)
-    t206 = divide(t39, 15.0, diagonal_3)
+    t206 = divide(t39, n2, diagonal_3)
     t207 = square(t202, w1)
     t209 = divide(t86, t80, first_shear)
     t211 = divide(t80, t39, second_shear)
@@ -1414,11 +1490,11 @@ def _start_continuous_white_jerk_block(
     t215 = divide(t173, t80, third_shear)
     t216 = multiply(t214, t215, third_shear)
     divide(t199, t150, diagonal_1)
-    divide(t204, 240.0, diagonal_2)
+    divide(t204, n9, diagonal_2)
     divide(t206, t207, diagonal_3)
-    multiply(t209, 120.0, first_shear)
-    multiply(t211, 0.25, second_shear)
-    multiply(t216, 240.0, third_shear)
+    multiply(t209, n4, first_shear)
+    multiply(t211, n23, second_shear)
+    multiply(t216, n9, third_shear)
 
 
 _START_CONTINUOUS_WHITE_JERK = Signature(
@@ -1528,7 +1604,7 @@ def predict_acceleration_increments(
 
 
 def _predict_acceleration_increments_block(
-    given: Arrays, out: Arrays, work: Arrays, _single: bool
+    given: Arrays, out: Arrays, work: Arrays, _single: bool, n0: float = 0.5
 ) -> None:
     (
         diagonal_1,
@@ -1547,7 +1623,7 @@ def _predict_acceleration_increments_block(
     t10 = add(interval, second_shear, w0)
     t11 = multiply(diagonal_3, t9, w1)
     t12 = add(first_shear, third_shear, diagonal_2_)
-    t14 = multiply(interval, 0.5, w2)
+    t14 = multiply(interval, n0, w2)
     t15 = add(t14, t12, diagonal_2_)
     t16 = multiply(second_shear, third_shear, w3)
     t17 = multiply(interval, t15, diagonal_2_)
@@ -1690,7 +1766,7 @@ def predict_wiener_acceleration(
 
 
 def _predict_wiener_acceleration_block(
-    given: Arrays, out: Arrays, work: Arrays, _single: bool
+    given: Arrays, out: Arrays, work: Arrays, _single: bool, n0: float = 0.5
 ) -> None:
     (
         diagonal_1,
@@ -1715,7 +1791,7 @@ def _predict_wiener_acceleration_block(
     t16 = multiply(t15, diagonal_3, w2)
     t17 = multiply(strength, interval, w3)
     t18 = add(t16, t17, w2)
-    t20 = multiply(interval, 0.5, w3)
+    t20 = multiply(interval, n0, w3)
     t21 = add(t20, second_shear, w4)
     t22 = multiply(second_shear, first_shear, w5)
     t23 = multiply(interval, t21, w4)
@@ -1731,7 +1807,7 @@ def _predict_wiener_acceleration_block(
     t34 = add(first_shear, third_shear, w0)
     t35 = add(t20, t34, w3)
     t36 = multiply(interval, t35, w3)
-    t37 = multiply(second_shear, 0.5, w0)
+    t37 = multiply(second_shear, n0, w0)
     t38 = multiply(second_shear, t37, w0)
     t39 = multiply(second_shear, t22, w5)
     t40 = multiply(interval, t38, w0)
@@ -1867,7 +1943,17 @@ def predict_random_jerk(
     )
 
 
-def _predict_random_jerk_block(given: Arrays, out: Arrays, work: Arrays, _single: bool) -> None:
+def _predict_random_jerk_block(
+    given: Arrays,
+    out: Arrays,
+    work: Arrays,
+    _single: bool,
+    n0: float = 0.5,
+    n1: float = 6.0,
+    n2: float = 3.0,
+    n3: float = 0.25,
+    n4: float = 24.0,
+) -> None:
     (
         diagonal_1,
         diagonal_2,
@@ -1884,13 +1970,13 @@ def _predict_random_jerk_block(given: Arrays, out: Arrays, work: Arrays, _single
     t9 = multiply(strength, t8, w0)
     add(diagonal_3, t9, diagonal_3_)
     t11 = divide(t9, diagonal_3_, diagonal_2_)
-    t13 = multiply(interval, 0.5, w1)
+    t13 = multiply(interval, n0, w1)
     t14 = add(t13, second_shear, w2)
     t15 = multiply(diagonal_3, t11, w3)
-    t16 = multiply(third_shear, 0.5, diagonal_2_)
-    t17 = multiply(first_shear, 0.5, w4)
+    t16 = multiply(third_shear, n0, diagonal_2_)
+    t17 = multiply(first_shear, n0, w4)
     t18 = add(t17, t16, w5)
-    t20 = divide(interval, 6.0, diagonal_1_)
+    t20 = divide(interval, n1, diagonal_1_)
     t21 = add(t20, t18, diagonal_2_)
     t22 = multiply(second_shear, third_shear, w6)
     t23 = multiply(interval, t21, diagonal_2_)
@@ -1913,14 +1999,14 @@ def _predict_random_jerk_block(given: Arrays, out: Arrays, work: Arrays, _single
     t40 = multiply(t15, t39, w3)
     t41 = multiply(diagonal_2, t40, w3)
     t42 = divide(t41, diagonal_2_, first_shear_)
-    t45 = divide(interval, 3.0, second_shear_)
+    t45 = divide(interval, n2, second_shear_)
     t46 = add(t45, t18, second_shear_)
     t47 = multiply(interval, t46, second_shear_)
-    t49 = multiply(second_shear, 0.25, w3)
-    t51 = divide(interval, 24.0, third_shear_)
+    t49 = multiply(second_shear, n3, w3)
+    t51 = divide(interval, n4, third_shear_)
     t52 = add(t51, t49, third_shear_)
-    t53 = multiply(first_shear, 0.25, w3)
-    t54 = divide(second_shear, 3.0, w5)
+    t53 = multiply(first_shear, n3, w3)
+    t54 = divide(second_shear, n2, w5)
     t55 = add(t54, t53, w5)
     t56 = multiply(second_shear, t55, w5)
     t57 = multiply(interval, t52, third_shear_)
@@ -2064,7 +2150,18 @@ def predict_continuous_white_jerk(
 
 
 def _predict_continuous_white_jerk_block(
-    given: Arrays, out: Arrays, work: Arrays, _single: bool
+    given: Arrays,
+    out: Arrays,
+    work: Arrays,
+    _single: bool,
+    n0: float = 0.5,
+    n1: float = 6.0,
+    n2: float = 12.0,
+    n3: float = 720.0,
+    n4: float = 3.0,
+    n5: float = 5.0,
+    n6: float = 24.0,
+    n7: float = 144.0,
 ) -> None:
     (
         diagonal_1,
@@ -2081,18 +2178,18 @@ def _predict_continuous_white_jerk_block(
     t8 = multiply(strength, interval, w0)
     add(diagonal_3, t8, diagonal_3_)
     t10 = divide(t8, diagonal_3_, diagonal_2_)
-    t12 = multiply(interval, 0.5, w1)
+    t12 = multiply(interval, n0, w1)
     t13 = add(t12, second_shear, w2)
     t14 = multiply(diagonal_3, t10, w3)
-    t15 = multiply(third_shear, 0.5, diagonal_2_)
-    t16 = multiply(first_shear, 0.5, w4)
+    t15 = multiply(third_shear, n0, diagonal_2_)
+    t16 = multiply(first_shear, n0, w4)
     t17 = add(t16, t15, w5)
-    t19 = divide(interval, 6.0, diagonal_1_)
+    t19 = divide(interval, n1, diagonal_1_)
     t20 = add(t19, t17, diagonal_2_)
     t21 = multiply(second_shear, third_shear, w6)
     t22 = multiply(interval, t20, diagonal_2_)
     t23 = add(t22, t21, w7)
-    t25 = divide(interval, 12.0, first_shear_)
+    t25 = divide(interval, n2, first_shear_)
     t26 = multiply(interval, t25, diagonal_2_)
     t27 = multiply(t8, t26, w8)
     t28 = square(t13, diagonal_2_)
@@ -2115,7 +2212,7 @@ def _predict_continuous_white_jerk_block(
     t45 = multiply(diagonal_2, t44, w7)
     t46 = add(first_shear, third_shear, diagonal_1_)
     t47 = add(t12, t46, w1)
-    t48 = multiply(second_shear, 0.5, diagonal_1_)
+    t48 = multiply(second_shear, n0, diagonal_1_)
     t49 = add(t25, t48, first_shear_)
     t50 = multiply(interval, t49, first_shear_)
     t51 = add(t50, t36, first_shear_)
@@ -2125,7 +2222,7 @@ def _predict_continuous_white_jerk_block(
     t55 = square(t51, first_shear_)
     t56 = multiply(t14, t55, w3)
     t57 = multiply(t27, t56, w8)
-    t59 = divide(interval, 720.0, second_shear_)
+    t59 = divide(interval, n3, second_shear_)
     t60 = multiply(interval, t59, second_shear_)
     t61 = multiply(interval, t60, second_shear_)
     t62 = multiply(interval, t61, second_shear_)
@@ -2134,15 +2231,15 @@ def _predict_continuous_white_jerk_block(
     t65 = add(t64, t57, w7)
     t66 = divide(t65, diagonal_2_, third_shear_)
     t67 = add(diagonal_1, t63, second_shear_)
-    t70 = divide(interval, 3.0, w3)
+    t70 = divide(interval, n4, w3)
     t71 = add(t70, t17, w3)
     t72 = multiply(interval, t71, w3)
-    t74 = multiply(second_shear, 5.0, w5)
-    t76 = divide(t74, 24.0, w5)
-    t77 = divide(interval, 24.0, w7)
+    t74 = multiply(second_shear, n5, w5)
+    t76 = divide(t74, n6, w5)
+    t77 = divide(interval, n6, w7)
     t78 = add(t77, t76, w7)
-    t79 = divide(first_shear, 6.0, w5)
-    t80 = divide(second_shear, 3.0, w8)
+    t79 = divide(first_shear, n1, w5)
+    t80 = divide(second_shear, n4, w8)
     t81 = add(t80, t79, w8)
     t82 = multiply(second_shear, t81, w8)
     t83 = multiply(interval, t78, w7)
@@ -2152,7 +2249,7 @@ def _predict_continuous_white_jerk_block(
     t87 = multiply(interval, t84, w7)
     t88 = add(t87, t86, w7)
     t89 = multiply(interval, t88, w7)
-    t91 = divide(interval, 144.0, w4)
+    t91 = divide(interval, n7, w4)
     t92 = multiply(interval, t91, w4)
     t93 = multiply(interval, t92, w4)
     t94 = multiply(interval, t93, w4)

@@ -388,13 +388,15 @@ def start_random_velocity(
     )
 
 
-def _start_random_velocity_block(given: Arrays, out: Arrays, work: Arrays, _single: bool) -> None:
+def _start_random_velocity_block(
+    given: Arrays, out: Arrays, work: Arrays, _single: bool, n0: float = 2.0
+) -> None:
     interval, strength, measurement_variance = given
     diagonal_1, shear, diagonal_2 = out
     (w0,) = work
     t3 = square(interval, w0)
     t4 = divide(measurement_variance, t3, diagonal_1)
-    t6 = multiply(t4, 2.0, w0)
+    t6 = multiply(t4, n0, w0)
     add(t6, strength, diagonal_2)
     t8 = divide(measurement_variance, interval, shear)
     t9 = add(t4, strength, diagonal_1)
@@ -473,7 +475,13 @@ def start_random_acceleration(
 
 
 def _start_random_acceleration_block(
-    given: Arrays, out: Arrays, work: Arrays, _single: bool
+    given: Arrays,
+    out: Arrays,
+    work: Arrays,
+    _single: bool,
+    n0: float = 1.0,
+    n1: float = 0.25,
+    n2: float = 2.0,
 ) -> None:
     interval, strength, measurement_variance = given
     diagonal_1, shear, diagonal_2 = out
@@ -481,9 +489,9 @@ def _start_random_acceleration_block(
     t3 = square(interval, w0)
     t4 = divide(measurement_variance, t3, diagonal_1)
     t5 = multiply(strength, t3, w0)
-    t7 = multiply(t5, 1.0, w0)
-    t9 = multiply(t7, 0.25, w0)
-    t11 = multiply(t4, 2.0, w1)
+    t7 = multiply(t5, n0, w0)
+    t9 = multiply(t7, n1, w0)
+    t11 = multiply(t4, n2, w1)
     add(t11, t9, diagonal_2)
     t13 = divide(measurement_variance, interval, shear)
     t14 = add(t4, t9, diagonal_1)
@@ -562,7 +570,13 @@ def start_continuous_white_acceleration(
 
 
 def _start_continuous_white_acceleration_block(
-    given: Arrays, out: Arrays, work: Arrays, _single: bool
+    given: Arrays,
+    out: Arrays,
+    work: Arrays,
+    _single: bool,
+    n0: float = 1.0,
+    n1: float = 3.0,
+    n2: float = 2.0,
 ) -> None:
     interval, strength, measurement_variance = given
     diagonal_1, shear, diagonal_2 = out
@@ -570,9 +584,9 @@ def _start_continuous_white_acceleration_block(
     t3 = square(interval, w0)
     t4 = divide(measurement_variance, t3, diagonal_1)
     t5 = multiply(strength, interval, w0)
-    t7 = multiply(t5, 1.0, w0)
-    t9 = divide(t7, 3.0, shear)
-    t11 = multiply(t4, 2.0, w0)
+    t7 = multiply(t5, n0, w0)
+    t9 = divide(t7, n1, shear)
+    t11 = multiply(t4, n2, w0)
     add(t11, t9, diagonal_2)
     t13 = divide(measurement_variance, interval, w0)
     t14 = add(t4, t9, diagonal_1)
@@ -749,7 +763,7 @@ def predict_random_acceleration(
 
 
 def _predict_random_acceleration_block(
-    given: Arrays, out: Arrays, work: Arrays, _single: bool
+    given: Arrays, out: Arrays, work: Arrays, _single: bool, n0: float = 0.5
 ) -> None:
     diagonal_1, shear, diagonal_2, interval, strength = given
     diagonal_1_, shear_, diagonal_2_ = out
@@ -759,7 +773,7 @@ def _predict_random_acceleration_block(
     add(diagonal_2, t6, diagonal_2_)
     t8 = add(shear, interval, w1)
     t9 = multiply(t8, diagonal_2, w1)
-    t11 = multiply(interval, 0.5, w2)
+    t11 = multiply(interval, n0, w2)
     t12 = add(shear, t11, w3)
     t13 = multiply(t11, t6, w2)
     t14 = add(t9, t13, w1)
@@ -848,7 +862,13 @@ def predict_continuous_white_acceleration(
 
 
 def _predict_continuous_white_acceleration_block(
-    given: Arrays, out: Arrays, work: Arrays, _single: bool
+    given: Arrays,
+    out: Arrays,
+    work: Arrays,
+    _single: bool,
+    n0: float = 0.5,
+    n1: float = 1.0,
+    n2: float = 12.0,
 ) -> None:
     diagonal_1, shear, diagonal_2, interval, strength = given
     diagonal_1_, shear_, diagonal_2_ = out
@@ -857,7 +877,7 @@ def _predict_continuous_white_acceleration_block(
     add(diagonal_2, t5, diagonal_2_)
     t7 = add(shear, interval, w1)
     t8 = multiply(t7, diagonal_2, w1)
-    t10 = multiply(interval, 0.5, w2)
+    t10 = multiply(interval, n0, w2)
     t11 = add(shear, t10, w3)
     t12 = multiply(t10, t5, w2)
     t13 = add(t8, t12, w1)
@@ -868,9 +888,9 @@ def _predict_continuous_white_acceleration_block(
     t18 = square(interval, w0)
     t19 = multiply(interval, t18, w0)
     t20 = multiply(strength, t19, w0)
-    t22 = multiply(t20, 1.0, w0)
+    t22 = multiply(t20, n1, w0)
     divide(t13, diagonal_2_, shear_)
-    t24 = divide(t22, 12.0, diagonal_1_)
+    t24 = divide(t22, n2, diagonal_1_)
     t25 = add(t17, t24, diagonal_1_)
     add(diagonal_1, t25, diagonal_1_)
 
@@ -1097,7 +1117,7 @@ def step_random_acceleration(
 
 
 def _step_random_acceleration_block(
-    given: Arrays, out: Arrays, work: Arrays, _single: bool
+    given: Arrays, out: Arrays, work: Arrays, _single: bool, n0: float = 0.5
 ) -> None:
     diagonal_1, shear, diagonal_2, interval, strength, measurement_variance = given
     diagonal_1_, shear_, diagonal_2_, position_gain, velocity_gain, innovation_variance = out
@@ -1107,7 +1127,7 @@ def _step_random_acceleration_block(
     t7 = add(diagonal_2, t6, w1)
     t8 = add(shear, interval, w2)
     t9 = multiply(t8, diagonal_2, w2)
-    t11 = multiply(interval, 0.5, w3)
+    t11 = multiply(interval, n0, w3)
     t12 = add(shear, t11, w4)
     t13 = multiply(t11, t6, w3)
     t14 = add(t9, t13, w2)
@@ -1232,7 +1252,13 @@ def step_continuous_white_acceleration(
 
 
 def _step_continuous_white_acceleration_block(
-    given: Arrays, out: Arrays, work: Arrays, _single: bool
+    given: Arrays,
+    out: Arrays,
+    work: Arrays,
+    _single: bool,
+    n0: float = 0.5,
+    n1: float = 1.0,
+    n2: float = 12.0,
 ) -> None:
     diagonal_1, shear, diagonal_2, interval, strength, measurement_variance = given
     diagonal_1_, shear_, diagonal_2_, position_gain, velocity_gain, innovation_variance = out
@@ -1241,7 +1267,7 @@ def _step_continuous_white_acceleration_block(
     t6 = add(diagonal_2, t5, w1)
     t7 = add(shear, interval, w2)
     t8 = multiply(t7, diagonal_2, w2)
-    t10 = multiply(interval, 0.5, w3)
+    t10 = multiply(interval, n0, w3)
     t11 = add(shear, t10, w4)
     t12 = multiply(t10, t5, w3)
     t13 = add(t8, t12, w2)
@@ -1252,8 +1278,8 @@ def _step_continuous_white_acceleration_block(
     t18 = square(interval, w0)
     t19 = multiply(interval, t18, w0)
     t20 = multiply(strength, t19, w0)
-    t22 = multiply(t20, 1.0, w0)
-    t24 = divide(t22, 12.0, diagonal_1_)
+    t22 = multiply(t20, n1, w0)
+    t24 = divide(t22, n2, diagonal_1_)
     t25 = add(t17, t24, w4)
     t26 = add(diagonal_1, t25, w4)
     t27 = divide(t13, t6, shear_)
@@ -1320,19 +1346,28 @@ def hand_over(alpha: ArrayLike, *, out: tuple[Real] | None = None, workers: int 
     return HandOver(*evaluate(_HAND_OVER, (alpha,), out, workers))
 
 
-def _hand_over_block(given: Arrays, out: Arrays, work: Arrays, _single: bool) -> None:
+def _hand_over_block(
+    given: Arrays,
+    out: Arrays,
+    work: Arrays,
+    _single: bool,
+    n0: float = 1.0,
+    n1: float = 16.0,
+    n2: float = 3.0,
+    n3: float = 2.0,
+) -> None:
     (alpha,) = given
     (last_sample,) = out
     w0, w1, w2 = work
-    t2 = subtract(1.0, alpha, w0)
-    t4 = multiply(t2, 16.0, w1)
+    t2 = subtract(n0, alpha, w0)
+    t4 = multiply(t2, n1, w1)
     t5 = square(alpha, w2)
     t6 = add(t4, t5, w1)
     root = sqrt(t6, last_sample)
-    t9 = multiply(t2, 3.0, w0)
-    t10 = add(1.0, t9, w0)
+    t9 = multiply(t2, n2, w0)
+    t10 = add(n0, t9, w0)
     t11 = add(t10, root, w0)
-    t13 = multiply(alpha, 2.0, w1)
+    t13 = multiply(alpha, n3, w1)
     divide(t11, t13, last_sample)
 
 

@@ -234,22 +234,32 @@ def first_order_gains(
     )
 
 
-def _first_order_gains_block(given: Arrays, out: Arrays, work: Arrays, _single: bool) -> None:
+def _first_order_gains_block(
+    given: Arrays,
+    out: Arrays,
+    work: Arrays,
+    _single: bool,
+    n0: float = 8.0,
+    n1: float = 1.0,
+    n2: float = 0.25,
+    n3: float = 2.0,
+    n4: float = 4.0,
+) -> None:
     nominal_index, tracking_index = given
     alpha, beta = out
     w0, w1, w2 = work
-    t3 = divide(8.0, nominal_index, alpha)
-    t5 = add(t3, 1.0, alpha)
+    t3 = divide(n0, nominal_index, alpha)
+    t5 = add(t3, n1, alpha)
     nominal_root = sqrt(t5, beta)
-    t7 = add(nominal_root, 1.0, beta)
+    t7 = add(nominal_root, n1, beta)
     t8 = multiply(nominal_index, t7, beta)
-    t10 = multiply(t8, 0.25, beta)
-    t11 = add(t10, 1.0, alpha)
-    t13 = add(t10, 2.0, w0)
+    t10 = multiply(t8, n2, beta)
+    t11 = add(t10, n1, alpha)
+    t13 = add(t10, n3, w0)
     t14 = multiply(t11, t13, w0)
-    t15 = add(t10, 4.0, w1)
+    t15 = add(t10, n4, w1)
     t16 = multiply(t15, t10, w1)
-    t17 = add(t16, 2.0, w1)
+    t17 = add(t16, n3, w1)
     t18 = multiply(t10, t17, w1)
     t19 = divide(t18, t11, w1)
     t20 = divide(tracking_index, t10, w2)
@@ -258,7 +268,7 @@ def _first_order_gains_block(given: Arrays, out: Arrays, work: Arrays, _single: 
     t24 = divide(t10, t11, beta)
     t25 = multiply(t23, t24, w2)
     t26 = add(t25, tracking_index, w2)
-    t27 = multiply(t26, 2.0, w2)
+    t27 = multiply(t26, n3, w2)
     divide(t21, t14, alpha)
     divide(t27, t14, beta)
 
@@ -325,23 +335,32 @@ def recursive_gains(
     )
 
 
-def _recursive_gains_block(given: Arrays, out: Arrays, work: Arrays, _single: bool) -> None:
+def _recursive_gains_block(
+    given: Arrays,
+    out: Arrays,
+    work: Arrays,
+    _single: bool,
+    n0: float = 8.0,
+    n1: float = 1.0,
+    n2: float = 0.25,
+    n3: float = 2.0,
+) -> None:
     alpha, beta, tracking_index, next_index = given
     next_alpha, next_beta = out
     w0, w1 = work
-    t5 = divide(8.0, tracking_index, next_alpha)
-    t7 = add(t5, 1.0, next_alpha)
+    t5 = divide(n0, tracking_index, next_alpha)
+    t7 = add(t5, n1, next_alpha)
     root = sqrt(t7, next_beta)
-    t9 = add(root, 1.0, next_beta)
+    t9 = add(root, n1, next_beta)
     t10 = multiply(tracking_index, t9, next_beta)
-    t12 = multiply(t10, 0.25, next_beta)
+    t12 = multiply(t10, n2, next_beta)
     t13 = subtract(next_index, tracking_index, next_alpha)
-    t14 = add(t12, 1.0, w0)
-    t16 = add(t12, 2.0, w1)
+    t14 = add(t12, n1, w0)
+    t16 = add(t12, n3, w1)
     t17 = multiply(t14, t16, w0)
     t18 = divide(t13, t17, next_alpha)
     t19 = divide(t18, t12, next_beta)
-    t21 = multiply(t18, 2.0, w0)
+    t21 = multiply(t18, n3, w0)
     add(alpha, t19, next_alpha)
     add(beta, t21, next_beta)
 
@@ -419,58 +438,73 @@ def update_limits(
     return UpdateLimits(*evaluate(_UPDATE_LIMITS, (nominal_index,), out, workers))
 
 
-def _update_limits_block(given: Arrays, out: Arrays, work: Arrays, _single: bool) -> None:
+def _update_limits_block(
+    given: Arrays,
+    out: Arrays,
+    work: Arrays,
+    _single: bool,
+    n0: float = 8.0,
+    n1: float = 1.0,
+    n2: float = 0.25,
+    n3: float = 5.0,
+    n4: float = 10.0,
+    n5: float = 4.0,
+    n6: float = 0.5,
+    n7: float = 2.0,
+    n8: float = 3.0,
+    n9: float = 1.5,
+) -> None:
     (nominal_index,) = given
     alpha_one_ratio, unstable_ratio, variance_ratio, alpha_gain_ratio, beta_gain_ratio = out
     w0, w1, w2, w3, w4 = work
-    t2 = divide(8.0, nominal_index, alpha_gain_ratio)
-    t4 = add(t2, 1.0, alpha_gain_ratio)
+    t2 = divide(n0, nominal_index, alpha_gain_ratio)
+    t4 = add(t2, n1, alpha_gain_ratio)
     nominal_root = sqrt(t4, beta_gain_ratio)
-    t6 = add(nominal_root, 1.0, beta_gain_ratio)
+    t6 = add(nominal_root, n1, beta_gain_ratio)
     t7 = multiply(nominal_index, t6, beta_gain_ratio)
-    t9 = multiply(t7, 0.25, beta_gain_ratio)
-    t10 = divide(1.0, t9, alpha_one_ratio)
-    t12 = multiply(t9, 5.0, alpha_gain_ratio)
-    t14 = add(t12, 10.0, w0)
+    t9 = multiply(t7, n2, beta_gain_ratio)
+    t10 = divide(n1, t9, alpha_one_ratio)
+    t12 = multiply(t9, n3, alpha_gain_ratio)
+    t14 = add(t12, n4, w0)
     t15 = multiply(t14, t9, w1)
-    t16 = add(t15, 1.0, w1)
+    t16 = add(t15, n1, w1)
     s = sqrt(t16, unstable_ratio)
-    t18 = multiply(t9, 4.0, w1)
-    t19 = add(t18, 8.0, w1)
+    t18 = multiply(t9, n5, w1)
+    t19 = add(t18, n0, w1)
     t20 = multiply(t19, t9, w1)
-    t21 = add(t20, 1.0, w1)
+    t21 = add(t20, n1, w1)
     u = sqrt(t21, variance_ratio)
-    t23 = add(t12, 4.0, alpha_gain_ratio)
+    t23 = add(t12, n5, alpha_gain_ratio)
     t24 = multiply(t23, t9, alpha_gain_ratio)
-    t25 = add(t24, 4.0, alpha_gain_ratio)
+    t25 = add(t24, n5, alpha_gain_ratio)
     v = sqrt(t25, alpha_gain_ratio)
-    t27 = add(s, 1.0, w1)
+    t27 = add(s, n1, w1)
     t28 = divide(t14, t27, w0)
-    t29 = add(t28, 1.0, w0)
-    t31 = multiply(t29, 0.5, w0)
+    t29 = add(t28, n1, w0)
+    t31 = multiply(t29, n6, w0)
     t32 = square(t31, w0)
-    t33 = add(t9, 1.0, w1)
-    t34 = multiply(t33, 2.0, w1)
+    t33 = add(t9, n1, w1)
+    t34 = multiply(t33, n7, w1)
     t35 = add(s, t9, unstable_ratio)
-    t36 = add(t35, 1.0, unstable_ratio)
+    t36 = add(t35, n1, unstable_ratio)
     t37 = divide(t34, t36, unstable_ratio)
-    t39 = add(u, 1.0, w2)
+    t39 = add(u, n1, w2)
     t40 = multiply(t39, t10, w2)
-    t41 = multiply(t40, 0.5, w2)
-    t42 = add(t41, 1.0, w2)
+    t41 = multiply(t40, n6, w2)
+    t42 = add(t41, n1, w2)
     t43 = square(t42, w2)
-    t45 = add(u, 3.0, variance_ratio)
-    t46 = multiply(t9, 2.0, w3)
+    t45 = add(u, n8, variance_ratio)
+    t46 = multiply(t9, n7, w3)
     t47 = add(t45, t46, variance_ratio)
     t48 = divide(t34, t47, w1)
-    t52 = multiply(t10, 2.0, w3)
+    t52 = multiply(t10, n7, w3)
     t54 = add(v, t9, alpha_gain_ratio)
-    t55 = add(t54, 2.0, variance_ratio)
-    t56 = multiply(t10, 0.5, w4)
+    t55 = add(t54, n7, variance_ratio)
+    t56 = multiply(t10, n6, w4)
     multiply(t32, t37, alpha_gain_ratio)
     multiply(t43, t48, beta_gain_ratio)
-    add(t10, 1.5, alpha_one_ratio)
-    add(t52, 2.0, unstable_ratio)
+    add(t10, n9, alpha_one_ratio)
+    add(t52, n7, unstable_ratio)
     multiply(t55, t56, variance_ratio)
 
 
@@ -534,38 +568,47 @@ def first_order_errors(
     )
 
 
-def _first_order_errors_block(given: Arrays, out: Arrays, work: Arrays, _single: bool) -> None:
+def _first_order_errors_block(
+    given: Arrays,
+    out: Arrays,
+    work: Arrays,
+    _single: bool,
+    n0: float = 8.0,
+    n1: float = 1.0,
+    n2: float = 0.25,
+    n3: float = 2.0,
+) -> None:
     nominal_index, tracking_index = given
     alpha_excess_over_square, beta_excess_over_square = out
     w0, w1, w2, w3, w4 = work
-    t2 = divide(8.0, nominal_index, alpha_excess_over_square)
-    t4 = add(t2, 1.0, alpha_excess_over_square)
+    t2 = divide(n0, nominal_index, alpha_excess_over_square)
+    t4 = add(t2, n1, alpha_excess_over_square)
     nominal_root = sqrt(t4, beta_excess_over_square)
-    t6 = add(nominal_root, 1.0, beta_excess_over_square)
+    t6 = add(nominal_root, n1, beta_excess_over_square)
     t7 = multiply(nominal_index, t6, beta_excess_over_square)
-    t9 = multiply(t7, 0.25, beta_excess_over_square)
-    t11 = divide(8.0, tracking_index, alpha_excess_over_square)
-    t12 = add(t11, 1.0, alpha_excess_over_square)
+    t9 = multiply(t7, n2, beta_excess_over_square)
+    t11 = divide(n0, tracking_index, alpha_excess_over_square)
+    t12 = add(t11, n1, alpha_excess_over_square)
     root = sqrt(t12, alpha_excess_over_square)
-    t14 = add(root, 1.0, alpha_excess_over_square)
+    t14 = add(root, n1, alpha_excess_over_square)
     t15 = multiply(tracking_index, t14, alpha_excess_over_square)
-    t16 = multiply(t15, 0.25, alpha_excess_over_square)
+    t16 = multiply(t15, n2, alpha_excess_over_square)
     t17 = add(t9, t16, w0)
     t18 = multiply(t9, t16, w1)
     t19 = add(t17, t18, w0)
-    t21 = multiply(t19, 2.0, w0)
-    t22 = add(t9, 1.0, w2)
-    t23 = add(t16, 1.0, w3)
+    t21 = multiply(t19, n3, w0)
+    t22 = add(t9, n1, w2)
+    t23 = add(t16, n1, w3)
     t24 = multiply(t22, t23, w2)
-    t25 = multiply(t24, 2.0, w2)
-    t26 = add(t9, 2.0, w3)
+    t25 = multiply(t24, n3, w2)
+    t26 = add(t9, n3, w3)
     t27 = multiply(t9, t26, w4)
     t28 = add(t25, t27, w2)
     t29 = divide(t28, t27, w2)
     t30 = add(t18, t16, w1)
-    t31 = multiply(t30, 2.0, w1)
+    t31 = multiply(t30, n3, w1)
     t32 = add(t31, t9, w1)
-    t33 = multiply(t32, 2.0, w1)
+    t33 = multiply(t32, n3, w1)
     t34 = divide(t33, t26, w1)
     t35 = divide(t29, t21, w2)
     t37 = divide(t34, t21, w1)
@@ -630,43 +673,53 @@ def cycle_drift(
     return CycleDrift(*evaluate(_CYCLE_DRIFT, (nominal_index, tracking_index), out, workers))
 
 
-def _cycle_drift_block(given: Arrays, out: Arrays, work: Arrays, _single: bool) -> None:
+def _cycle_drift_block(
+    given: Arrays,
+    out: Arrays,
+    work: Arrays,
+    _single: bool,
+    n0: float = 8.0,
+    n1: float = 1.0,
+    n2: float = 0.25,
+    n3: float = 2.0,
+    n4: float = 3.0,
+) -> None:
     nominal_index, tracking_index = given
     alpha_drift_over_square, beta_drift_over_square = out
     w0, w1, w2, w3 = work
-    t2 = divide(8.0, nominal_index, alpha_drift_over_square)
-    t4 = add(t2, 1.0, alpha_drift_over_square)
+    t2 = divide(n0, nominal_index, alpha_drift_over_square)
+    t4 = add(t2, n1, alpha_drift_over_square)
     nominal_root = sqrt(t4, beta_drift_over_square)
-    t6 = add(nominal_root, 1.0, beta_drift_over_square)
+    t6 = add(nominal_root, n1, beta_drift_over_square)
     t7 = multiply(nominal_index, t6, beta_drift_over_square)
-    t9 = multiply(t7, 0.25, beta_drift_over_square)
-    t11 = divide(8.0, tracking_index, alpha_drift_over_square)
-    t12 = add(t11, 1.0, alpha_drift_over_square)
+    t9 = multiply(t7, n2, beta_drift_over_square)
+    t11 = divide(n0, tracking_index, alpha_drift_over_square)
+    t12 = add(t11, n1, alpha_drift_over_square)
     root = sqrt(t12, alpha_drift_over_square)
-    t14 = add(root, 1.0, alpha_drift_over_square)
+    t14 = add(root, n1, alpha_drift_over_square)
     t15 = multiply(tracking_index, t14, alpha_drift_over_square)
-    t16 = multiply(t15, 0.25, alpha_drift_over_square)
+    t16 = multiply(t15, n2, alpha_drift_over_square)
     t17 = add(t9, t16, w0)
     t18 = multiply(t9, t16, w1)
     t19 = add(t17, t18, w2)
-    t21 = multiply(t19, 2.0, w2)
+    t21 = multiply(t19, n3, w2)
     t22 = square(t9, w3)
     t23 = add(t22, t18, w3)
     t24 = square(t16, w1)
     t25 = add(t23, t24, w3)
-    t27 = multiply(t17, 3.0, w1)
+    t27 = multiply(t17, n4, w1)
     t28 = add(t25, t27, w3)
-    t29 = add(t28, 2.0, w3)
-    t30 = add(t9, 2.0, w1)
+    t29 = add(t28, n3, w3)
+    t30 = add(t9, n3, w1)
     t31 = multiply(t9, t30, beta_drift_over_square)
     t32 = divide(t29, t31, w3)
-    t33 = add(t16, 2.0, beta_drift_over_square)
+    t33 = add(t16, n3, beta_drift_over_square)
     t34 = multiply(t16, t33, alpha_drift_over_square)
-    t35 = divide(1.0, t34, alpha_drift_over_square)
+    t35 = divide(n1, t34, alpha_drift_over_square)
     t36 = multiply(t32, t35, w3)
-    t37 = add(t17, 3.0, w0)
+    t37 = add(t17, n4, w0)
     t38 = divide(t37, t30, w0)
-    t39 = divide(2.0, t33, beta_drift_over_square)
+    t39 = divide(n3, t33, beta_drift_over_square)
     t40 = multiply(t38, t39, w0)
     divide(t36, t21, alpha_drift_over_square)
     divide(t40, t21, beta_drift_over_square)
@@ -756,7 +809,18 @@ def mismatch_variances(
     )
 
 
-def _mismatch_variances_block(given: Arrays, out: Arrays, work: Arrays, _single: bool) -> None:
+def _mismatch_variances_block(
+    given: Arrays,
+    out: Arrays,
+    work: Arrays,
+    _single: bool,
+    n0: float = 8.0,
+    n1: float = 1.0,
+    n2: float = 0.25,
+    n3: float = 2.0,
+    n4: float = 3.0,
+    n5: float = 4.0,
+) -> None:
     nominal_index, tracking_index = given
     (
         predicted_11,
@@ -769,55 +833,55 @@ def _mismatch_variances_block(given: Arrays, out: Arrays, work: Arrays, _single:
         predicted_22_ratio,
     ) = out
     w0, w1 = work
-    t3 = divide(8.0, nominal_index, predicted_11)
-    t5 = add(t3, 1.0, predicted_11)
+    t3 = divide(n0, nominal_index, predicted_11)
+    t5 = add(t3, n1, predicted_11)
     nominal_root = sqrt(t5, updated_11)
-    t7 = add(nominal_root, 1.0, updated_11)
+    t7 = add(nominal_root, n1, updated_11)
     t8 = multiply(nominal_index, t7, updated_11)
-    t10 = multiply(t8, 0.25, w0)
-    t11 = divide(8.0, tracking_index, updated_22)
-    t12 = add(t11, 1.0, updated_22)
+    t10 = multiply(t8, n2, w0)
+    t11 = divide(n0, tracking_index, updated_22)
+    t12 = add(t11, n1, updated_22)
     root = sqrt(t12, predicted_22)
-    t14 = add(root, 1.0, predicted_22)
+    t14 = add(root, n1, predicted_22)
     t15 = multiply(tracking_index, t14, predicted_22)
-    t16 = multiply(t15, 0.25, w1)
+    t16 = multiply(t15, n2, w1)
     t17 = divide(tracking_index, nominal_index, predicted_11_ratio)
     t18 = square(t17, predicted_11_ratio)
-    t19 = add(t10, 1.0, updated_22)
-    t20 = add(t16, 1.0, predicted_22)
-    t22 = add(t10, 2.0, predicted_11)
+    t19 = add(t10, n1, updated_22)
+    t20 = add(t16, n1, predicted_22)
+    t22 = add(t10, n3, predicted_11)
     t23 = divide(t10, t22, updated_11_ratio)
     t24 = divide(t23, t19, updated_22_ratio)
-    t25 = multiply(t10, 2.0, predicted_11)
-    t27 = add(t25, 3.0, predicted_11)
+    t25 = multiply(t10, n3, predicted_11)
+    t27 = add(t25, n4, predicted_11)
     t28 = square(t19, updated_11)
     t29 = multiply(t18, t28, updated_11)
     t30 = add(t27, t29, predicted_11)
     multiply(t23, t30, predicted_11)
-    t32 = add(t10, 3.0, updated_11_ratio)
+    t32 = add(t10, n4, updated_11_ratio)
     t33 = divide(t18, t19, predicted_22_ratio)
     t34 = add(t32, t33, predicted_22_ratio)
     multiply(t24, t34, updated_11)
     t36 = square(t10, w0)
-    t37 = multiply(t36, 2.0, w0)
+    t37 = multiply(t36, n3, w0)
     t38 = multiply(t24, t37, updated_22_ratio)
     t39 = divide(t32, t19, updated_11_ratio)
     t40 = multiply(t18, t39, predicted_11_ratio)
-    t41 = add(t40, 1.0, predicted_11_ratio)
+    t41 = add(t40, n1, predicted_11_ratio)
     multiply(t38, t41, updated_22)
-    t43 = add(t16, 2.0, w0)
+    t43 = add(t16, n3, w0)
     t44 = multiply(t16, t43, predicted_11_ratio)
     t45 = divide(t16, t20, updated_11_ratio)
     t46 = divide(t43, t20, w0)
     t47 = multiply(t45, t46, w0)
     t48 = square(t45, predicted_22)
-    t49 = multiply(t16, 4.0, updated_22_ratio)
+    t49 = multiply(t16, n5, updated_22_ratio)
     t50 = multiply(t48, t49, updated_22_ratio)
     t51 = square(tracking_index, predicted_22)
     add(updated_22, t51, predicted_22)
     t53 = square(t16, w1)
     t54 = multiply(t53, t45, w1)
-    t55 = multiply(t54, 4.0, w1)
+    t55 = multiply(t54, n5, w1)
     divide(predicted_11, t44, predicted_11_ratio)
     divide(updated_11, t47, updated_11_ratio)
     divide(updated_22, t50, updated_22_ratio)

@@ -10,6 +10,7 @@ from fractions import Fraction
 from gainproof.derive.printer.affine import AffineSum, in_two_parts
 from gainproof.derive.printer.formats import FLOAT32, FORMATS
 from gainproof.derive.printer.kernel import Kernel
+from gainproof.derive.printer.layout import WIDTH
 from gainproof.derive.printer.least import is_least
 from gainproof.derive.printer.library import NUMPY
 from gainproof.derive.printer.plain import plain
@@ -36,7 +37,8 @@ looked up in NumPy they take longer at each call, a fiftieth of a kernel's time 
 
 
 class Arithmetic:
-    """The body of a block function, its `lines` without indentation, and its `work` buffers.
+    """The body of a block function, its `lines` without indentation, and its `work` buffers; its
+    numbers have names, as the runtime puts arrays in their place.
 
     The last argument of each NumPy call is the array that it fills: by position, since keywords
     are a good part of what compiling and calling a block costs. Functions of NumPy are called by
@@ -58,6 +60,7 @@ class Arithmetic:
         self.masks: dict[str, str] = {}
         self.nears = False
         self.called: set[str] = set()
+        self.numbers: dict[str, str] = {}
         statements = list(self._body())
         body = [*self._unpacking(statements), *statements]
         self.lines = [line for each in _without_unused_names(body) for line in fitted(each)]
@@ -74,6 +77,25 @@ class Arithmetic:
     def _numpy(self, name: str) -> str:
         self.called.add(name)
         return f"np.{name}" if name in self.own else name
+
+    def head(self, block: str) -> Iterator[str]:
+        """The first line of a block function of this name, or lines; its numbers are defaults."""
+        work = "work" if self.work else "_work"
+        single = "single" if self.uses_type else "_single"
+        arguments = ["given: Arrays", "out: Arrays", f"{work}: Arrays", f"{single}: bool"]
+        arguments += [f"{name}: float = {text}" for text, name in self.numbers.items()]
+        line = ", ".join(arguments)
+        if len(f"def {block}({line}) -> None:") <= WIDTH:
+            return iter([f"def {block}({line}) -> None:"])
+        short = len(line) + 4 <= WIDTH
+        inner = [f"    {line}"] if short else [f"    {each}," for each in arguments]
+        return iter([f"def {block}(", *inner, ") -> None:"])
+
+    def _number(self, value: float) -> str:
+        text = literal(value)
+        if text not in self.numbers:
+            self.numbers[text] = self._fresh(f"n{len(self.numbers)}")
+        return self.numbers[text]
 
     def _fresh(self, wanted: str) -> str:
         name = wanted
@@ -130,7 +152,7 @@ class Arithmetic:
             yield from self._two_parts(number, step, target, affine[0])
             return
         if step.scale is not None:
-            operands = [self._operand(step.operands[0]), literal(step.scale)]
+            operands = [self._operand(step.operands[0]), self._number(step.scale)]
         else:
             operands = []
             for part in step.operands:
@@ -200,9 +222,10 @@ class Arithmetic:
         """The text of a number in both types, with the line that chooses where they differ."""
         double, single = values
         if FLOAT32.nearest(Fraction(double)) == single:
-            return literal(double), []
+            return self._number(double), []
         name = self._fresh(wanted)
-        return name, [f"{name} = {literal(single)} if single else {literal(double)}"]
+        of_types = f"{self._number(single)} if single else {self._number(double)}"
+        return name, [f"{name} = {of_types}"]
 
 
 def literal(value: float) -> str:

@@ -107,11 +107,7 @@ def _kernel(
     block, signature = f"_{kernel.name}_block", f"_{kernel.name.upper()}"
     yield from _function(kernel, bounds, signature)
     yield from ("", "")
-    work = "work" if arithmetic.work else "_work"
-    single = "single" if arithmetic.uses_type else "_single"
-    arguments = f"given: Arrays, out: Arrays, {work}: Arrays, {single}: bool"
-    head = f"def {block}({arguments}) -> None:"
-    yield from [head] if len(head) <= WIDTH else [f"def {block}(", f"    {arguments}", ") -> None:"]
+    yield from arithmetic.head(block)
     yield from (f"    {line}" for line in arithmetic.lines)
     for each in required:
         yield from ("", "", *each.function)

@@ -11,7 +11,6 @@ from gainproof.derive.printer.docstring import required_text
 from gainproof.derive.printer.formats import FORMATS
 from gainproof.derive.printer.graph import Graph, operands
 from gainproof.derive.printer.kernel import Kernel, Output, Requirement
-from gainproof.derive.printer.layout import WIDTH
 
 
 @dataclass(frozen=True)
@@ -70,11 +69,7 @@ def first_leg(graph: Graph, name: str) -> tuple[str, ...]:
 
 
 def _function(block: str, arithmetic: Arithmetic) -> Iterator[str]:
-    work = "work" if arithmetic.work else "_work"
-    single = "single" if arithmetic.uses_type else "_single"
-    arguments = f"given: Arrays, out: Arrays, {work}: Arrays, {single}: bool"
-    head = f"def {block}({arguments}) -> None:"
-    yield from [head] if len(head) <= WIDTH else [f"def {block}(", f"    {arguments}", ") -> None:"]
+    yield from arithmetic.head(block)
     yield from (f"    {line}" for line in arithmetic.lines)
 
 

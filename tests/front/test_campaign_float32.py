@@ -180,15 +180,9 @@ def test_the_digest_is_of_what_is_computed_and_not_of_where() -> None:
     for other_text in (f"multiply({one}, {one}, {out})", f"add({one}, {other}, {out})"):
         assert harmed(kernel, place, other_text) != kernel.digest()
     # another number, a value that is overwritten before it is read, an output that is not filled
-    assert harmed(kernel, "0.25", "0.5") != kernel.digest()
-    assert (
-        harmed(
-            kernel,
-            "t5 = multiply(tracking_index, 0.25, w1)",
-            "t5 = multiply(tracking_index, 0.25, w0)",
-        )
-        != kernel.digest()
-    )
+    assert harmed(kernel, "n1: float = 0.25", "n1: float = 0.5") != kernel.digest()
+    scaled = "t5 = multiply(tracking_index, n1, w1)"
+    assert harmed(kernel, scaled, scaled.replace("w1", "w0")) != kernel.digest()
     assert harmed(kernel, f"    {place}\n", "") != kernel.digest()
     # a value may be copied on the way; what is more than functions of one result is refused
     twice = f"multiply({one}, {other}, w0)\n    np.copyto({out}, w0)"

@@ -82,8 +82,8 @@ def test_its_tests_pass_under_another_name_where_gainproof_cannot_be_imported(
     [
         (
             f"{MODULE}.py",
-            "add(sample_number, 1.0",
-            "add(sample_number, 1.00000000000001",
+            "n0: float = 1.0",
+            "n0: float = 1.00000000000001",
             "test_values",
         ),
         ("_guards.py", "raise ValueError(", "raise RuntimeError(", "test_guards"),

@@ -155,24 +155,15 @@ def _fill(call: Call, doubtful: Sequence[int], kept: Sequence[int], spans: Spans
             window[...] = call.blocks.box(filled[place])
 
 
-class Number(np.ndarray[Any, Any]):
-    """An array without axes that may be a constant of a function, which debuggers hash."""
-
-    def __hash__(self) -> int:  # type: ignore[override]  # arrays have none
-        return id(self)
-
-
 @cache
 def with_arrays(block: Block, kind: np.dtype[Any]) -> Block:
-    """A block function with an array without axes for each of its numbers: NumPy makes one of a
-    number at every call, which takes half as long as the call.
+    """A block function with arrays without axes for its numbers, which are its defaults: NumPy
+    makes one of a number at every call, which takes half as long as the call.
     """
-    code = block.__code__
-    numbers = (
-        np.array(x, kind).view(Number) if isinstance(x, float) else x for x in code.co_consts
-    )
-    own = code.replace(co_consts=tuple(numbers))
-    return FunctionType(own, block.__globals__, None, block.__defaults__, block.__closure__)
+    if not block.__defaults__:
+        return block
+    numbers = tuple(np.array(x, kind) for x in block.__defaults__)
+    return FunctionType(block.__code__, block.__globals__, None, numbers, block.__closure__)
 
 
 def _elsewhere(x: Array, y: Array) -> bool:

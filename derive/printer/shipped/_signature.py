@@ -49,8 +49,9 @@ class Required(NamedTuple):
 class Signature(NamedTuple):
     """A kernel: its name, inputs, names of outputs, number of work buffers, and arithmetic.
 
-    `block(inputs, outputs, work, single)` fills arrays of one shape and type; it may use the
-    outputs as buffers before it fills them.
+    `block(inputs, outputs, work, single)`, a function, fills arrays of one shape and type; it may
+    use the outputs as buffers before it fills them. Its numbers are the defaults of further
+    arguments.
     """
 
     name: str

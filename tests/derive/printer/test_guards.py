@@ -16,6 +16,7 @@ from gainproof.derive.printer.shipped._guards import ROW, admit, doubted
 from gainproof.derive.printer.shipped._runtime import LONG
 from gainproof.derive.printer.shipped._signature import Domain, Signature
 from gainproof.generated import filter_step, range_doppler
+from gainproof.generated.position_velocity_random_velocity import closed_loop_poles
 
 HIGHS = (5e-324, 1e-200, 0.5, 1.0, 3.0, 1e4, 1e30, 1e40, 1e153, 1e160, 1.7e308)
 SINGLE_HIGHS = (1e-45, 1e-30, 0.5, 1.0, 3.0, 1e4, 1e8, 1e18, 1e20, 3e38)
@@ -79,12 +80,30 @@ def test_one_number_among_others(form: str, kind: type[Any]) -> None:
                     ), (domain, number, size)
 
 
+def test_the_first_wrong_element_is_told_wherever_blocks_begin() -> None:
+    """Where the first result begins in a line of the cache moves the borders of blocks."""
+    x, z = np.ones(2 * BLOCK), np.ones(2 * BLOCK)
+    pool = np.empty(2 * BLOCK + 16)
+    others = [np.empty_like(x) for _ in closed_loop_poles(1.0, 1.0)[1:]]
+    wrong = (BLOCK - 4, BLOCK - 5)
+    for first, second in (wrong, wrong[::-1], (BLOCK - 4, BLOCK - 4)):
+        for given, place in ((x, first), (z, second)):
+            given[:] = 1
+            given[place] = np.nan
+        name = "tracking_index" if first <= second else "velocity_ratio"
+        for shift in range(16):
+            out = (pool[shift : shift + x.size], *others)
+            for workers in (1, 2):
+                with pytest.raises(ValueError, match=rf" {name} must be .* {min(first, second)}$"):
+                    closed_loop_poles(x, z, out=out, workers=workers)  # type: ignore[arg-type]
+
+
 def test_the_first_block_with_a_bad_number_is_told_of() -> None:
     """Whether all is looked at first, in long parts, or block by block."""
     count = (LONG + 2) * BLOCK + 5
     given = {name: np.ones(count) for name in ("position", "observed")}
     given["position"][BLOCK + 7] = np.nan
-    given["observed"][BLOCK - 20] = 1e41  # the first block ends where a line of the cache does
+    given["observed"][BLOCK - 20] = 1e41
     out = tuple(np.full(count, -7.0) for _ in range(2))
 
     def step(**options: Any) -> None:
@@ -98,7 +117,7 @@ def test_the_first_block_with_a_bad_number_is_told_of() -> None:
         given["observed"][BLOCK - 20] = 1.0
         with pytest.raises(ValueError, match=rf"position must be .* got nan at index {BLOCK + 7}$"):
             step(**options)
-        given["observed"][BLOCK - 20] = 1e41  # the first block ends where a line of the cache does
+        given["observed"][BLOCK - 20] = 1e41
     given["position"][BLOCK + 7] = given["observed"][BLOCK - 20] = 1.0
     given["observed"][(LONG + 1) * BLOCK] = -np.inf
     with pytest.raises(

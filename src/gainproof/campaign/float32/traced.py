@@ -47,9 +47,8 @@ def computed(signature: Any, single: bool) -> str:
     """
     block = signature.block
     recorded = {name: _recorder(name) for name in OURS}
-    traced = FunctionType(
-        block.__code__, block.__globals__ | recorded, block.__name__, None, block.__closure__
-    )
+    names = block.__globals__ | recorded
+    traced = FunctionType(block.__code__, names, None, block.__defaults__, block.__closure__)
     given = [Traced(f"input {place}") for place in range(len(signature.inputs))]
     out = [Traced("an output, not filled yet") for _ in signature.outputs]
     traced(given, out, [Traced("a buffer, not filled yet") for _ in range(signature.work)], single)
