@@ -359,11 +359,11 @@ def gains_with_derivatives(
         3.01 * 2^-23 (float32), proved for 2.2250738585072014e-308 <= tracking_index <=
         1.7976931348623157e308 (float64) and 1.1754944e-38 <= tracking_index <= 3.4028235e38
         (float32).
-    d_alpha: derivative of the position gain. Relative error at most 12.35 * 2^-52 (float64), 12.35
+    d_alpha: derivative of the position gain. Relative error at most 12.02 * 2^-52 (float64), 12.02
         * 2^-23 (float32), proved for 5e-324 <= tracking_index <= 5.247628584236248e102 (float64)
         and 1e-45 <= tracking_index <= 6.49139e12 (float32).
     d_beta: derivative of the velocity gain times the sampling interval. Relative error at most
-        13.06 * 2^-52 (float64), 13.06 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=
+        13.17 * 2^-52 (float64), 13.17 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=
         9.352083952218625e102 (float64) and 1e-45 <= tracking_index <= 1.1568659e13 (float32).
 
     Outside an output's range, a few numbers next to its ends apart, its true value is no normal
@@ -390,15 +390,14 @@ def _gains_with_derivatives_block(
     n1: float = 1.8189894035458565e-12,
     n2: float = 1.3234889800848443e-23,
     n3: float = 2.757268708510092e-25,
-    n4: float = 0.6666666666666666,
+    n4: float = 3.0,
     n5: float = 0.5,
     n6: float = 6.018531076210112e-36,
-    n7: float = 3.0,
-    n8: float = 2.0,
+    n7: float = 2.0,
 ) -> None:
     (tracking_index,) = given
     alpha, beta, d_alpha, d_beta = out
-    w0, w1, w2, w3 = work
+    w0, w1, w2, w3, w4 = work
     p = sqrt(tracking_index, alpha)
     t3 = multiply(p, n0, w0)
     t5 = multiply(p, n1, w1)
@@ -407,33 +406,32 @@ def _gains_with_derivatives_block(
     t10 = add(t7, t9, w2)
     h_at_once = sqrt(t10, beta)
     t12 = add(t3, h_at_once, w2)
-    t14 = multiply(t3, n4, w3)
+    t14 = divide(t3, n4, w3)
     t15 = add(t14, h_at_once, w3)
-    t16 = multiply(t5, t15, w3)
-    twice_ratio = sqrt(t16, d_beta)
-    t18 = add(t12, twice_ratio, w2)
-    t20 = multiply(t18, n5, w2)
-    t21 = multiply(p, t20, w3)
-    t22 = square(t21, w3)
-    t23 = multiply(p, h_at_once, alpha)
-    t24 = multiply(t22, t23, w3)
-    t26 = divide(n6, t24, w3)
-    t29 = divide(t3, n7, w0)
-    t30 = add(t29, h_at_once, w0)
-    divide(twice_ratio, t20, alpha)
-    divide(t5, t20, beta)
-    t31 = divide(t30, twice_ratio, d_alpha)
-    multiply(t26, t31, d_alpha)
-    t27 = divide(t5, twice_ratio, d_beta)
-    t35 = add(t27, n8, d_beta)
-    multiply(t26, t35, d_beta)
+    t16 = add(t12, t15, w4)
+    t17 = multiply(t3, t16, w0)
+    twice_ratio = sqrt(t17, d_beta)
+    t19 = add(t12, twice_ratio, w2)
+    t21 = multiply(t19, n5, w2)
+    t22 = multiply(p, t21, w0)
+    t23 = square(t22, w0)
+    t24 = multiply(p, h_at_once, alpha)
+    t25 = multiply(t23, t24, w0)
+    t27 = divide(n6, t25, w0)
+    divide(twice_ratio, t21, alpha)
+    divide(t5, t21, beta)
+    t29 = divide(t15, twice_ratio, d_alpha)
+    multiply(t27, t29, d_alpha)
+    t28 = divide(t5, twice_ratio, d_beta)
+    t33 = add(t28, n7, d_beta)
+    multiply(t27, t33, d_beta)
 
 
 _GAINS_WITH_DERIVATIVES = Signature(
     "gains_with_derivatives",
     (_TRACKING_INDEX_DOMAIN,),
     ("alpha", "beta", "d_alpha", "d_beta"),
-    4,
+    5,
     _gains_with_derivatives_block,
 )
 

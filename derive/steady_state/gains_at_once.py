@@ -63,13 +63,15 @@ def _damped(builder: GraphBuilder, e: Fraction) -> tuple[Mapping[str, Node], Nam
     small, twice = p * SCALE, p * (2 * SCALE)
     h = builder.sqrt((16 * SCALE**2) / index + index * (e * SCALE**2))
     total = small + h
-    r = builder.sqrt(twice * (total if e == 1 else times((1 + e) / 2, small) + h))
+    near = total if e == 1 else times(e, small) + h
+    # the mean of both stands with 2 p under the root
+    r = builder.sqrt(twice * total if e == 1 else small * (total + near))
     half = (total + r) / 2
     deviation = p * half
     square = (8 * SCALE**3) / ((deviation * deviation) * (p * h))
     ratio = twice / r
     # for e = 1 h + p is r^2/(2 p)
-    d_alpha = square / ratio if e == 1 else square * ((times(e, small) + h) / r)
+    d_alpha = square / ratio if e == 1 else square * (near / r)
     outputs = {"alpha": r / half, "beta": twice / half}
     outputs |= {"d_alpha": d_alpha, "d_beta": square * (ratio + 2)}
     return outputs, {"p": p, "h_at_once": h, "twice_ratio": r}
