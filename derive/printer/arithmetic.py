@@ -78,7 +78,7 @@ class Arithmetic:
         self.called.add(name)
         return f"np.{name}" if name in self.own else name
 
-    def head(self, block: str) -> Iterator[str]:
+    def head(self, block: str) -> list[str]:
         """The first line of a block function of this name, or lines; its numbers are defaults."""
         work = "work" if self.work else "_work"
         single = "single" if self.uses_type else "_single"
@@ -86,10 +86,10 @@ class Arithmetic:
         arguments += [f"{name}: float = {text}" for text, name in self.numbers.items()]
         line = ", ".join(arguments)
         if len(f"def {block}({line}) -> None:") <= WIDTH:
-            return iter([f"def {block}({line}) -> None:"])
+            return [f"def {block}({line}) -> None:"]
         short = len(line) + 4 <= WIDTH
         inner = [f"    {line}"] if short else [f"    {each}," for each in arguments]
-        return iter([f"def {block}(", *inner, ") -> None:"])
+        return [f"def {block}(", *inner, ") -> None:"]
 
     def _number(self, value: float) -> str:
         text = literal(value)

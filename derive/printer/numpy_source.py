@@ -40,16 +40,7 @@ def printed(module: Module, bounds: Sequence[Sequence[KernelBound]]) -> str:
     nears = any(arithmetic.nears for arithmetic in arithmetics)
     bits = (["choose", "mask_of"] if chooses else []) + (["near_cbrt"] if nears else [])
     requires = "Required, " if any(needed) else ""
-    body: list[str] = []
-    printed_parts = zip(module.kernels, arithmetics, needed, bounds, strict=True)
-    for kernel, arithmetic, required, pair in printed_parts:
-        if not module.results:
-            body += ["", "", *result_class(kernel)]
-        own = [domains[domain] for domain in kernel_domains(kernel, pair)]
-        body += ["", "", *_kernel(kernel, arithmetic, required, pair, own)]
-        if kernel.accurate:
-            body += ["", "", *_accurate(kernel, domains[accurate_domain(kernel.accurate)])]
-    head = [
+    lines = [
         f"# Made by: {_one_line(module.command)}",
         f"# From: {_one_line(module.derivation)}",
         f'"""{module.title}."""' if not module.title.endswith(".") else f'"""{module.title}"""',
@@ -77,7 +68,16 @@ def printed(module: Module, bounds: Sequence[Sequence[KernelBound]]) -> str:
         "",
         *(line for domain, name in domains.items() for line in named_domain(name, domain)),
     ]
-    return "\n".join(head + body) + "\n"
+    for kernel, arithmetic, required, pair in zip(
+        module.kernels, arithmetics, needed, bounds, strict=True
+    ):
+        if not module.results:
+            lines += ["", "", *result_class(kernel)]
+        own = [domains[domain] for domain in kernel_domains(kernel, pair)]
+        lines += ["", "", *_kernel(kernel, arithmetic, required, pair, own)]
+        if kernel.accurate:
+            lines += ["", "", *_accurate(kernel, domains[accurate_domain(kernel.accurate)])]
+    return "\n".join(lines) + "\n"
 
 
 def _one_line(text: str) -> str:

@@ -196,6 +196,14 @@ def test_the_digest_is_of_what_is_computed_and_not_of_where() -> None:
             harmed(kernel, place, refused)
 
 
+def test_the_digest_refuses_what_looks_at_the_bits_of_the_other_type() -> None:
+    kernel = KERNELS["acceleration_increments.gains"]
+    text = inspect.getsource(kernel.signature.block)
+    (call,) = re.findall(r"near_cbrt\(.*, single\)", text)
+    with pytest.raises(TypeError, match="near_cbrt is called for the other type"):
+        harmed(kernel, call, call.replace(", single)", ", not single)"))
+
+
 def test_words_are_no_code() -> None:
     text = '"""A module."""\nX = 1\n"""A one."""\ndef f():\n    """It is."""\n    return X\n'
     assert kernels.without_words(text) == kernels.without_words("X=1#\ndef f():\n\n  return X")

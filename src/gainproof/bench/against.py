@@ -14,7 +14,7 @@ from gainproof.bench.timing import best_times
 from gainproof.generated._blocks import BLOCK, cut
 from gainproof.generated._runtime import Call, run
 
-LENGTHS = (4096, 8192, 16384, BLOCK, 32768, 49152, 65536, 98304, 131072)
+LENGTHS = tuple(sorted({4096, 8192, 16384, 32768, 49152, 65536, 98304, 131072, BLOCK}))
 SIZES = (100_000, 300_000, 1_000_000, 3_000_000, 10_000_000)
 POINTS = 15 * SIZE
 """How many points a number is measured at, all its rounds together, so that none takes long."""

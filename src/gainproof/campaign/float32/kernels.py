@@ -63,10 +63,10 @@ class Swept:
         them its bounds are stated, and how errors are measured.
 
         Not of where values lie between the steps and how NumPy is called; not of the bounds
-        themselves, with which errors are compared when they are reported; not of
-        what brings blocks to the arithmetic and back (guards, threads, `out`), which is tested by
-        itself; and not of NumPy's version: sums, products, quotients and roots are rounded
-        correctly in each, and `test_campaign_float32` says so if a kernel takes anything else.
+        themselves, with which errors are compared when they are reported; not of what brings blocks
+        to the arithmetic and back (guards, threads, `out`), which is tested by itself; and not of
+        NumPy's version: sums, products, quotients and roots are rounded correctly in each, and
+        `test_campaign_float32` says so if a kernel takes anything else.
         """
         found = hashlib.sha256(computed(self.signature, single=True).encode())
         for name in OURS:

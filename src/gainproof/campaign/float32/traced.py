@@ -26,7 +26,8 @@ class Traced:
     def __array_ufunc__(
         self, function: np.ufunc, method: str, *operands: Any, out: tuple[Traced, ...] = ()
     ) -> Any:
-        if method != "__call__" or function.nout != 1:
+        known = getattr(np, function.__name__, None) is function
+        if method != "__call__" or function.nout != 1 or not known:
             return NotImplemented
         return _filled(function.__name__, operands, out[0] if out else Traced(""))
 
@@ -43,10 +44,11 @@ def computed(signature: Any, single: bool) -> str:
     """The formulas of a kernel's outputs in float32 or float64.
 
     Where values are kept between the steps, and how NumPy is called, does not count. TypeError or
-    AttributeError where a block does more than to call functions of NumPy with one result.
+    AttributeError where a block does more than to call functions of NumPy with one result, or calls
+    ours for the other type.
     """
     block = signature.block
-    recorded = {name: _recorder(name) for name in OURS}
+    recorded = {name: _recorder(name, single) for name in OURS}
     names = block.__globals__ | recorded
     traced = FunctionType(block.__code__, names, None, block.__defaults__, block.__closure__)
     given = [Traced(f"input {place}") for place in range(len(signature.inputs))]
@@ -66,9 +68,14 @@ def _formula(x: Any) -> str:
     return x.formula if isinstance(x, Traced) else repr(float(x))
 
 
-def _recorder(name: str) -> Callable[..., Traced]:
+def _recorder(name: str, single: bool) -> Callable[..., Traced]:
+    def of_type(said: bool) -> str:
+        if said is not single:
+            raise TypeError(f"{name} is called for the other type")
+        return name
+
     if name == "mask_of":
-        return lambda condition, _single: _filled(name, [condition], Traced(""))
+        return lambda condition, said: _filled(of_type(said), [condition], Traced(""))
     if name == "choose":
         return lambda mask, x, y, out: _filled(name, [mask, x, y], out)
-    return lambda x, out, _single: _filled(name, [x], out)
+    return lambda x, out, said: _filled(of_type(said), [x], out)
