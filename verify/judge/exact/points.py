@@ -108,6 +108,22 @@ def failure_at(
     return found if isinstance(found, Witness) else None
 
 
+def failure_where(
+    other: Witness, statement: Statement, boxes: Mapping[str, Box], labels: Mapping[str, str]
+) -> Outcome | None:
+    """`refuted` if the statement is seen to fail where another one has its witness, at a rational
+    point of the domain.
+    """
+    try:
+        point = {n: Fraction(other.point[labels.get(n, n)]) for n in statement.symbols()}
+    except (KeyError, ValueError):
+        return None
+    if not all(boxes.get(name, Box()).holds(value) for name, value in point.items()):
+        return None
+    found = failure_at(statement, point, labels)
+    return None if found is None else _refuted(found, "balls at an exact point", 1)
+
+
 def is_seen(rel: Rel) -> bool:
     """Whether balls show an inequality between numbers."""
     opposite = NEGATED.get(rel.operator)

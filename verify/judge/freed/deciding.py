@@ -4,12 +4,14 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import replace
+from functools import partial
 
 from gainproof.verify.judge.exact.box import Box
 from gainproof.verify.judge.exact.certificate import statement_data
 from gainproof.verify.judge.exact.free_names import with_tokens
 from gainproof.verify.judge.exact.limits import Undecided
 from gainproof.verify.judge.exact.points import (
+    failure_where,
     is_seen,
     try_points,
     with_values,
@@ -30,8 +32,10 @@ from gainproof.verify.judge.freed.restated import put_in, restated
 from gainproof.verify.judge.freed.rewriting import has_functions
 from gainproof.verify.judge.freed.rising import rising
 from gainproof.verify.judge.freed.scaled import scaled
+from gainproof.verify.judge.freed.sizes import by_sizes
 from gainproof.verify.judge.freed.total import is_total
 from gainproof.verify.judge.freed.valued import valued
+from gainproof.verify.judge.freed.where_valued import but_where_it_has
 from gainproof.verify.judge.freed.whole_numbers import for_numbers, inductively
 from gainproof.verify.judge.freed.whole_turns import without_whole_turns
 from gainproof.verify.judge.hypothesis import settle
@@ -77,9 +81,10 @@ def _with_functions(
     as_others: bool,
 ) -> Outcome:
     reasons: list[str] = []
+    tried: list[Outcome] = []
     sums = open_sums(statement)
     ways = [freely] if all(is_total(s.parts[0]) for s in sums) else []
-    ways += [inductively] if sums else [_restated] if as_others else []
+    ways += [inductively] if sums else [partial(_restated, tried=tried)] if as_others else []
     ways.append(for_numbers)
     for attempt in ways:
         try:
@@ -89,7 +94,7 @@ def _with_functions(
     # without conditions slopes tell more of a strict relation that is an equality at a point
     exactly = bool(statement.domain)
     if (nowhere := _without_value(statement, boxes, labels)) is not None:
-        return _but_where_it_has(nowhere, statement, boxes, parameter, labels)
+        return but_where_it_has(nowhere, statement, boxes, parameter, labels, decided)
     points = try_points(statement, boxes, labels, exactly=exactly)
     if points is None and (turned := scaled(statement, boxes, labels)).words:
         points = try_points(turned.statement, turned.boxes, turned.labels)
@@ -98,10 +103,14 @@ def _with_functions(
             return rising(statement, boxes, parameter, labels, freely)
         except Undecided as reason:
             reasons.append(str(reason))
-    if as_others and (points is None or points.verdict == "held"):
-        proved = _in_other_variables(statement, boxes, parameter, labels)
+    if points is None or points.verdict == "held":
+        proved = _in_other_variables(statement, boxes, parameter, labels) if as_others else None
+        proved = proved or by_sizes(statement, boxes, parameter, labels, decided)
         if proved is not None:
             return proved
+        for witness in filter(None, (other.witness for other in tried)):
+            if (fails := failure_where(witness, statement, boxes, labels)) is not None:
+                return fails
     if points is None:
         raise Undecided("; ".join(dict.fromkeys(r for r in reasons if r)))
     return points
@@ -122,9 +131,28 @@ def _in_other_variables(
         except Undecided:
             continue
         if found.verdict == "proved" and VALUED not in found.domain:
-            method = f"in another variable; {found.method}"
-            return replace(found, domain=domain_text(statement, boxes, labels), method=method)
+            return replace(
+                found,
+                domain=domain_text(statement, boxes, labels),
+                method=f"in another variable; {found.method}",
+                certificate=_as_of(found, statement, boxes, parameter, labels),
+            )
     return None
+
+
+def _as_of(
+    found: Outcome,
+    statement: Statement,
+    boxes: Mapping[str, Box],
+    parameter: str | None,
+    labels: Mapping[str, str],
+) -> Mapping[str, object]:
+    """The certificate of a statement of which another one was proved: going through it again
+    begins with the statement itself.
+    """
+    own = {name: box for name, box in boxes.items() if name in statement.symbols()}
+    data = statement_data(statement, own, parameter, labels)
+    return {**found.certificate, "engine": "functions", "statement": data}
 
 
 def _without_value(
@@ -135,37 +163,6 @@ def _without_value(
     return found or without_value_at_turns(statement, boxes, labels)
 
 
-def _but_where_it_has(
-    nowhere: Outcome,
-    statement: Statement,
-    boxes: Mapping[str, Box],
-    parameter: str | None,
-    labels: Mapping[str, str],
-) -> Outcome:
-    """`conditional` if the statement holds somewhere of all points where every part has a value,
-    everywhere of these or not; else as it is.
-    """
-    if not statement.symbols():
-        return nowhere
-    turned = scaled(statement, boxes, labels)
-    loose = {name: replace(box, stated=False) for name, box in turned.boxes.items()}
-    try:
-        found = decided(turned.statement, loose, parameter, turned.labels)
-    except Undecided:
-        return nowhere
-    if found.verdict == "conditional":
-        return found
-    if found.verdict != "proved":
-        return nowhere
-    return replace(
-        found,
-        verdict="conditional",
-        domain=", ".join([*turned.words, where_valued(found.domain)]),
-        reason=f"fails {nowhere.witness.text() if nowhere.witness else ''}; holds {VALUED}",
-        witness=nowhere.witness,
-    )
-
-
 def _is_between_numbers(statement: Statement) -> bool:
     """Whether balls show all its inequalities, which hold no symbols."""
     if statement.connective != "if" or statement.domain or statement.needed:
@@ -174,9 +171,15 @@ def _is_between_numbers(statement: Statement) -> bool:
 
 
 def _restated(
-    statement: Statement, boxes: Mapping[str, Box], parameter: str | None, labels: Mapping[str, str]
+    statement: Statement,
+    boxes: Mapping[str, Box],
+    parameter: str | None,
+    labels: Mapping[str, str],
+    tried: list[Outcome],
 ) -> Outcome:
-    """An implication by another statement from which it follows. Raises Undecided."""
+    """An implication by another statement from which it follows. Raises Undecided; what else came
+    of such statements is added to those `tried`.
+    """
     for other, where in restated(statement, boxes):
         try:
             found = decided(other, where, parameter, labels, as_others=False)
@@ -184,7 +187,10 @@ def _restated(
             continue
         if found.verdict == "proved":
             own = domain_text(statement, boxes, labels)
-            return replace(found, domain=where_valued(own) if VALUED in found.domain else own)
+            certificate = _as_of(found, statement, boxes, parameter, labels)
+            domain = where_valued(own) if VALUED in found.domain else own
+            return replace(found, domain=domain, certificate=certificate)
+        tried.append(found)
     put = put_in(statement, boxes)
     fails = None if put is None else try_points(put.within, boxes, labels, exactly=True)
     if put is None or fails is None or fails.verdict != "refuted" or fails.witness is None:

@@ -1,7 +1,8 @@
 """Relations of a function value to something else, as relations of its argument to that.
 
-log a > b where a > 0 and a > exp b; exp a > b if b > 0 and a > log b. What is written so implies
-the relation, and follows from it as a condition: exp a > b says nothing of a where b is negative.
+log a > b where a > 0 and a > exp b, log a > log b where a > b > 0; exp a > b if b > 0 and
+a > log b. What is written so implies the relation, and follows from it as a condition: exp a > b
+says nothing of a where b is negative.
 """
 
 from __future__ import annotations
@@ -34,26 +35,28 @@ def unwrapped(rel: Rel, *, condition: bool) -> list[Rel] | None:
         towards = operator if sign > 0 else WITH_EQUAL[operator]
         made = _argument(call, towards, other / factor, condition=condition)
         if made is not None:
-            first, second = made
             # what is said of numbers alone adds nothing to a condition
-            return [first] if condition and not symbols_of(second.left) else [first, second]
+            return [made[0], *(r for r in made[1:] if not condition or symbols_of(r.left))]
     return None
 
 
-def _argument(call: Expr, operator: str, other: Expr, *, condition: bool) -> tuple[Rel, Rel] | None:
+def _argument(call: Expr, operator: str, other: Expr, *, condition: bool) -> list[Rel] | None:
     zero = number(0)
     if call.name == "log":
-        inner = call.parts[0]
-        return Rel(operator, inner, Expr("call", "exp", (other,))), Rel(">", inner, zero)
+        inner, beside = call.parts[0], _function(other)
+        if beside is not None and beside[0].name == "log" and beside[1] == number(1):
+            (bound,) = beside[0].parts
+            return [Rel(operator, inner, bound), Rel(">", inner, zero), Rel(">", bound, zero)]
+        return [Rel(operator, inner, Expr("call", "exp", (other,))), Rel(">", inner, zero)]
     positive = Rel(">", other, zero)
     if condition and operator in (">", ">=") and (symbols_of(other) or not is_seen(positive)):
         return None
     logarithm = Expr("call", "log", (other,))
     if call.name == "exp":
-        return Rel(operator, call.parts[0], logarithm), positive
+        return [Rel(operator, call.parts[0], logarithm), positive]
     base, exponent = call.parts
     rate = Expr("call", "log", (base,))
-    return Rel(operator, mul(exponent, rate), logarithm), positive
+    return [Rel(operator, mul(exponent, rate), logarithm), positive]
 
 
 def _function(side: Expr) -> tuple[Expr, Expr] | None:

@@ -62,3 +62,32 @@ def test_what_has_no_value_on_a_stated_domain_is_refuted(latex: str) -> None:
     found = judged("identity", f"latex = '{latex}'\ndomain = 'a > 0'")
     check(found, "refuted")
     assert "no value" in found.reason
+
+
+@pytest.mark.parametrize(
+    ("latex", "domain"),
+    [
+        (r"\ln(x y) \leq \ln(x (y + 1))", "x > 0, y > 0"),
+        (r"10 \lg(1 + x y) \leq 10 \lg(1 + x y^2)", "x > 0, y > 1"),
+        (r"-\ln x > -\ln(x + y^2)", "x > 0, y > 0"),
+        (r"\frac{\ln(x + y)}{2} \geq \frac12 \ln\sqrt{x y}", "x > 1, y > 1"),
+    ],
+)
+def test_of_two_logarithms_that_of_the_larger_is_larger(latex: str, domain: str) -> None:
+    check(judged("inequality", f"latex = '{latex}'\ndomain = '{domain}'"), "proved")
+
+
+@pytest.mark.parametrize(
+    ("latex", "domain"),
+    [
+        # x and y may both be negative, where both sides have a value
+        (r"\ln((y + 3) x) \leq \ln(x (4 + y))", None),
+        (r"\ln(x y) \leq \ln(x (y + 1))", None),
+        (r"-\ln x > -\ln(x - y^2)", "x > 2, -1 < y < 1"),
+        (r"2 \ln(x + y) \leq \ln(x + y + 1)", "x > 0, y > 0"),
+        (r"\ln(x - y) \leq \ln(x + y)", "x > 0, -1 < y < 1"),
+    ],
+)
+def test_what_is_false_of_two_logarithms(latex: str, domain: str | None) -> None:
+    stated = f"\ndomain = '{domain}'" if domain else ""
+    check(judged("inequality", f"latex = '{latex}'{stated}"), "refuted")

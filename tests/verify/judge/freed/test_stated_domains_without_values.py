@@ -8,6 +8,8 @@ import mpmath
 import pytest
 from small_claims import check, judged
 
+from gainproof.verify.judge.replay import replay
+
 ALL = r"-\pi < \theta \leq \pi"
 QUARTER = r"0 \leq \theta \leq \pi/2"
 DIFFERENCE = r"\frac{\cos\theta + \sin\theta}{\cos 2\theta} = \frac{1}{\cos\theta - \sin\theta}"
@@ -37,6 +39,8 @@ def test_an_angle_without_a_value_is_told(kind: str, latex: str, domain: str, tu
     assert found.witness["note"] == "a side has no value"
     assert found.domain is not None
     assert "where every part has a value" in found.domain
+    assert found.certificate is not None
+    assert replay(found.certificate, "conditional") is None
 
 
 @pytest.mark.parametrize(("kind", "latex", "domain", "turns"), TRUE_ELSEWHERE)
@@ -243,3 +247,38 @@ def test_the_points_are_right() -> None:
                 r"\cos^2": mpmath.cos(angle),
             }
             assert any(part in latex and abs(d) < 1e-30 for part, d in divisors.items()), latex
+
+
+@pytest.mark.parametrize(
+    ("latex", "domain", "wanted"),
+    [
+        (r"\tan\theta \geq \theta", QUARTER, r"0 <= \theta/pi < 1/2"),
+        (r"\tan\theta \leq \theta", r"-\pi/2 \leq \theta \leq 0", r"-1/2 < \theta/pi <= 0"),
+        (
+            r"\tan^2\theta \geq \theta^2",
+            r"-\pi/2 \leq \theta \leq \pi/2",
+            r"-1/2 < \theta/pi < 1/2",
+        ),
+        (r"\ln x \leq x - 1", r"0 \leq x \leq 3", "0 < x <= 3, where every part has a value"),
+    ],
+)
+def test_an_end_without_a_value_is_taken_out(latex: str, domain: str, wanted: str) -> None:
+    found = judged("inequality", f"latex = '{latex}'\ndomain = '{domain}'")
+    check(found, "conditional")
+    assert found.domain == wanted
+    assert found.witness is not None
+    assert found.witness["note"] == "a side has no value"
+    assert found.certificate is not None
+    assert replay(found.certificate, "conditional") is None
+
+
+@pytest.mark.parametrize(
+    ("latex", "domain"),
+    [
+        (r"\tan\theta \geq 2 \theta", QUARTER),
+        (r"\tan\theta \geq \theta", r"-\pi/2 \leq \theta \leq \pi/2"),
+        (r"\tan\theta \geq \theta", r"0 \leq \theta \leq \pi"),
+    ],
+)
+def test_what_is_false_within_stays_refuted(latex: str, domain: str) -> None:
+    check(judged("inequality", f"latex = '{latex}'\ndomain = '{domain}'"), "refuted")
