@@ -12,6 +12,7 @@ from gainproof.verify.judge.exact.box import Box
 from gainproof.verify.judge.exact.expression import Expr, div, mul, number, symbol
 from gainproof.verify.judge.exact.statement import Rel, Statement
 from gainproof.verify.judge.freed.other_variables import in_other_variables
+from gainproof.verify.judge.replay import replay
 
 TRUE = [
     (r"x \ln x \geq -e^{-1}", "x > 0"),
@@ -35,6 +36,9 @@ def test_true(latex: str, domain: str) -> None:
     check(found, "proved")
     assert found.method is not None
     assert found.method.startswith("in another variable")
+    # of the statement itself, not of that in the other variable
+    assert "free x" in found.certificate["statement"]["domain"]
+    assert replay(found.certificate, "proved") is None
 
 
 @pytest.mark.parametrize(("latex", "domain"), FALSE)

@@ -14,6 +14,7 @@ from gainproof.verify.judge.exact.box import Box
 from gainproof.verify.judge.exact.expression import Expr, number, power, symbol
 from gainproof.verify.judge.exact.points import without_value
 from gainproof.verify.judge.exact.statement import Rel, Statement
+from gainproof.verify.judge.replay import replay
 
 
 def claim(latex: str, domain: str) -> str:
@@ -55,7 +56,10 @@ def claim(latex: str, domain: str) -> str:
 )
 def test_what_is_true_is_proved(latex: str, domain: str) -> None:
     kind = "equivalence" if "Left" in latex else "implication"
-    check(judged(kind, claim(latex, domain)), "proved")
+    found = judged(kind, claim(latex, domain))
+    check(found, "proved")
+    ways = [found.certificate] if kind == "implication" else found.certificate.values()
+    assert [replay(way, "proved") for way in ways] == [None] * len(ways)
 
 
 @pytest.mark.parametrize(
