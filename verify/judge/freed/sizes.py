@@ -41,16 +41,15 @@ def by_sizes(
     if statement.connective != "if":
         return None
     proofs: list[Outcome] = []
-    whole = True
     for part, where in without_sizes(statement, boxes) or [(statement, boxes)]:
         # the statement itself is asked about already
         itself = [] if part is statement else [part]
         found = _first_proved([*itself, *_saying_more(part)], where, parameter, labels, decides)
         if found is None:
             return None
-        whole = whole and found.domain == domain_text(part, where, labels)
         proofs.append(found)
     domain = domain_text(statement, boxes, labels)
+    whole = not any("where" in found.domain for found in proofs)
     own = {name: box for name, box in boxes.items() if name in statement.symbols()}
     certificate = {
         "checked": "replayed",

@@ -11,6 +11,7 @@ from gainproof.verify.judge.exact.box import Box
 from gainproof.verify.judge.exact.expression import Expr, absolute, neg, number, power, symbol
 from gainproof.verify.judge.exact.limits import Undecided
 from gainproof.verify.judge.exact.statement import Outcome, Rel, Statement
+from gainproof.verify.judge.freed.freely import VALUED
 from gainproof.verify.judge.freed.sizes import by_sizes, without_sizes
 from gainproof.verify.judge.replay import replay
 
@@ -63,6 +64,26 @@ def test_false(latex: str, domain: str | None, wanted: str) -> None:
     assert found.verdict in (wanted, "held")
 
 
+@pytest.mark.parametrize(
+    ("latex", "domain", "told"),
+    [
+        (r"\lvert \sin x \rvert \leq \lvert x \rvert", None, "everywhere"),
+        (
+            r"\lvert \sin x \rvert \leq \lvert x \rvert",
+            r"-\pi \leq x \leq \pi",
+            "-pi <= x, x <= pi",
+        ),
+        (r"\lvert \tan x \rvert \geq x", r"0 \leq x < \pi/2", "0 <= x/pi < 1/2"),
+        (r"\lvert \tan x \rvert \geq x", "0 < x < 1", "0 < x < 1"),
+        (r"\ln x \leq \ln \pi", r"0 < x \leq \pi", "x > 0, x <= pi"),
+    ],
+)
+def test_where_is_told(latex: str, domain: str | None, told: str) -> None:
+    found = judged("inequality", line(latex, domain))
+    check(found, "proved")
+    assert found.domain == told
+
+
 def test_it_says_how() -> None:
     found = judged("inequality", TRUE[0][0])
     assert found.method is not None
@@ -112,6 +133,14 @@ def test_what_else_is_said_of_a_size_is_left(operator: str) -> None:
     sine = Expr("call", "sin", (X,))
     assert written(Rel(operator, absolute(sine), Y)) == []
     assert written(Rel("<=", power(power(sine, 2), Fraction(3, 2)), Y)) == []
+
+
+def test_what_holds_of_one_part_where_it_has_a_value_holds_there_of_the_whole() -> None:
+    statement = Statement((Rel("=", absolute(X), Y),))
+    words = iter([VALUED, "x <= 0"])
+    found = by_sizes(statement, {}, None, {}, lambda *_: Outcome("proved", next(words), "", "seen"))
+    assert found is not None
+    assert (found.domain, found.method) == (VALUED, "sizes by signs; seen")
 
 
 def test_a_size_that_is_larger_follows_from_either_sign() -> None:
