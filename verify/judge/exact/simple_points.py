@@ -9,7 +9,7 @@ from gainproof.verify.judge.exact.box import Box
 from gainproof.verify.judge.exact.statement import Statement
 from gainproof.verify.judge.exact.witness import inside
 
-WANTED = 40
+WANTED = 50
 """All scales of all patterns: what is false far out only shows at the last."""
 PATTERNS = (
     (1, 2, 3, 5, 7, 11),
@@ -20,6 +20,8 @@ PATTERNS = (
     (-1, 2, -3, 5, -7, 11),
     (1, -2, -1, 3, 5, -4),
     (7, -2, 5, -1, 3, -1),
+    (-1, -2, -3, -5, -7, -11),
+    (-2, -1, 5, -3, 2, -7),
 )
 
 

@@ -230,3 +230,14 @@ def test_what_is_proved_holds_at_a_thousand_points(seed: int) -> None:
     assert not (found.verdict == "proved" and failing), (premise, conclusion, failing[:3])
     if found.verdict == "refuted" and not failing:
         assert found.witness is not None
+
+
+@pytest.mark.parametrize(
+    "latex",
+    [
+        r"\ln(x y) > 0 \Rightarrow x > 0",
+        r"e^x < e^y \Rightarrow \lvert x \rvert < \lvert y \rvert",
+    ],
+)
+def test_what_fails_where_both_numbers_are_negative_is_refuted(latex: str) -> None:
+    check(judged("implication", latex), "refuted")
