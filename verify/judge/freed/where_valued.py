@@ -39,11 +39,13 @@ def but_where_it_has(
             return found
         if found.verdict == "proved":
             held = where_valued(found.domain) if where is loose else found.domain
+            held = ", ".join([*turned.words, held])
+            held = held if held.startswith("where") else f"for {held}"
             certificate = {**found.certificate, "decides": found.verdict}
             return replace(
                 found,
                 verdict="conditional",
-                domain=", ".join([*turned.words, held]),
+                domain=held,
                 reason=f"fails {nowhere.witness.text() if nowhere.witness else ''}; holds {held}",
                 witness=nowhere.witness,
                 certificate=certificate,

@@ -252,14 +252,14 @@ def test_the_points_are_right() -> None:
 @pytest.mark.parametrize(
     ("latex", "domain", "wanted"),
     [
-        (r"\tan\theta \geq \theta", QUARTER, r"0 <= \theta/pi < 1/2"),
-        (r"\tan\theta \leq \theta", r"-\pi/2 \leq \theta \leq 0", r"-1/2 < \theta/pi <= 0"),
+        (r"\tan\theta \geq \theta", QUARTER, r"for 0 <= \theta/pi < 1/2"),
+        (r"\tan\theta \leq \theta", r"-\pi/2 \leq \theta \leq 0", r"for -1/2 < \theta/pi <= 0"),
         (
             r"\tan^2\theta \geq \theta^2",
             r"-\pi/2 \leq \theta \leq \pi/2",
-            r"-1/2 < \theta/pi < 1/2",
+            r"for -1/2 < \theta/pi < 1/2",
         ),
-        (r"\ln x \leq x - 1", r"0 \leq x \leq 3", "0 < x <= 3, where every part has a value"),
+        (r"\ln x \leq x - 1", r"0 \leq x \leq 3", "for 0 < x <= 3, where every part has a value"),
     ],
 )
 def test_an_end_without_a_value_is_taken_out(latex: str, domain: str, wanted: str) -> None:
