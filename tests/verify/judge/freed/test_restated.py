@@ -98,7 +98,7 @@ def test_what_is_false_is_refuted(latex: str, domain: str) -> None:
 def test_an_implication_without_a_value_at_a_point() -> None:
     found = judged("implication", claim(r"e^x > y \Rightarrow x > \ln y", "y > -1"))
     check(found, "conditional")
-    assert found.domain == "y > 0, where every part has a value"
+    assert found.domain == "for y > 0, where every part has a value"
 
 
 @pytest.mark.parametrize(

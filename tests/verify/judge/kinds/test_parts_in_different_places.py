@@ -55,8 +55,16 @@ def test_the_other_direction_refutes(latex: str) -> None:
 
 
 def test_a_direction_that_is_not_known_is_not_passed_over() -> None:
-    latex = r"x > 2 \Leftrightarrow \ln(x - y) > \ln(2 - y)"
-    assert judged("equivalence", latex).verdict in ("held", "undecided")
+    equal, values = "x = y", r"e^x + \arctan x = e^y + \arctan y"
+    check(judged("implication", rf"{equal} \Rightarrow {values}"), "proved")
+    for latex in (rf"{equal} \Leftrightarrow {values}", rf"{values} \Leftrightarrow {equal}"):
+        assert judged("equivalence", latex).verdict in ("held", "undecided")
+
+
+def test_two_logarithms_are_compared_where_both_have_a_value() -> None:
+    found = judged("equivalence", r"x > 2 \Leftrightarrow \ln(x - y) > \ln(2 - y)")
+    check(found, "conditional")
+    assert found.domain == "for y < 2, x > 2, where every part has a value"
 
 
 @pytest.mark.parametrize(
