@@ -143,6 +143,16 @@ def test_what_holds_of_one_part_where_it_has_a_value_holds_there_of_the_whole() 
     assert (found.domain, found.method) == (VALUED, "sizes by signs; seen")
 
 
+@pytest.mark.parametrize("verdicts", [("proved", "held"), ("refuted", "proved"), ("conditional",)])
+def test_every_part_has_to_be_proved(verdicts: tuple[str, ...]) -> None:
+    statement = Statement((Rel("=", absolute(X), Y),))
+    each = iter(verdicts)
+    found = by_sizes(
+        statement, {}, None, {}, lambda *_: Outcome(next(each, "proved"), "", "", "seen")
+    )
+    assert found is None
+
+
 def test_a_size_that_is_larger_follows_from_either_sign() -> None:
     sine = Expr("call", "sin", (X,))
     asked: list[Rel] = []
