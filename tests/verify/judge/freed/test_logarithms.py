@@ -91,3 +91,15 @@ def test_of_two_logarithms_that_of_the_larger_is_larger(latex: str, domain: str)
 def test_what_is_false_of_two_logarithms(latex: str, domain: str | None) -> None:
     stated = f"\ndomain = '{domain}'" if domain else ""
     check(judged("inequality", f"latex = '{latex}'{stated}"), "refuted")
+
+
+@pytest.mark.parametrize(
+    "latex",
+    [
+        r"\ln((7 x - 5)^2) < \ln(1 + (7 x - 5)^2)",
+        r"\ln(1 + (7 x - 5)^2) > \ln((7 x - 5)^2)",
+        r"\ln(1 + (7 x - 5)^2) > \ln(-(7 x - 5)^2 + 1/1000000)",
+    ],
+)
+def test_a_logarithm_without_a_value_at_a_point_that_is_not_tried_is_not_larger(latex: str) -> None:
+    assert judged("inequality", f"latex = '{latex}'\ndomain = '0 < x < 1'").verdict != "proved"
