@@ -14,7 +14,8 @@ from gainproof.verify.judge.exact.box import Box
 from gainproof.verify.judge.exact.decision import decide
 from gainproof.verify.judge.exact.expression import power, sqrt, symbol
 from gainproof.verify.judge.exact.limits import Undecided
-from gainproof.verify.judge.exact.statement import Rel, Statement
+from gainproof.verify.judge.exact.points import failure_where
+from gainproof.verify.judge.exact.statement import Enclosure, Rel, Statement, Witness
 from gainproof.verify.judge.hypothesis import settle
 from gainproof.verify.judge.replay import replay, replay_json
 
@@ -67,6 +68,22 @@ def test_conditions_are_respected_at_points() -> None:
     nowhere = Statement((Rel(">", x, y),), (Rel(">", x, 1000 * y), Rel("<", x, y)))
     with pytest.raises(Undecided):
         settle(nowhere, BOTH, None, {})
+
+
+def test_another_statement_fails_at_a_point_of_the_own_domain_only() -> None:
+    statement = Statement((Rel("<", x, y),))
+    side = Enclosure("0", "0")
+    outcomes = [
+        failure_where(Witness(point, "<", side, side), statement, BOTH, {"x": "X"})
+        for point in (
+            {"X": "3", "y": "2"},
+            {"X": "2", "y": "3"},
+            {"X": "3", "y": "-2"},
+            {"X": "sqrt(2)", "y": "1"},
+            {"X": "3"},
+        )
+    ]
+    assert [found and found.verdict for found in outcomes] == ["refuted", None, None, None, None]
 
 
 def test_a_certificate_is_replayed_and_an_altered_one_is_not() -> None:
