@@ -7,7 +7,6 @@ from dataclasses import replace
 from functools import partial
 
 from gainproof.verify.judge.exact.box import Box
-from gainproof.verify.judge.exact.certificate import statement_data
 from gainproof.verify.judge.exact.free_names import with_tokens
 from gainproof.verify.judge.exact.limits import Undecided
 from gainproof.verify.judge.exact.points import (
@@ -19,6 +18,7 @@ from gainproof.verify.judge.exact.points import (
 )
 from gainproof.verify.judge.exact.statement import Outcome, Statement
 from gainproof.verify.judge.freed.at_turns import without_value_at_turns
+from gainproof.verify.judge.freed.certificate import certificate_of
 from gainproof.verify.judge.freed.domain_words import domain_text
 from gainproof.verify.judge.freed.freely import (
     VALUED,
@@ -59,8 +59,7 @@ def decided(
     if not has_functions(statement):
         return settle(statement, boxes, parameter, labels)
     if not statement.symbols() and _is_between_numbers(statement):
-        data = statement_data(statement, {}, parameter, labels)
-        certificate = {"checked": "replayed", "engine": "functions", "statement": data}
+        certificate = certificate_of(statement, {}, parameter, labels)
         reason = "both sides are numbers, which balls tell apart"
         return Outcome("proved", "everywhere", reason, "balls round both sides", None, certificate)
     statement = statement.mapped(lambda e: without_whole_turns(e, boxes))
@@ -135,24 +134,9 @@ def _in_other_variables(
                 found,
                 domain=domain_text(statement, boxes, labels),
                 method=f"in another variable; {found.method}",
-                certificate=_as_of(found, statement, boxes, parameter, labels),
+                certificate=certificate_of(statement, boxes, parameter, labels, found.certificate),
             )
     return None
-
-
-def _as_of(
-    found: Outcome,
-    statement: Statement,
-    boxes: Mapping[str, Box],
-    parameter: str | None,
-    labels: Mapping[str, str],
-) -> Mapping[str, object]:
-    """The certificate of a statement of which another one was proved: going through it again
-    begins with the statement itself.
-    """
-    own = {name: box for name, box in boxes.items() if name in statement.symbols()}
-    data = statement_data(statement, own, parameter, labels)
-    return {**found.certificate, "engine": "functions", "statement": data}
 
 
 def _without_value(
@@ -187,7 +171,7 @@ def _restated(
             continue
         if found.verdict == "proved":
             own = domain_text(statement, boxes, labels)
-            certificate = _as_of(found, statement, boxes, parameter, labels)
+            certificate = certificate_of(statement, boxes, parameter, labels, found.certificate)
             domain = where_valued(own) if VALUED in found.domain else own
             return replace(found, domain=domain, certificate=certificate)
         tried.append(found)

@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from functools import partial
 
-from gainproof.verify.judge.exact.certificate import statement_data
 from gainproof.verify.judge.exact.limits import Undecided
 from gainproof.verify.judge.exact.points import is_seen, try_points
 from gainproof.verify.judge.exact.statement import Outcome, Rel, Statement
+from gainproof.verify.judge.freed.certificate import Decides, certificate_of
 from gainproof.verify.judge.freed.domain_words import domain_text
 from gainproof.verify.judge.freed.equal_sides import equal_somewhere, fails_near
 from gainproof.verify.judge.freed.parts import Part
@@ -25,8 +25,6 @@ MOST_SLOPES = 5
 MOST_QUESTIONS = 20
 """With functions in them. What was proved in trials needed ten at most, one may take seconds."""
 METHOD = "its value at a point and slopes away from it"
-
-Decides = Callable[[Statement, Boxes, str | None, Mapping[str, str]], Outcome]
 
 
 def rising(
@@ -52,13 +50,8 @@ def rising(
             raise
         return fails
     where = domain_text(turned.statement, turned.boxes, turned.labels)
-    own = {name: box for name, box in boxes.items() if name in statement.symbols()}
-    certificate = {
-        "checked": "replayed",
-        "engine": "functions",
-        "statement": statement_data(statement, own, parameter, labels),
-        "slopes": slope_lines(found, told, turned.labels),
-    }
+    how = {"slopes": slope_lines(found, told, turned.labels)}
+    certificate = certificate_of(statement, boxes, parameter, labels, how)
     return Outcome("proved", where, "holds on the whole domain", METHOD, None, certificate)
 
 

@@ -15,16 +15,14 @@ from itertools import product
 
 from gainproof.verify.judge.exact.box import Box
 from gainproof.verify.judge.exact.calculus import rebuilt
-from gainproof.verify.judge.exact.certificate import statement_data
 from gainproof.verify.judge.exact.expression import Expr, neg, power, walk
 from gainproof.verify.judge.exact.limits import Undecided
 from gainproof.verify.judge.exact.statement import Outcome, Rel, Statement
+from gainproof.verify.judge.freed.certificate import Decides, certificate_of
 from gainproof.verify.judge.freed.domain_words import domain_text
 from gainproof.verify.judge.freed.freely import where_valued
 from gainproof.verify.judge.freed.rewriting import bound_names
-
-Boxes = Mapping[str, Box]
-Decides = Callable[[Statement, Boxes, str | None, Mapping[str, str]], Outcome]
+from gainproof.verify.judge.freed.smooth import Boxes
 
 MOST_SYMBOLS = 3
 """Of either sign: of more there are too many parts."""
@@ -50,19 +48,13 @@ def by_sizes(
         proofs.append(found)
     domain = domain_text(statement, boxes, labels)
     whole = not any("where" in found.domain for found in proofs)
-    own = {name: box for name, box in boxes.items() if name in statement.symbols()}
-    certificate = {
-        "checked": "replayed",
-        "engine": "functions",
-        "statement": statement_data(statement, own, parameter, labels),
-    }
     return Outcome(
         "proved",
         domain if whole else where_valued(domain),
         "holds with every size written out, whatever the signs",
         f"sizes by signs; {'; '.join(dict.fromkeys(each.method for each in proofs))}",
         None,
-        certificate,
+        certificate_of(statement, boxes, parameter, labels),
     )
 
 

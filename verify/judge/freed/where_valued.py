@@ -2,17 +2,16 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Iterator, Mapping
 from dataclasses import replace
 
 from gainproof.verify.judge.exact.box import Box
 from gainproof.verify.judge.exact.limits import Undecided
 from gainproof.verify.judge.exact.statement import Outcome, Statement
+from gainproof.verify.judge.freed.certificate import Decides
 from gainproof.verify.judge.freed.freely import where_valued
 from gainproof.verify.judge.freed.scaled import scaled
-
-Boxes = Mapping[str, Box]
-Decides = Callable[[Statement, Boxes, str | None, Mapping[str, str]], Outcome]
+from gainproof.verify.judge.freed.smooth import Boxes
 
 
 def but_where_it_has(

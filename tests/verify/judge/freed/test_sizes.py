@@ -30,18 +30,18 @@ TRUE = [
     (r"x \leq \lvert \ln(1 - x) \rvert", "0 < x < 1"),
 ]
 FALSE = [
-    (r"\lvert \sin x \rvert \leq \lvert x \rvert - x^4", None, "refuted"),
-    (r"\lvert \sin x - x \rvert \leq \frac{\lvert x \rvert^3}{7}", None, "refuted"),
-    (r"\lvert \cos x - 1 \rvert \leq \frac{x^2}{3}", None, "refuted"),
+    (r"\lvert \sin x \rvert \leq \lvert x \rvert - x^4", None),
+    (r"\lvert \sin x - x \rvert \leq \frac{\lvert x \rvert^3}{7}", None),
+    (r"\lvert \cos x - 1 \rvert \leq \frac{x^2}{3}", None),
     # true of one sign alone
-    (r"\lvert \sin x \rvert \leq x", "-1 < x < 1", "refuted"),
-    (r"e^{\lvert x \rvert} \leq e^{x}", None, "refuted"),
-    (r"e^x - 1 \leq 2 \lvert x \rvert", "-1 < x < 2", "refuted"),
-    (r"\lvert e^x - 1 \rvert \leq \lvert x \rvert", "x > -1", "refuted"),
-    (r"\lvert \sin x \rvert \geq \lvert x \rvert", "-1 < x < 1", "refuted"),
-    (r"\lvert \ln x \rvert \geq x - 1", "x > 0", "refuted"),
+    (r"\lvert \sin x \rvert \leq x", "-1 < x < 1"),
+    (r"e^{\lvert x \rvert} \leq e^{x}", None),
+    (r"e^x - 1 \leq 2 \lvert x \rvert", "-1 < x < 2"),
+    (r"\lvert e^x - 1 \rvert \leq \lvert x \rvert", "x > -1"),
+    (r"\lvert \sin x \rvert \geq \lvert x \rvert", "-1 < x < 1"),
+    (r"\lvert \ln x \rvert \geq x - 1", "x > 0"),
     # equal at 0 alone
-    (r"\lvert \sin x \rvert < \lvert x \rvert", None, "refuted"),
+    (r"\lvert \sin x \rvert < \lvert x \rvert", None),
 ]
 
 
@@ -57,11 +57,9 @@ def test_true(latex: str, domain: str | None) -> None:
     assert replay(found.certificate, "proved") is None
 
 
-@pytest.mark.parametrize(("latex", "domain", "wanted"), FALSE)
-def test_false(latex: str, domain: str | None, wanted: str) -> None:
-    found = judged("inequality", line(latex, domain))
-    assert found.verdict != "proved"
-    assert found.verdict in (wanted, "held")
+@pytest.mark.parametrize(("latex", "domain"), FALSE)
+def test_false(latex: str, domain: str | None) -> None:
+    check(judged("inequality", line(latex, domain)), "refuted")
 
 
 @pytest.mark.parametrize(
@@ -91,7 +89,6 @@ def test_it_says_how() -> None:
 
 
 X, Y = symbol("x"), symbol("y")
-WHOLE = Box(stated=False)
 
 
 def written(*rels: Rel, **boxes: Box) -> list[tuple[tuple[Rel, ...], Box | None]]:
