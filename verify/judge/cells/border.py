@@ -86,4 +86,6 @@ def _with_value(task: Task, name: str, value: Expr, what: Expr) -> Task | None:
     if any(plainly_false(rel) for rel in (*domain, *moved.domain)):
         return None
     statement = replace(moved, given=(*domain, *moved.given))
-    return Task(statement, left, solved, (*task.border, what))
+    return replace(
+        task, statement=statement, boxes=left, solved=solved, border=(*task.border, what)
+    )

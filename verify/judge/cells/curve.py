@@ -42,9 +42,7 @@ def curve_part(
     others = [p for p in question.careful_cuts() if str(p) != str(factor)]
     others = [p for p in others if not keeps_sign(p, boxes, closed=True)]
     upper = max(range(2), key=lambda i: (degree(factor, i) > 0, -degree(factor, i)))
-    curve = Task(
-        task.statement, task.boxes, task.solved, (*task.border, as_expr(factor, task.names))
-    )
+    curve = replace(task, border=(*task.border, as_expr(factor, task.names)))
     pieces: list[Piece] = []
     for place in _base(factor, others, upper, boxes, budget):
         budget.check_time()
@@ -144,7 +142,7 @@ def _on_line(
     statement = curve.statement.mapped(lambda expr: substituted(expr, change))
     box = replace(curve.boxes[other], integer=False)
     solved = (*curve.solved, (name, number(value)))
-    line = Task(statement, {other: box}, solved, curve.border)
+    line = replace(curve, statement=statement, boxes={other: box}, solved=solved)
     work = Work(statement, {other: box}, other, {}, budget.limits)
     place = Place(at=root)
     return _piece(work, line, place, size, Local(work.tower, place), stated)
@@ -159,5 +157,5 @@ def _piece(
     stated: frozenset[str],
 ) -> Piece:
     found, failing = truth(question, local)
-    counted = found != SKIPPED and (found != NO_VALUE or is_stated(task, failing, local, stated))
+    counted = found != SKIPPED and (found != NO_VALUE or is_stated(task, local, stated))
     return Piece(task, place, size, found, failing, local, counted)

@@ -107,9 +107,10 @@ def _task(statement: Statement, boxes: Mapping[str, Box]) -> Task:
         for name, box in boxes.items()
         if box.lower is not None and box.lower == box.upper
     }
-    statement = statement.mapped(lambda expr: substituted(expr, fixed))
+    parts = tuple(e for rel in statement.asked for e in (rel.left, rel.right)) + statement.needed
+    moved = statement.mapped(lambda expr: substituted(expr, fixed))
     left = {n: replace(b, integer=False) for n, b in boxes.items() if n not in fixed}
-    return Task(statement, left, tuple(fixed.items()))
+    return Task(moved, left, tuple(fixed.items()), parts=parts)
 
 
 def _outcome(
@@ -160,7 +161,8 @@ def _failing_points(task: Task, budget: Budget, stated: frozenset[str]) -> list[
         values = {name: number(value) for name, value in point.items()}
         statement = task.statement.mapped(lambda e, v=values: substituted(e, v))  # type: ignore[misc]
         solved = (*task.solved, *values.items())
-        part = exact_part(Task(statement, {}, solved), Budget(budget.limits), stated)
+        there = replace(task, statement=statement, boxes={}, solved=solved)
+        part = exact_part(there, Budget(budget.limits), stated)
         failed = [p for p in part.pieces if p.counted and p.truth != TRUE]
         if failed:
             return failed

@@ -38,10 +38,11 @@ def exclusions(
         if chain[0] in used or any(chain[:k] in gone for k in range(1, len(chain) + 1)):
             continue
         here = [p for p in found if p.task.border[above:] == chain]
-        if not _wrong(all_pieces(here)):
-            continue
         below = all_pieces([p for p in found if p.task.border[above:][: len(chain)] == chain])
         kept = [p for p in below if p.truth == TRUE]
+        # where it has no point but on smaller borders, these are named unless it fails on them all
+        if not _wrong(all_pieces(here) if kept else below):
+            continue
         if kept and all(_is_small(p) for p in here):
             texts |= dict.fromkeys(t for part in here for t in _of_line(part, chain, labels))
             continue

@@ -8,8 +8,9 @@ from dataclasses import dataclass
 from gainproof.verify.judge.cells.projection import Projection
 from gainproof.verify.judge.cells.question import CellQuestion
 from gainproof.verify.judge.cells.task import Task
+from gainproof.verify.judge.exact.calculus import substituted
 from gainproof.verify.judge.exact.connected import Connected
-from gainproof.verify.judge.exact.expression import symbols_of
+from gainproof.verify.judge.exact.expression import symbols_of, walk
 from gainproof.verify.judge.exact.local import Local
 from gainproof.verify.judge.exact.poly import Poly
 from gainproof.verify.judge.exact.statement import Rel
@@ -46,13 +47,21 @@ class Part:
     sampled: bool = False
 
 
-def is_stated(task: Task, rel: Rel | None, local: Local, stated: frozenset[str]) -> bool:
-    """Whether a symbol that leaves the relation without value has a stated domain."""
-    exprs = task.statement.exprs()
-    if rel is not None and task.statement.connective == "if":
-        exprs = (rel.left, rel.right, *task.statement.needed)
-    involved = symbols_of(*local.without_value(*exprs), *task.border[-1:])
-    return bool(involved & stated)
+def is_stated(task: Task, local: Local, stated: frozenset[str]) -> bool:
+    """Whether a part that has no value holds a symbol with a stated domain.
+
+    Its symbols are those of the part before anything was put in: on a border they may be gone.
+    """
+    if not stated:
+        return False
+    for node in walk(*task.parts):
+        if symbols_of(node) & stated:
+            moved = node
+            for name, value in task.solved:
+                moved = substituted(moved, {name: value})
+            if local.is_cause(moved):
+                return True
+    return False
 
 
 def all_pieces(found: Sequence[Part]) -> list[Piece]:

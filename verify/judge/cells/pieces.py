@@ -48,7 +48,7 @@ def parts(task: Task, budget: Budget, stated: frozenset[str]) -> Iterator[Part]:
         part = _open_cells(question, budget, stated)
         yield part
         wrong = any(piece.truth == FALSE for piece in part.pieces)
-        empty = question.never_has_value() and not any(piece.counted for piece in part.pieces)
+        empty = question.never_has_value() and not stated
         if not budget.thorough and (wrong or empty):
             return
         borders = question.all_borders() if budget.thorough else question.borders()
@@ -103,7 +103,7 @@ def piece_of_cell(question: Question, task: Task, cell: Cell, stated: frozenset[
     """The truth on one open cell. Raises Undecided."""
     local = Local(question.tower, cell)
     found, failing = truth(question, local)
-    counted = found != SKIPPED and (found != NO_VALUE or is_stated(task, failing, local, stated))
+    counted = found != SKIPPED and (found != NO_VALUE or is_stated(task, local, stated))
     return Piece(task, cell, len(cell.sides), found, failing, local, counted)
 
 
@@ -118,9 +118,7 @@ def exact_part(task: Task, budget: Budget, stated: frozenset[str]) -> Part:
     budget.spend(len(judged))
     pieces = []
     for j in judged:
-        counted = j.truth != SKIPPED and (
-            j.truth != NO_VALUE or is_stated(task, j.failing, j.local, stated)
-        )
+        counted = j.truth != SKIPPED and (j.truth != NO_VALUE or is_stated(task, j.local, stated))
         size = 1 if j.place.is_cell else 0
         pieces.append(Piece(task, j.place, size, j.truth, j.failing, j.local, counted))
     return Part(task, tuple(pieces))

@@ -16,13 +16,15 @@ from gainproof.verify.judge.exact.statement import Rel, Statement
 @dataclass(frozen=True)
 class Task:
     """A statement on a box of real parameters, or on a border of one: then `solved` says what was
-    put in for which symbols, first to last, and `border` which polynomials are zero there.
+    put in for which symbols, first to last, and `border` which polynomials are zero there. `parts`
+    are the sides of the statement before anything was put in.
     """
 
     statement: Statement
     boxes: Mapping[str, Box]
     solved: tuple[tuple[str, Expr], ...] = ()
     border: tuple[Expr, ...] = ()
+    parts: tuple[Expr, ...] = ()
 
     @property
     def names(self) -> tuple[str, ...]:
@@ -58,7 +60,7 @@ class Budget:
     cells: int = 0
     seen: set[frozenset[object]] = field(default_factory=set)
     gaps: list[tuple[Expr, str]] = field(default_factory=list)
-    start: float = field(default_factory=time.monotonic)
+    start: float = field(default_factory=time.process_time)
 
     def is_new(self, task: Task) -> bool:
         """Whether this question was not asked before. Raises Undecided if there are too many."""
@@ -71,7 +73,7 @@ class Budget:
 
     def check_time(self) -> None:
         """Raises OutOfTime."""
-        if time.monotonic() - self.start > self.limits.seconds:
+        if time.process_time() - self.start > self.limits.seconds:
             raise OutOfTime(f"more than {self.limits.seconds:g} seconds over cells")
 
     def spend(self, count: int) -> None:

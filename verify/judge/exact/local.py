@@ -88,9 +88,9 @@ class Local:
                 return self._bad[node.key]
         return None
 
-    def without_value(self, *exprs: Expr) -> list[Expr]:
-        """The parts that have no value here, for example a quotient by zero."""
-        return [node for node in walk(*exprs) if node.key in self._bad] if self._bad else []
+    def is_cause(self, node: Expr) -> bool:
+        """Whether this part has no value here though its own parts have, as a quotient by zero."""
+        return node.key in self._bad
 
     def reduce(self, p: Poly) -> Poly:
         """Remainder by the relations of the tower, of the place and of the roots that are zero

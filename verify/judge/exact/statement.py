@@ -45,6 +45,11 @@ class Statement:
         """The conditions without which nothing is said."""
         return (*self.given, *self.conditions) if self.connective == "if" else self.given
 
+    @property
+    def asked(self) -> tuple[Rel, ...]:
+        """The relations of which values are asked for on the whole domain."""
+        return self.relations if self.connective == "if" else (*self.relations, *self.conditions)
+
     def all_relations(self) -> tuple[Rel, ...]:
         """Relations, conditions, given."""
         return (*self.relations, *self.conditions, *self.given)

@@ -13,7 +13,7 @@ from dataclasses import dataclass
 from typing import Any
 
 from gainproof.verify.judge.exact.box import Box
-from gainproof.verify.judge.exact.expression import walk
+from gainproof.verify.judge.exact.expression import Expr, walk
 from gainproof.verify.judge.exact.limits import Limits, Undecided
 from gainproof.verify.judge.exact.local import Local
 from gainproof.verify.judge.exact.norm import vanishing_factors
@@ -88,9 +88,11 @@ class Work(Question):
         if local.place.is_cell and rel not in self.split:
             self.split_if_possible(rel)
 
-    def has_value(self, rel: Rel, local: Local) -> None:
-        """Divisors that vanish for some values of the free symbols only."""
-        below = {node.key for node in walk(rel.left, rel.right, *self.statement.needed)}
+    def has_value(self, local: Local, *exprs: Expr) -> None:
+        """Divisors that vanish for some values of the free symbols only. Raises Undecided where the
+        domain of such a symbol is stated, and in an equivalence, whose other side may hold there.
+        """
+        below = {node.key for node in walk(*exprs)}
         for check in self.tower.checks:
             if check.node.key not in below:
                 continue
@@ -107,7 +109,8 @@ class Work(Question):
                 index = self.tower.parameter_index
                 if index is not None and check.poly.degrees()[index] > 0 and self.box.stated:
                     raise Undecided("a divisor may vanish inside the stated domain") from None
-                if any(self.boxes[name].stated for name in involved):
+                joined = self.statement.connective != "if"
+                if joined or any(self.boxes[name].stated for name in involved):
                     names = ", ".join(self.labels.get(n, n) for n in involved)
                     raise Undecided(f"a divisor may vanish for some values of {names}") from None
                 text = f"where the divisor {_readable(self, check.poly)} is not zero"

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 
 from gainproof.verify.judge.exact.box import Box
+from gainproof.verify.judge.exact.expression import Expr
 from gainproof.verify.judge.exact.limits import Limits, Undecided
 from gainproof.verify.judge.exact.local import Local
 from gainproof.verify.judge.exact.statement import Rel, Statement
@@ -34,8 +35,8 @@ class Question:
     def equation_fails(self, rel: Rel, local: Local) -> None:
         """Called where the sides of an equation are not identical."""
 
-    def has_value(self, rel: Rel, local: Local) -> None:
-        """Called where both sides of a relation have values."""
+    def has_value(self, local: Local, *exprs: Expr) -> None:
+        """Called where these have values for some values of the free symbols."""
 
 
 def truth(question: Question, local: Local) -> tuple[str, Rel | None]:
@@ -50,7 +51,7 @@ def truth(question: Question, local: Local) -> tuple[str, Rel | None]:
         for rel in statement.relations:
             if local.undefined(rel.left, rel.right, *statement.needed) is not None:
                 return NO_VALUE, rel
-            question.has_value(rel, local)
+            question.has_value(local, rel.left, rel.right, *statement.needed)
         for rel in statement.relations:
             if not _holds(question, local, rel, everywhere=True):
                 return FALSE, rel
@@ -63,6 +64,7 @@ def truth(question: Question, local: Local) -> tuple[str, Rel | None]:
         )
         # one side is true and the other has no value: that is no equivalence, whatever was stated
         return FALSE if one_sided else NO_VALUE, statement.relations[0]
+    question.has_value(local, *statement.exprs())
     first = all(_holds(question, local, rel, everywhere=False) for rel in statement.relations)
     second = all(_holds(question, local, rel, everywhere=False) for rel in statement.conditions)
     good = first == second if statement.connective == "iff" else (second or not first)

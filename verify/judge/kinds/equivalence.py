@@ -10,7 +10,12 @@ from gainproof.verify.judge.exact.statement import Statement
 from gainproof.verify.judge.formula import Reading
 from gainproof.verify.judge.freed.freely import where_valued
 from gainproof.verify.judge.freed.rewriting import has_functions
-from gainproof.verify.judge.kinds.framing import Frame, framed, strictly
+from gainproof.verify.judge.kinds.framing import (
+    Frame,
+    framed,
+    strictly,
+    where_hypotheses_have_values,
+)
 from gainproof.verify.judge.kinds.identity import resolved
 from gainproof.verify.judge.scope import Scope
 from gainproof.verify.judge.verdict import Finding, finding_of, of_parts
@@ -40,7 +45,8 @@ def decide_equivalence(statement: Statement, frame: Frame) -> Finding:
     ):
         one_way = Statement(conclusion, hypothesis, "if", statement.needed)
         try:
-            findings.append(finding_of(strictly(frame).decide(one_way)))
+            found = finding_of(strictly(frame).decide(one_way))
+            findings.append(where_hypotheses_have_values(found, hypothesis, frame))
         except Undecided as reason:
             reasons.append(reason)
     refuted = next((f for f in findings if f.verdict == "refuted"), None)

@@ -14,12 +14,14 @@ from gainproof.verify.judge.exact.constant_value import constant_value
 from gainproof.verify.judge.exact.expression import number, symbols_of
 from gainproof.verify.judge.exact.free_names import free_name
 from gainproof.verify.judge.exact.limits import Undecided
-from gainproof.verify.judge.exact.statement import Outcome, Rel, Statement
+from gainproof.verify.judge.exact.statement import Enclosure, Outcome, Rel, Statement
 from gainproof.verify.judge.freed.deciding import decided
+from gainproof.verify.judge.freed.total import is_total
 from gainproof.verify.judge.hypothesis import without_equations
 from gainproof.verify.judge.meaning.domains import refuse_fractions
 from gainproof.verify.judge.scope import Scope
 from gainproof.verify.judge.setting.environment import SAMPLE, Environment
+from gainproof.verify.judge.verdict import Finding, finding_of
 
 PLAIN = ("=", "!=", "<", "<=", ">", ">=")
 OTHER = {"=": "!=", "!=": "=", "<": ">=", "<=": ">", ">": "<=", ">=": "<"}
@@ -62,6 +64,27 @@ class Frame:
 def strictly(frame: Frame) -> Frame:
     """The frame in which a conclusion without value counts as false where its premise holds."""
     return replace(frame, boxes={n: replace(b, stated=True) for n, b in frame.boxes.items()})
+
+
+def where_hypotheses_have_values(
+    found: Finding, hypotheses: Iterable[Rel], frame: Frame
+) -> Finding:
+    """A proof from hypotheses, unless these lack a value somewhere on the domain: nothing is said
+    there. Raises Undecided.
+    """
+    sides = dict.fromkeys(side for rel in hypotheses for side in (rel.left, rel.right))
+    partial = tuple(Rel("<=", side, side) for side in sides if not is_total(side))
+    if found.verdict != "proved" or not partial:
+        return found
+    valued = finding_of(frame.decide(Statement(partial)))
+    if valued.verdict == "proved":
+        return found
+    none = Enclosure("", "", "not compared")
+    witness = valued.witness and replace(
+        valued.witness, left=none, right=none, note="what is supposed has no value there"
+    )
+    reason = f"what is supposed lacks a value on a part of the domain: {valued.reason}"
+    return replace(valued, reason=reason, witness=witness)
 
 
 def only_plain(relations: Iterable[Rel]) -> None:
