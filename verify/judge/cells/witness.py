@@ -84,7 +84,7 @@ def _points(count: int, steps: int) -> Iterator[tuple[int, ...]]:
 
 
 def _samples(piece: Piece) -> tuple[Sample | None, ...]:
-    return tuple(piece.place.samples) or (None,)
+    return (*piece.place.samples, *piece.place.moved) or (None,)
 
 
 def _at(piece: Piece, sample: Sample | None, labels: Mapping[str, str]) -> Witness | None:
