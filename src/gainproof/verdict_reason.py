@@ -13,6 +13,8 @@ NO_REPAIR = "no misprint-like repair found"
 """What the judge says where it looked for a repair and found none."""
 _OF_SLOPE = "sign of the derivative"
 """How the method begins that holds a trend against a derivative."""
+_PARTS = ("for ", "where", "everywhere", "nowhere", "on ", "as ")
+"""How the words of a domain begin that are no bare condition."""
 DECIDED_AS_STATED = frozenset({"proved", "definition"})
 
 
@@ -22,7 +24,7 @@ def reasons(claim: Claim) -> list[str]:
     if claim["verdict"] == "conditional" and claim["domain"]:
         other = is_contradicted(claim)
         under = ["under another convention"] if other else []
-        on = [] if other and claim["domain"] == "everywhere" else [claim["domain"]]
+        on = [] if other and claim["domain"] == "everywhere" else [_on(claim["domain"])]
         where = "as the conventions are stated" if other else "everywhere"
         found.append(f"true {', '.join([*under, *on])}; not {where}")
     if claim["reading"]:
@@ -31,6 +33,11 @@ def reasons(claim: Claim) -> list[str]:
     if why:
         found.append(why)
     return found + repaired(claim) + solutions(claim)
+
+
+def _on(domain: str) -> str:
+    """A domain as a part of a sentence: a bare condition follows a `where`."""
+    return domain if domain.startswith(_PARTS) else f"where {domain}"
 
 
 def is_contradicted(claim: Claim) -> bool:
