@@ -19,6 +19,8 @@ _NO_VALUE = "a side has no value"
 
 _SIDES_OF = "the left side of the"
 """How a note begins that says what each side of an equivalence comes to."""
+_FILTER = "the filter is"
+"""How a note begins that says whether a filter is stable there, and what was claimed."""
 _NOT_COMPARED = "not compared"
 """Of a side where the note alone says what fails."""
 
@@ -49,6 +51,8 @@ def sides(witness: Mapping[str, Any]) -> str:
     if (note := str(witness.get("note"))).startswith(_SIDES_OF):
         first, second = _apart(left, right)
         return note if missing else f"{note} (its sides are {first} and {second})"
+    if note.startswith(_FILTER):
+        return note
     if len(missing) == 2:
         reasons = dict.fromkeys(str(witness[name]["undefined"]) for name in missing)
         return f"neither side has a value ({'; '.join(reasons)})"

@@ -116,3 +116,8 @@ def test_of_an_equivalence_the_truth_of_each_side_is_told() -> None:
     note = "the left side of the equivalence holds, the right does not hold"
     text = witness_text.in_words({**WITNESS, "note": note})
     assert text == f"at r = 1 {note} (its sides are 0.5 and 4.38396)"
+
+
+def test_of_a_filter_its_stability_is_told() -> None:
+    note = "the filter is stable (poles of modulus 0.707107), though a < 1 fails"
+    assert witness_text.in_words({**WITNESS, "note": note}) == f"at r = 1 {note}"

@@ -28,8 +28,8 @@ def witness_of(question: Question, setting: MatrixSetting, instance: Instance) -
         try:
             one, other = instance.of(left), instance.of(right)
         except NoValueError:
-            sides = (_side(instance, side) for side in (left, right))
-            return Witness(point, operator, *sides, note="a side has no value")
+            first, second = _side(instance, left), _side(instance, right)
+            return Witness(point, operator, first, second, note="a side has no value")
         if not compared(one, operator, other):
             return _difference(point, operator, one, other)
     number = Enclosure("0", "0")
