@@ -26,7 +26,11 @@ def reasons(claim: Claim) -> list[str]:
         under = ["under another convention"] if other else []
         on = [] if other and claim["domain"] == "everywhere" else [_on(claim["domain"])]
         where = "as the conventions are stated" if other else "everywhere"
-        found.append(f"true {', '.join([*under, *on])}; not {where}")
+        if _is_proved_by_itself(claim):
+            named = f" under {claim['convention']}," if claim["convention"] else ""
+            found.append(f"true{named} {on[0]}; other claims of its setting want another choice")
+        else:
+            found.append(f"true {', '.join([*under, *on])}; not {where}")
     if claim["reading"]:
         found.append(f"read so that {claim['reading']}")
     why = reason(claim)
@@ -43,6 +47,11 @@ def _on(domain: str) -> str:
 def is_contradicted(claim: Claim) -> bool:
     """Whether it is true, with its setting, under another convention than the source states."""
     return "under the other convention" in (claim["evidence"]["certificate"] or {})
+
+
+def _is_proved_by_itself(claim: Claim) -> bool:
+    """Whether only the other claims stand against it, which fit no convention that it fits."""
+    return (claim["evidence"]["certificate"] or {}).get("decides") == "proved"
 
 
 def repair_of(claim: Claim) -> Mapping[str, str] | None:
