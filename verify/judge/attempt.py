@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Callable, Iterator
 from dataclasses import replace
 
@@ -12,12 +11,8 @@ from gainproof.verify.judge.claim.record import Claim, Setting
 from gainproof.verify.judge.dimensions.claim import claim_readings
 from gainproof.verify.judge.exact.limits import Malformed, Undecided
 from gainproof.verify.judge.scope import UndefinedSymbol
-from gainproof.verify.judge.setting.environment import (
-    INDEX,
-    SAMPLE,
-    Environment,
-    NotEstablished,
-)
+from gainproof.verify.judge.setting.environment import Environment, NotEstablished
+from gainproof.verify.judge.source_symbols import in_source_symbols
 from gainproof.verify.judge.verdict import Finding
 
 
@@ -26,7 +21,7 @@ def judge_claim(claim: Claim, setting: Setting, environment: Environment) -> Fin
     findings = []
     for label, attempt in _attempts(claim, setting, environment):
         finding = replace(_attempt(attempt), reading=label)
-        finding = replace(finding, domain=_in_index(finding.domain, setting, environment))
+        finding = in_source_symbols(finding, setting, environment)
         told = {
             "established": [fact.sentence for fact in environment.facts],
             "cited": cited(claim, setting),
@@ -40,20 +35,6 @@ def judge_claim(claim: Claim, setting: Setting, environment: Environment) -> Fin
     if len({f.verdict for f in findings}) > 1 and any(f.verdict == "undecided" for f in findings):
         return next(f for f in findings if f.verdict == "undecided")
     return findings[0]
-
-
-def _in_index(domain: str | None, setting: Setting, environment: Environment) -> str | None:
-    """All values of a parameter that is no tracking index, told as those of the index: each belongs
-    to one of its values.
-    """
-    name = environment.parameter
-    if domain is None or name in (None, INDEX, SAMPLE):
-        return domain
-    whole = environment.boxes[name].text(name)
-    tokens = (token for token, entry in setting.symbols.items() if entry.quantity == INDEX)
-    told = f"{next(tokens, INDEX)} > 0"
-    # a number that goes on is another one
-    return re.sub(re.escape(whole) + r"(?![\d./^])", lambda _: told, domain)
 
 
 def _attempts(

@@ -34,7 +34,7 @@ def other_conventions(setting: Setting) -> list[tuple[str, Setting]]:
     """
     setting = _with_stated_forms(setting)
     found = [
-        (in_words(name, value, setting), replace(setting, **{name: value}))
+        (in_words(name, value, setting), _with(setting, name, value))
         for name in VALUES
         if getattr(setting, name) != "search" and reaches(name, setting)
         for value in _others(name, getattr(setting, name))
@@ -44,6 +44,11 @@ def other_conventions(setting: Setting) -> list[tuple[str, Setting]]:
     if setting.own_model is not None:
         found.append(("", replace(setting, model="search", own_model=None)))
     return found
+
+
+def _with(setting: Setting, name: str, value: str) -> Setting:
+    changed: dict[str, Any] = {name: value}
+    return replace(setting, **changed)
 
 
 def _others(name: str, stated: str) -> tuple[str, ...]:
@@ -76,7 +81,7 @@ def _with_stated_forms(setting: Setting) -> Setting:
                 else entry
                 for token, entry in setting.symbols.items()
             }
-            setting = replace(setting, symbols=symbols, **{name: value})
+            setting = _with(replace(setting, symbols=symbols), name, value)
     return setting
 
 

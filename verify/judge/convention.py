@@ -10,6 +10,7 @@ from typing import Any
 
 from gainproof.verify.judge.claim.record import Setting
 from gainproof.verify.judge.convention_effect import (
+    Chosen,
     choices,
     name_of,
     with_conventions,
@@ -42,6 +43,7 @@ class Convention:
     setting: Setting
     open: bool
     reading: str | None = None
+    chosen: Chosen = Chosen()
 
     @property
     def name(self) -> str:
@@ -79,7 +81,7 @@ def conventions(
             named = ", ".join(filter(None, (searched, name_of(chosen, setting))))
             environment = replace(environment, name=named or base.name)
             for one, words in readings:
-                yield Convention(environment, with_units(one, chosen), is_open, words)
+                yield Convention(environment, with_units(one, chosen), is_open, words, chosen)
 
 
 def _bases(

@@ -8,6 +8,7 @@ from dataclasses import dataclass, field, replace
 from typing import Any
 
 from gainproof.verify.judge.exact.limits import Undecided
+from gainproof.verify.judge.exact.place import Place
 from gainproof.verify.judge.exact.statement import Outcome, Witness
 
 VERDICTS = (
@@ -26,7 +27,7 @@ SETTLED = frozenset(VERDICTS) - {"held", "undecided"}
 @dataclass(frozen=True)
 class Finding:
     """The verdict on one statement under one convention; `reach` counts the points tried before a
-    witness.
+    witness, `region` is the part of one parameter of which `domain` tells.
     """
 
     verdict: str
@@ -37,6 +38,7 @@ class Finding:
     certificate: Mapping[str, Any] = field(default_factory=dict)
     reading: str | None = None
     reach: int = 0
+    region: tuple[Place, ...] = ()
 
     def told_as(self, verdict: str, reason: str, domain: str | None = None) -> Finding:
         """The same under another verdict; the certificate says what its own statement comes to."""
@@ -142,4 +144,5 @@ def finding_of(outcome: Outcome) -> Finding:
         outcome.witness,
         outcome.certificate,
         reach=outcome.reach,
+        region=outcome.region,
     )

@@ -90,20 +90,21 @@ def _outcome(work: Work, judged: list[Judged]) -> Outcome:
     wide = [j for j in held if j.place.is_cell or work.tower.parameter is None]
     if not wide and held and _is_single(work, judged):
         wide = held
+    region = tuple(j.place for j in held) if work.tower.parameter is not None else ()
     domain = _domain_text(work, [j.place for j in held], label)
     method = _method(statement, work)
     if not failed:
         if not wide and not _only_points(judged):
             raise Undecided("the formula has a value at isolated points only")
-        return Outcome("proved", domain, "holds on the whole domain", method, None, certificate)
+        reason = "holds on the whole domain"
+        return Outcome("proved", domain, reason, method, None, certificate, region=region)
     witness, tried = _witness(work, failed)
     if wide:
         reason = f"fails {witness.text()}; {_extent(work)} {domain}"
-        return Outcome("conditional", domain, reason, method, witness, certificate, tried)
+        return Outcome("conditional", domain, reason, method, witness, certificate, tried, region)
     reason = f"fails {witness.text()}" + (f"; holds only {domain}" if held else "")
-    return Outcome(
-        "refuted", domain if held else "nowhere", reason, method, witness, certificate, tried
-    )
+    where = domain if held else "nowhere"
+    return Outcome("refuted", where, reason, method, witness, certificate, tried, region)
 
 
 def _extent(work: Work) -> str:
