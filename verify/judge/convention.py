@@ -42,8 +42,8 @@ class Convention:
     environment: Environment
     setting: Setting
     open: bool
+    chosen: Chosen
     reading: str | None = None
-    chosen: Chosen = Chosen()
 
     @property
     def name(self) -> str:
@@ -81,7 +81,7 @@ def conventions(
             named = ", ".join(filter(None, (searched, name_of(chosen, setting))))
             environment = replace(environment, name=named or base.name)
             for one, words in readings:
-                yield Convention(environment, with_units(one, chosen), is_open, words, chosen)
+                yield Convention(environment, with_units(one, chosen), is_open, chosen, words)
 
 
 def _bases(

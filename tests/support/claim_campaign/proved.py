@@ -21,7 +21,6 @@ from gainproof.verify.judge.attempt import judge_claim
 from gainproof.verify.judge.claim.file import read_claim_file
 from gainproof.verify.judge.claim.record import Claim, OwnModel, Setting
 from gainproof.verify.judge.convention import Convention, Unusable, conventions
-from gainproof.verify.judge.convention_effect import Chosen
 from gainproof.verify.judge.exact.limits import Undecided
 from gainproof.verify.judge.formula import Graph
 from gainproof.verify.judge.task import Models, Solved
