@@ -9,6 +9,7 @@ from gainproof import witness_text
 
 Claim = Mapping[str, Any]
 
+ANY_FILTER = "holds whatever the filter is: it follows from the file's own definitions"
 NO_REPAIR = "no misprint-like repair found"
 """What the judge says where it looked for a repair and found none."""
 _OF_SLOPE = "sign of the derivative"
@@ -33,6 +34,8 @@ def reasons(claim: Claim) -> list[str]:
             found.append(f"true {', '.join([*under, *on])}; not {where}")
     if claim["reading"]:
         found.append(f"read so that {claim['reading']}")
+    if claim.get("any_filter"):
+        found.append(ANY_FILTER)
     why = reason(claim)
     if why:
         found.append(why)

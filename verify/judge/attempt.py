@@ -10,17 +10,19 @@ from gainproof.verify.judge.cited import cited
 from gainproof.verify.judge.claim.record import Claim, Setting
 from gainproof.verify.judge.dimensions.claim import claim_readings
 from gainproof.verify.judge.exact.limits import Malformed, Undecided
+from gainproof.verify.judge.formula import Reading
 from gainproof.verify.judge.scope import UndefinedSymbol
 from gainproof.verify.judge.setting.environment import Environment, NotEstablished
 from gainproof.verify.judge.source_symbols import in_source_symbols
+from gainproof.verify.judge.tautology import holds_for_any_filter
 from gainproof.verify.judge.verdict import Finding
 
 
 def judge_claim(claim: Claim, setting: Setting, environment: Environment) -> Finding:
     """One claim in one environment; of several readings the one that is proved, else the first."""
     findings = []
-    for label, attempt in _attempts(claim, setting, environment):
-        finding = replace(_attempt(attempt), reading=label)
+    for reading, attempt in _attempts(claim, setting, environment):
+        finding = replace(_attempt(attempt), reading=None if reading is None else reading.text)
         finding = in_source_symbols(finding, setting, environment)
         told = {
             "established": [fact.sentence for fact in environment.facts],
@@ -30,7 +32,7 @@ def judge_claim(claim: Claim, setting: Setting, environment: Environment) -> Fin
             more = {name: sentences for name, sentences in told.items() if sentences}
             finding = replace(finding, certificate={**finding.certificate, **more})
         if finding.verdict == "proved":
-            return finding
+            return replace(finding, any_filter=holds_for_any_filter(claim, reading, setting))
         findings.append(finding)
     if len({f.verdict for f in findings}) > 1 and any(f.verdict == "undecided" for f in findings):
         return next(f for f in findings if f.verdict == "undecided")
@@ -39,7 +41,7 @@ def judge_claim(claim: Claim, setting: Setting, environment: Environment) -> Fin
 
 def _attempts(
     claim: Claim, setting: Setting, environment: Environment
-) -> Iterator[tuple[str | None, Callable[[], Finding]]]:
+) -> Iterator[tuple[Reading | None, Callable[[], Finding]]]:
     readings, fault = claim_readings(claim, setting)
     if fault is not None:
         yield None, lambda: Finding("refuted", fault, method="dimensions")
@@ -47,7 +49,7 @@ def _attempts(
         yield None, lambda: judge_in(claim, None, setting, environment)
     for reading in readings:
         yield (
-            reading.text,
+            reading,
             lambda r=reading: judge_in(claim, r, setting, environment),  # type: ignore[misc]
         )
 

@@ -171,4 +171,5 @@ def verdict_of(
         undefined=undefined,
         reason=finding.reason,
         seconds=seconds,
+        any_filter=finding.any_filter and finding.verdict == "proved",
     )
