@@ -39,6 +39,8 @@ def reasons(claim: Claim) -> list[str]:
     why = reason(claim)
     if why:
         found.append(why)
+    rounded = (claim["evidence"]["certificate"] or {}).get("as a rounded number")
+    found += [rounded] if rounded else []
     return found + repaired(claim) + solutions(claim)
 
 

@@ -11,6 +11,7 @@ from gainproof.verify.judge.claim.record import Claim, Setting
 from gainproof.verify.judge.dimensions.claim import claim_readings
 from gainproof.verify.judge.exact.limits import Malformed, Undecided
 from gainproof.verify.judge.formula import Reading
+from gainproof.verify.judge.kinds.printed_decimal import decimals_read, with_rounded
 from gainproof.verify.judge.scope import UndefinedSymbol
 from gainproof.verify.judge.setting.environment import Environment, NotEstablished
 from gainproof.verify.judge.source_symbols import in_source_symbols
@@ -22,7 +23,11 @@ def judge_claim(claim: Claim, setting: Setting, environment: Environment) -> Fin
     """One claim in one environment; of several readings the one that is proved, else the first."""
     findings = []
     for reading, attempt in _attempts(claim, setting, environment):
-        finding = replace(_attempt(attempt), reading=None if reading is None else reading.text)
+        finding = _attempt(attempt)
+        if reading is not None:
+            words = [text for text in (reading.text, decimals_read(claim, reading)) if text]
+            finding = with_rounded(finding, claim, reading, setting, environment)
+            finding = replace(finding, reading="; ".join(words) or None)
         finding = in_source_symbols(finding, setting, environment)
         told = {
             "established": [fact.sentence for fact in environment.facts],
