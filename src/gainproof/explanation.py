@@ -9,7 +9,7 @@ from gainproof import witness_text
 from gainproof.claim_proofs import parts as words_of
 from gainproof.page import WIDTH, filled
 from gainproof.proof_text import proof_lines, result_lines
-from gainproof.verdict_reason import is_of_slope, reason, repair_of, solutions
+from gainproof.verdict_reason import ANY_FILTER, is_of_slope, reason, repair_of, solutions
 from gainproof.verify.judge.explain import sections
 
 Claim = Mapping[str, Any]
@@ -85,7 +85,7 @@ def _facts(claim: Claim, checked: str) -> list[tuple[str, str]]:
         ("domain", domain),
         ("method", claim["evidence"]["method"]),
         ("checked", checked),
-        ("result", result),
+        ("result", ANY_FILTER if claim.get("any_filter") else result),
         *(("undefined", text) for text in solutions(claim)),
     )
     return [(label, str(value)) for label, value in found if value]

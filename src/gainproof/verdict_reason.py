@@ -9,10 +9,13 @@ from gainproof import witness_text
 
 Claim = Mapping[str, Any]
 
+ANY_FILTER = "holds whatever the filter is: it follows from the file's own definitions"
 NO_REPAIR = "no misprint-like repair found"
 """What the judge says where it looked for a repair and found none."""
 _OF_SLOPE = "sign of the derivative"
 """How the method begins that holds a trend against a derivative."""
+_PARTS = ("for ", "where", "everywhere", "nowhere", "on ", "as ")
+"""How the words of a domain begin that are no bare condition."""
 DECIDED_AS_STATED = frozenset({"proved", "definition"})
 
 
@@ -22,20 +25,38 @@ def reasons(claim: Claim) -> list[str]:
     if claim["verdict"] == "conditional" and claim["domain"]:
         other = is_contradicted(claim)
         under = ["under another convention"] if other else []
-        on = [] if other and claim["domain"] == "everywhere" else [claim["domain"]]
+        on = [] if other and claim["domain"] == "everywhere" else [_on(claim["domain"])]
         where = "as the conventions are stated" if other else "everywhere"
-        found.append(f"true {', '.join([*under, *on])}; not {where}")
+        if _is_proved_by_itself(claim):
+            named = f" under {claim['convention']}," if claim["convention"] else ""
+            found.append(f"true{named} {on[0]}; other claims of its setting want another choice")
+        else:
+            found.append(f"true {', '.join([*under, *on])}; not {where}")
     if claim["reading"]:
         found.append(f"read so that {claim['reading']}")
+    if claim.get("any_filter"):
+        found.append(ANY_FILTER)
     why = reason(claim)
     if why:
         found.append(why)
+    rounded = (claim["evidence"]["certificate"] or {}).get("as a rounded number")
+    found += [rounded] if rounded else []
     return found + repaired(claim) + solutions(claim)
+
+
+def _on(domain: str) -> str:
+    """A domain as a part of a sentence: a bare condition follows a `where`."""
+    return domain if domain.startswith(_PARTS) else f"where {domain}"
 
 
 def is_contradicted(claim: Claim) -> bool:
     """Whether it is true, with its setting, under another convention than the source states."""
     return "under the other convention" in (claim["evidence"]["certificate"] or {})
+
+
+def _is_proved_by_itself(claim: Claim) -> bool:
+    """Whether only the other claims stand against it, which fit no convention that it fits."""
+    return (claim["evidence"]["certificate"] or {}).get("decides") == "proved"
 
 
 def repair_of(claim: Claim) -> Mapping[str, str] | None:

@@ -17,6 +17,10 @@ _NO_VALUE = "a side has no value"
 """The note of a witness at which a side is not defined."""
 
 
+_SIDES_OF = "the left side of the"
+"""How a note begins that says what each side of an equivalence comes to."""
+_FILTER = "the filter is"
+"""How a note begins that says whether a filter is stable there, and what was claimed."""
 _NOT_COMPARED = "not compared"
 """Of a side where the note alone says what fails."""
 
@@ -44,8 +48,19 @@ def sides(witness: Mapping[str, Any]) -> str:
             return f"the left side is {first}, the right {second} ({witness['note']})"
     if len(missing) == 2 and left["undefined"] == _NOT_COMPARED and witness.get("note"):
         return str(witness["note"])
-    for name in missing:
-        return f"the {name} side has no value ({witness[name]['undefined']})"
+    if (note := str(witness.get("note"))).startswith(_SIDES_OF):
+        first, second = _apart(left, right)
+        return note if missing else f"{note} (its sides are {first} and {second})"
+    if note.startswith(_FILTER):
+        return note
+    if len(missing) == 2:
+        reasons = dict.fromkeys(str(witness[name]["undefined"]) for name in missing)
+        return f"neither side has a value ({'; '.join(reasons)})"
+    for name, other in (("left", "right"), ("right", "left")):
+        if name in missing:
+            said = f"the {name} side has no value ({witness[name]['undefined']})"
+            value = _shown(witness[other], _DIGITS)
+            return said if _is_approach(witness) else f"{said}, the {other} is {value}"
     if witness.get("exact"):
         return f"both sides are {_shown(left, _DIGITS)}"
     first, second = _apart(left, right)

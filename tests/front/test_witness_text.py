@@ -86,7 +86,12 @@ def test_limits(changed: dict[str, object], shown: str) -> None:
 def test_a_side_without_value() -> None:
     side = {"midpoint": "", "radius": "", "undefined": "division by zero"}
     text = witness_text.in_words({**WITNESS, "right": side})
-    assert text == "at r = 1 the right side has no value (division by zero)"
+    assert text == "at r = 1 the right side has no value (division by zero), the left is 0.5"
+    both = witness_text.in_words({**WITNESS, "left": side, "right": side})
+    assert both == "at r = 1 neither side has a value (division by zero)"
+    matrix = {"midpoint": "[[1, 2], [3, 4]]", "radius": "0"}
+    text = witness_text.in_words({**WITNESS, "left": side, "right": matrix})
+    assert text.endswith("(division by zero), the right is [[1, 2], [3, 4]]")
 
 
 @pytest.mark.parametrize(
@@ -103,8 +108,16 @@ def test_against_a_trend_stands_the_derivative(changed: dict[str, Any], shown: s
     assert shown in witness_text.slope_in_words(witness)
 
 
-def test_an_equivalence_has_no_sides_to_compare() -> None:
+def test_of_an_equivalence_the_truth_of_each_side_is_told() -> None:
     none = {"midpoint": "", "radius": "", "undefined": "not compared"}
-    note = "one side of the equivalence holds there and the other does not"
+    note = "the left side of the equivalence holds, the right has no value"
     text = witness_text.in_words({**WITNESS, "left": none, "right": none, "note": note})
     assert text == f"at r = 1 {note}"
+    note = "the left side of the equivalence holds, the right does not hold"
+    text = witness_text.in_words({**WITNESS, "note": note})
+    assert text == f"at r = 1 {note} (its sides are 0.5 and 4.38396)"
+
+
+def test_of_a_filter_its_stability_is_told() -> None:
+    note = "the filter is stable (poles of modulus 0.707107), though a < 1 fails"
+    assert witness_text.in_words({**WITNESS, "note": note}) == f"at r = 1 {note}"

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Callable, Iterator
 from dataclasses import replace
 
@@ -11,22 +10,25 @@ from gainproof.verify.judge.cited import cited
 from gainproof.verify.judge.claim.record import Claim, Setting
 from gainproof.verify.judge.dimensions.claim import claim_readings
 from gainproof.verify.judge.exact.limits import Malformed, Undecided
+from gainproof.verify.judge.formula import Reading
+from gainproof.verify.judge.kinds.printed_decimal import decimals_read, with_rounded
 from gainproof.verify.judge.scope import UndefinedSymbol
-from gainproof.verify.judge.setting.environment import (
-    INDEX,
-    SAMPLE,
-    Environment,
-    NotEstablished,
-)
+from gainproof.verify.judge.setting.environment import Environment, NotEstablished
+from gainproof.verify.judge.source_symbols import in_source_symbols
+from gainproof.verify.judge.tautology import holds_for_any_filter
 from gainproof.verify.judge.verdict import Finding
 
 
 def judge_claim(claim: Claim, setting: Setting, environment: Environment) -> Finding:
     """One claim in one environment; of several readings the one that is proved, else the first."""
     findings = []
-    for label, attempt in _attempts(claim, setting, environment):
-        finding = replace(_attempt(attempt), reading=label)
-        finding = replace(finding, domain=_in_index(finding.domain, setting, environment))
+    for reading, attempt in _attempts(claim, setting, environment):
+        finding = _attempt(attempt)
+        if reading is not None:
+            words = [text for text in (reading.text, decimals_read(claim, reading)) if text]
+            finding = with_rounded(finding, claim, reading, setting, environment)
+            finding = replace(finding, reading="; ".join(words) or None)
+        finding = in_source_symbols(finding, setting, environment)
         told = {
             "established": [fact.sentence for fact in environment.facts],
             "cited": cited(claim, setting),
@@ -35,30 +37,16 @@ def judge_claim(claim: Claim, setting: Setting, environment: Environment) -> Fin
             more = {name: sentences for name, sentences in told.items() if sentences}
             finding = replace(finding, certificate={**finding.certificate, **more})
         if finding.verdict == "proved":
-            return finding
+            return replace(finding, any_filter=holds_for_any_filter(claim, reading, setting))
         findings.append(finding)
     if len({f.verdict for f in findings}) > 1 and any(f.verdict == "undecided" for f in findings):
         return next(f for f in findings if f.verdict == "undecided")
     return findings[0]
 
 
-def _in_index(domain: str | None, setting: Setting, environment: Environment) -> str | None:
-    """All values of a parameter that is no tracking index, told as those of the index: each belongs
-    to one of its values.
-    """
-    name = environment.parameter
-    if domain is None or name in (None, INDEX, SAMPLE):
-        return domain
-    whole = environment.boxes[name].text(name)
-    tokens = (token for token, entry in setting.symbols.items() if entry.quantity == INDEX)
-    told = f"{next(tokens, INDEX)} > 0"
-    # a number that goes on is another one
-    return re.sub(re.escape(whole) + r"(?![\d./^])", lambda _: told, domain)
-
-
 def _attempts(
     claim: Claim, setting: Setting, environment: Environment
-) -> Iterator[tuple[str | None, Callable[[], Finding]]]:
+) -> Iterator[tuple[Reading | None, Callable[[], Finding]]]:
     readings, fault = claim_readings(claim, setting)
     if fault is not None:
         yield None, lambda: Finding("refuted", fault, method="dimensions")
@@ -66,7 +54,7 @@ def _attempts(
         yield None, lambda: judge_in(claim, None, setting, environment)
     for reading in readings:
         yield (
-            reading.text,
+            reading,
             lambda r=reading: judge_in(claim, r, setting, environment),  # type: ignore[misc]
         )
 

@@ -24,9 +24,12 @@ def choose(trials: Sequence[Trial]) -> list[ClaimVerdict]:
 
 
 def admitted(trials: Sequence[Trial]) -> list[str]:
-    """Conventions that the source may have: those that `choose` takes, all if there is none."""
+    """Conventions that the source may have: those that `choose` takes; where there are none, those
+    that a claim fits; all if no claim fits any.
+    """
     names = list(dict.fromkeys(name for trial in trials for name in trial.findings))
-    return _common(trials) or names
+    fitting = set().union(*_fits(trials).values())
+    return _common(trials) or [name for name in names if name in fitting] or names
 
 
 def _fits(trials: Sequence[Trial]) -> dict[str, set[str]]:
@@ -168,4 +171,5 @@ def verdict_of(
         undefined=undefined,
         reason=finding.reason,
         seconds=seconds,
+        any_filter=finding.any_filter and finding.verdict == "proved",
     )

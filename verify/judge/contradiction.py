@@ -7,32 +7,86 @@ from __future__ import annotations
 import math
 import time
 from collections.abc import Mapping, Sequence
+from contextlib import suppress
 from dataclasses import dataclass, replace
+from fractions import Fraction
 from typing import Any
 
 from gainproof.verify.judge.choice import choose
 from gainproof.verify.judge.claim.record import Claim, Setting
-from gainproof.verify.judge.convention_effect import VALUES, reaches
+from gainproof.verify.judge.convention import Convention, conventions
+from gainproof.verify.judge.convention_effect import VALUES, in_words, reaches
+from gainproof.verify.judge.exact.limits import Malformed, Undecided
+from gainproof.verify.judge.setting.environment import NotEstablished
+from gainproof.verify.judge.setting.own_model import scaled_model
 from gainproof.verify.judge.task import Models, Solved
-from gainproof.verify.judge.trial import Trial, try_claim
-from gainproof.verify.judge.verdict import ClaimVerdict, Finding
+from gainproof.verify.judge.trial import Trial, findings_of
+from gainproof.verify.judge.verdict import ClaimVerdict
 
 TRUE, FALSE = "proved", "refuted"
 CHANCE = frozenset(("value", "limit", "inequality"))
 """Kinds of claims of which a single one may be true under another convention by chance."""
 
 
-def other_conventions(setting: Setting) -> list[Setting]:
-    """The setting with one of its stated conventions opened, in every way that reaches a symbol."""
-    stated = [n for n in VALUES if getattr(setting, n) != "search" and reaches(n, setting)]
-    # in units of the measurement noise any power of it would do: that is no explanation
-    turned = {"deviation": "variance"}.get(setting.noise, "deviation")
-    opened: list[dict[str, Any]] = [
-        {name: turned if name == "noise" else "search"} for name in stated
+def other_conventions(setting: Setting) -> list[tuple[str, Setting]]:
+    """The setting with one of its statements replaced, in every way that reaches a symbol, and in
+    words what stands in its place; the words are empty where the setting leaves it open then.
+    """
+    setting = _with_stated_forms(setting)
+    found = [
+        (in_words(name, value, setting), _with(setting, name, value))
+        for name in VALUES
+        if getattr(setting, name) != "search" and reaches(name, setting)
+        for value in _others(name, getattr(setting, name))
     ]
     if setting.kind == "steady_state" and setting.model not in (None, "search"):
-        opened.append({"model": "search"})
-    return [replace(setting, **fields) for fields in opened]
+        found.append(("", replace(setting, model="search")))
+    if setting.own_model is not None:
+        found.append(("", replace(setting, model="search", own_model=None)))
+    return found
+
+
+def _with(setting: Setting, name: str, value: str) -> Setting:
+    changed: dict[str, Any] = {name: value}
+    return replace(setting, **changed)
+
+
+def _others(name: str, stated: str) -> tuple[str, ...]:
+    if name == "noise":
+        # in units of the measurement noise any power of it would do: that is no explanation
+        return ("variance",) if stated == "deviation" else ("deviation",)
+    return tuple(value for value in VALUES[name] if value != stated)
+
+
+FORMS = (
+    ("gain", "filter", "filter_gain.", "gain."),
+    ("gain", "predictor", "predictor_gain.", "gain."),
+    ("covariance", "predicted", "predicted_covariance.", "covariance."),
+    ("covariance", "updated", "updated_covariance.", "covariance."),
+)
+"""Beginnings of quantities that state a convention by themselves, and of those that do not."""
+
+
+def _with_stated_forms(setting: Setting) -> Setting:
+    """The setting with what the names of quantities state as conventions; as it is where both
+    forms of a quantity occur.
+    """
+    for name, value, stated, general in FORMS:
+        ends = [value for _, value, _, g in FORMS if g == general]
+        used = [f for f in (*ends, "") if _begins(setting, f"{f}_{general}" if f else general)]
+        if used == [value]:
+            symbols = {
+                token: replace(entry, quantity=entry.quantity.replace(stated, general, 1))
+                if entry.quantity is not None and entry.quantity.startswith(stated)
+                else entry
+                for token, entry in setting.symbols.items()
+            }
+            setting = _with(replace(setting, symbols=symbols), name, value)
+    return setting
+
+
+def _begins(setting: Setting, start: str) -> bool:
+    return any((e.quantity or "").startswith(start) for e in setting.symbols.values())
 
 
 @dataclass(frozen=True)
@@ -46,10 +100,37 @@ class OtherConventionsTask:
     def run(self, models: Models, solved: Solved) -> Trial:
         """One trial with the findings of all of them."""
         start = time.perf_counter()
-        findings: dict[str, Finding] = {}
-        for opened in other_conventions(self.setting):
-            findings |= try_claim(self.claim, opened, models, solved).findings
+        found: list[Convention] = []
+        for words, other in other_conventions(self.setting):
+            usable = models if self.setting.own_model is None else _alike(self.setting, models)
+            with suppress(Undecided, Malformed, NotEstablished):
+                every = list(conventions(other, usable, solved))
+                found += [_named(each, words) for each in every if isinstance(each, Convention)]
+        findings = findings_of(self.claim, found)
         return Trial(self.claim, findings, (), True, time.perf_counter() - start)
+
+
+def _named(convention: Convention, words: str) -> Convention:
+    """The convention with the words of what it changes in front of what it fills in."""
+    filled = convention.environment.name if convention.open else ""
+    name = ", ".join(part for part in (words, filled) if part)
+    return replace(convention, environment=replace(convention.environment, name=name))
+
+
+def _alike(setting: Setting, models: Models) -> list[Mapping[str, Any]]:
+    """The models with the transition and the measurement of the setting's own."""
+    try:
+        own = scaled_model(setting).data
+    except (Undecided, Malformed, NotEstablished):
+        return []
+
+    def matrices(model: Mapping[str, Any]) -> list[list[list[Fraction]]]:
+        return [
+            [[Fraction(x) for x in row] for row in model[name]]
+            for name in ("transition", "measurement")
+        ]
+
+    return [model for model in models if matrices(model) == matrices(own)]
 
 
 def other_tasks(

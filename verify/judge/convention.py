@@ -5,11 +5,17 @@ what the source calls gain, noise and covariance, number of the first sample, re
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any
 
 from gainproof.verify.judge.claim.record import Setting
-from gainproof.verify.judge.convention_effect import choices, with_conventions, with_units
+from gainproof.verify.judge.convention_effect import (
+    Chosen,
+    choices,
+    name_of,
+    with_conventions,
+    with_units,
+)
 from gainproof.verify.judge.definition_reading import with_one_reading
 from gainproof.verify.judge.exact.limits import Malformed, Undecided
 from gainproof.verify.judge.fixed_gain.environment import fixed_gain
@@ -29,12 +35,14 @@ class Convention:
     """One way to fill in what the setting leaves open; `open` says whether anything was.
 
     `setting` has the units of that convention and one reading of each definition, which `reading`
-    names where there are several. `name` tells conventions of one setting apart.
+    names where there are several. `name` tells conventions of one setting apart: it says what is
+    filled in, usual values included, and nothing of what the setting states.
     """
 
     environment: Environment
     setting: Setting
     open: bool
+    chosen: Chosen
     reading: str | None = None
 
     @property
@@ -69,8 +77,11 @@ def conventions(
             continue
         for chosen in found:
             environment = with_conventions(base, chosen)
+            searched = base.name if setting.model == "search" else ""
+            named = ", ".join(filter(None, (searched, name_of(chosen, setting))))
+            environment = replace(environment, name=named or base.name)
             for one, words in readings:
-                yield Convention(environment, with_units(one, chosen), is_open, words)
+                yield Convention(environment, with_units(one, chosen), is_open, chosen, words)
 
 
 def _bases(

@@ -20,6 +20,7 @@ from gainproof.verify.judge.setting.environment import (
 )
 
 STATES = range(1, 4)
+PREDICTOR = "predictor (F K)"
 
 
 @dataclass(frozen=True)
@@ -32,21 +33,6 @@ class Chosen:
     noise: str = "deviation"
     index_origin: str = "0"
     covariance: str = "predicted"
-
-    def in_words(self) -> str:
-        """What differs from the usual, each with a comma in front."""
-        kind = "a variance" if self.noise == "variance" else "a ratio"
-        found = {
-            "gain": "gains are those of the predictor (F K)",
-            "third_gain": f"the third gain is {self.third_gain} T^2 times that of the acceleration",
-            "power_of_T": f"the second gain is T^{self.power_of_T} times that of the velocity",
-            "noise": f"noise is given as {kind}",
-            "index_origin": "the first sample has number 1",
-            "covariance": "the covariance is the updated one",
-        }
-        usual = Chosen()
-        changed = [name for name in found if getattr(self, name) != getattr(usual, name)]
-        return "".join(f", {found[name]}" for name in changed)
 
 
 VALUES: Mapping[str, tuple[str, ...]] = {
@@ -75,6 +61,37 @@ def reaches(name: str, setting: Setting) -> bool:
     return any(quantity.startswith(start) for quantity in quantities for start in REACHED[name])
 
 
+def is_open(name: str, setting: Setting) -> bool:
+    """Whether the setting leaves a convention open that acts on a symbol of it."""
+    return getattr(setting, name) == "search" and reaches(name, setting)
+
+
+def in_words(name: str, value: str, setting: Setting) -> str:
+    """One value of a convention, the usual one too, in the symbols of the setting."""
+    match name:
+        case "gain":
+            return f"gains are those of the {'filter (K)' if value == 'filter' else PREDICTOR}"
+        case "third_gain":
+            token = _token("gain.3", setting, "k_3")
+            below = {"1": "{}/{}^2", "1/2": "2 {}/{}^2", "2": "{}/(2 {}^2)"}[value]
+            return "the third gain K_3 = " + below.format(token, _token(INTERVAL, setting, "T"))
+        case "power_of_T":
+            token, interval = _token("gain.2", setting, "k_2"), _token(INTERVAL, setting, "T")
+            divisor = {"0": "", "1": f"/{interval}"}.get(value, f"/{interval}^{value}")
+            return f"the second gain K_2 = {token}{divisor}"
+        case "noise":
+            return f"noise is given as a {value}"
+        case "index_origin":
+            return f"the first sample has number {value}"
+        case _:
+            return f"the covariance is the {value} one"
+
+
+def _token(quantity: str, setting: Setting, otherwise: str) -> str:
+    found = (token for token, e in setting.symbols.items() if e.quantity == quantity)
+    return next(found, otherwise)
+
+
 def choices(setting: Setting) -> Iterator[Chosen]:
     """Every way to fill in what the setting leaves open and what acts on a symbol of it."""
     options = []
@@ -84,6 +101,12 @@ def choices(setting: Setting) -> Iterator[Chosen]:
         options.append(searched if reaches(field.name, setting) else VALUES[field.name][:1])
     for values in product(*options):
         yield Chosen(*values)
+
+
+def name_of(chosen: Chosen, setting: Setting) -> str:
+    """What fills in that which the setting leaves open; empty if nothing is."""
+    words = [in_words(n, getattr(chosen, n), setting) for n in VALUES if is_open(n, setting)]
+    return ", ".join(words)
 
 
 def with_conventions(environment: Environment, chosen: Chosen) -> Environment:
@@ -105,14 +128,12 @@ def with_conventions(environment: Environment, chosen: Chosen) -> Environment:
         for name in (INDEX, DEVIATION):
             if name in quantities:
                 quantities[name] = power(quantities[name], 2)
-    name = environment.name + chosen.in_words()
     chart = None if environment.chart is None else with_conventions(environment.chart, chosen)
     region = environment.region
     if region is not None:
         region = replace(region, charted=with_conventions(region.charted, chosen))
     return replace(
         environment,
-        name=name,
         quantities=quantities,
         boxes=boxes,
         continued=continued,

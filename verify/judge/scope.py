@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from gainproof.verify.judge.exact.box import Box
-from gainproof.verify.judge.exact.expression import Expr, walk
+from gainproof.verify.judge.exact.expression import Expr, symbol, walk
 from gainproof.verify.judge.exact.free_names import token_of
 from gainproof.verify.judge.exact.limits import Undecided
 from gainproof.verify.judge.exact.statement import Rel
@@ -99,9 +99,11 @@ class Scope(Table):
         found = {name: token_of(name) for name in self.boxes()}
         found |= {name: name.split()[1] for name in self.bound_domains}
         for token, entry in self.setting.symbols.items():
-            if entry.role == "quantity" and entry.quantity in found:
-                found[entry.quantity] = token
             value = self.environment.quantities.get(entry.quantity or "")
+            # a variance is no name for its deviation
+            same = entry.quantity is not None and value in (None, symbol(entry.quantity))
+            if entry.role == "quantity" and entry.quantity in found and same:
+                found[entry.quantity] = token
             if self.environment.region is not None and value is not None:
                 # a gain by the source's own name
                 name = value.name if value.kind == "symbol" else ""

@@ -64,7 +64,7 @@ def try_claim(
     failure = None
     try:
         found = list(conventions(setting, models, solved))
-        findings = _findings(claim, [c for c in found if isinstance(c, Convention)])
+        findings = findings_of(claim, [c for c in found if isinstance(c, Convention)])
     except (Undecided, Malformed, NotEstablished) as reason:
         failure = str(reason)
     unusable = tuple(c for c in found if isinstance(c, Unusable))
@@ -73,7 +73,7 @@ def try_claim(
     return Trial(claim, findings, unusable, is_open, seconds, failure)
 
 
-def _findings(claim: Claim, found: Sequence[Convention]) -> dict[str, Finding]:
+def findings_of(claim: Claim, found: Sequence[Convention]) -> dict[str, Finding]:
     """By name of the convention; those alike in all that the claim uses are judged once."""
     groups: dict[object, list[Convention]] = {}
     for convention in found:

@@ -8,6 +8,7 @@ from dataclasses import dataclass, field, replace
 from typing import Any
 
 from gainproof.verify.judge.exact.limits import Undecided
+from gainproof.verify.judge.exact.place import Place
 from gainproof.verify.judge.exact.statement import Outcome, Witness
 
 VERDICTS = (
@@ -26,7 +27,8 @@ SETTLED = frozenset(VERDICTS) - {"held", "undecided"}
 @dataclass(frozen=True)
 class Finding:
     """The verdict on one statement under one convention; `reach` counts the points tried before a
-    witness.
+    witness, `region` is the part of one parameter of which `domain` tells. `any_filter` says that
+    it follows from the file's own definitions.
     """
 
     verdict: str
@@ -37,6 +39,8 @@ class Finding:
     certificate: Mapping[str, Any] = field(default_factory=dict)
     reading: str | None = None
     reach: int = 0
+    region: tuple[Place, ...] = ()
+    any_filter: bool = False
 
     def told_as(self, verdict: str, reason: str, domain: str | None = None) -> Finding:
         """The same under another verdict; the certificate says what its own statement comes to."""
@@ -46,7 +50,9 @@ class Finding:
 
 @dataclass(frozen=True)
 class ClaimVerdict:
-    """The verdict on one claim of a file. `repair` is None: none looked for, or none found."""
+    """The verdict on one claim of a file. `repair` is None: none looked for, or none found.
+    `any_filter`: it follows from the file's own definitions, whatever the filter is.
+    """
 
     id: str
     place: str
@@ -63,6 +69,7 @@ class ClaimVerdict:
     undefined: tuple[Mapping[str, Any], ...]
     reason: str
     seconds: float
+    any_filter: bool = False
 
     @property
     def settled(self) -> bool:
@@ -106,6 +113,7 @@ class ClaimVerdict:
             "convention": self.convention,
             "reading": self.reading,
             "undefined": [dict(entry) for entry in self.undefined],
+            "any_filter": self.any_filter,
             "reason": self.reason,
             "seconds": round(self.seconds, 3),
         }
@@ -142,4 +150,5 @@ def finding_of(outcome: Outcome) -> Finding:
         outcome.witness,
         outcome.certificate,
         reach=outcome.reach,
+        region=outcome.region,
     )

@@ -21,7 +21,6 @@ from gainproof.verify.judge.attempt import judge_claim
 from gainproof.verify.judge.claim.file import read_claim_file
 from gainproof.verify.judge.claim.record import Claim, OwnModel, Setting
 from gainproof.verify.judge.convention import Convention, Unusable, conventions
-from gainproof.verify.judge.convention_effect import Chosen, choices
 from gainproof.verify.judge.exact.limits import Undecided
 from gainproof.verify.judge.formula import Graph
 from gainproof.verify.judge.task import Models, Solved
@@ -158,11 +157,12 @@ def _subject(
     convention: Convention,
     models: Sequence[Mapping[str, Any]],
 ) -> Subject:
-    name = convention.environment.name
-    fitting = [chosen for chosen in choices(printed) if name.endswith(chosen.in_words())]
-    chosen = max(fitting, key=lambda one: len(one.in_words()), default=Chosen())
-    bare = name.removesuffix(chosen.in_words())
-    model = next((m for m in models if bare == f"process noise {m['name']}"), None)
+    name = printed.model
+    if name == "search":
+        name = convention.environment.name.partition(", ")[0].removeprefix("process noise ")
+    model = next((m for m in models if name == m["name"]), None)
     if printed.own_model is not None:
         model = own_model(printed.own_model)
-    return Subject(label, claim, convention.setting, printed, convention.name, chosen, model)
+    return Subject(
+        label, claim, convention.setting, printed, convention.name, convention.chosen, model
+    )

@@ -26,6 +26,7 @@ class Corner:
 
     at = None
     is_cell = False
+    moved = ()
 
     @property
     def samples(self) -> tuple[tuple[Algebraic, ...], ...]:

@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from fractions import Fraction
+from functools import cached_property
 from itertools import pairwise
 from typing import Any
 
@@ -23,23 +24,32 @@ from gainproof.verify.judge.exact.limits import Limits, Undecided
 from gainproof.verify.judge.exact.poly import Poly, univariate
 
 SAMPLES = 3
+MOVED = 4
+"""Further points of a cell, apart from its samples in every coordinate."""
 
 
 @dataclass(frozen=True)
 class Between:
-    """One coordinate of a cell above the point chosen before: the numbers beside it, its value."""
+    """One coordinate of a cell above the point chosen before: the numbers beside it, its value.
+
+    It is the interval number `rank` of so many `walls`.
+    """
 
     index: int
     left: Algebraic | None
     right: Algebraic | None
     values: tuple[Fraction, ...]
+    rank: int
+    walls: int
 
 
 @dataclass(frozen=True)
 class Cell:
-    """An open cell: one interval for each variable, in the order of the levels."""
+    """An open cell: one interval for each variable, in the order of the `levels`."""
 
     sides: tuple[Between, ...]
+    levels: Sequence[Level] = field(default=(), compare=False, repr=False)
+    boxes: Sequence[Box] = field(default=(), compare=False, repr=False)
 
     at = None
     is_cell = True
@@ -51,6 +61,37 @@ class Cell:
         last = self.sides[-1]
         points = ({**chosen, last.index: value} for value in last.values)
         return tuple(tuple(point[i] for i in range(len(chosen))) for point in points)
+
+    @cached_property
+    def moved(self) -> tuple[tuple[Fraction, ...], ...]:
+        """Points of the cell that differ from its samples in every coordinate: what vanishes where
+        one of the first coordinates is 0, say, may vanish at all samples.
+        """
+        found = (_moved(self, step) for step in range(1, MOVED + 1))
+        return tuple(point for point in found if point is not None)
+
+
+def _moved(cell: Cell, step: int) -> tuple[Fraction, ...] | None:
+    """The point above other values: of the walls above these the same two are taken, since above
+    one interval their number does not change; None if it does.
+    """
+    polys = [list(level.polys) for level in cell.levels]
+    point: dict[int, Fraction] = {}
+    for k, side in enumerate(cell.sides):
+        walls = _walls(polys[k], side.index, cell.boxes[side.index])
+        if len(walls) != side.walls:
+            return None
+        left, right = walls[side.rank], walls[side.rank + 1]
+        value = _between(left, right, SAMPLES + step)[SAMPLES + step - 1]
+        point[side.index] = value
+        polys[k + 1 :] = [[_with(p, side.index, value) for p in level] for level in polys[k + 1 :]]
+    return tuple(point[i] for i in range(len(point)))
+
+
+def _between(left: Algebraic | None, right: Algebraic | None, count: int) -> tuple[Fraction, ...]:
+    low = None if left is None else left.high
+    high = None if right is None else right.low
+    return tuple(rationals_between(low, high, count))
 
 
 def cells(levels: Sequence[Level], boxes: Sequence[Box], limits: Limits) -> list[Cell]:
@@ -72,17 +113,14 @@ def _above(
     """The cells above a point; `polys` are those of all levels with the point put in."""
     k = len(sides)
     if k == len(levels):
-        yield Cell(sides)
+        yield Cell(sides, levels, boxes)
         return
     index = levels[k].index
     last = k + 1 == len(levels)
-    for left, right in pairwise(_walls(polys[k], index, boxes[index])):
-        values = rationals_between(
-            None if left is None else left.high,
-            None if right is None else right.low,
-            SAMPLES if last else 1,
-        )
-        side = Between(index, left, right, tuple(values))
+    walls = _walls(polys[k], index, boxes[index])
+    for rank, (left, right) in enumerate(pairwise(walls)):
+        values = _between(left, right, SAMPLES if last else 1)
+        side = Between(index, left, right, values, rank, len(walls))
         higher = polys
         if not last:
             higher = [

@@ -19,7 +19,7 @@ from gainproof.verify.judge.exact.limits import Undecided
 from gainproof.verify.judge.exact.points import failure_at
 from gainproof.verify.judge.exact.statement import Enclosure, Rel, Witness
 from gainproof.verify.judge.exact.truth import FALSE
-from gainproof.verify.judge.exact.witness import fails, value_ball
+from gainproof.verify.judge.exact.witness import fails, sides_witness, value_ball
 
 PRECISIONS = (64, 256, 1024, 4096)
 MOST_SIMPLE = 60
@@ -84,7 +84,7 @@ def _points(count: int, steps: int) -> Iterator[tuple[int, ...]]:
 
 
 def _samples(piece: Piece) -> tuple[Sample | None, ...]:
-    return tuple(piece.place.samples) or (None,)
+    return (*piece.place.samples, *piece.place.moved) or (None,)
 
 
 def _at(piece: Piece, sample: Sample | None, labels: Mapping[str, str]) -> Witness | None:
@@ -95,9 +95,7 @@ def _at(piece: Piece, sample: Sample | None, labels: Mapping[str, str]) -> Witne
         sides = [_side(piece, expr, sample) for expr in (rel.left, rel.right)]
         return Witness(point, rel.operator, sides[0], sides[1], note="a side has no value")
     if piece.task.statement.connective != "if":
-        none = Enclosure("", "", "not compared")
-        note = "one side of the equivalence holds there and the other does not"
-        return Witness(point, rel.operator, none, none, exact=True, note=note)
+        return sides_witness(piece.task.statement, piece.local, point)
     elements = local.tower.element(rel.left), local.tower.element(rel.right)
     for precision in PRECISIONS:
         a, b = (value_ball(local, e, sample, precision, ()) for e in elements)

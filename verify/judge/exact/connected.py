@@ -29,3 +29,8 @@ class Connected(Protocol):
     def samples(self) -> Sequence[Sample]:
         """Points of a cell, the simplest first; none for a point of a tower with one parameter."""
         ...
+
+    @property
+    def moved(self) -> Sequence[Sample]:
+        """Further points of a cell, where the samples have coordinates in common."""
+        ...

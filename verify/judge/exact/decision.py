@@ -15,7 +15,6 @@ from gainproof.verify.judge.exact.radicand import NeedsPower
 from gainproof.verify.judge.exact.region import region_text
 from gainproof.verify.judge.exact.statement import (
     ORDERS,
-    Enclosure,
     Outcome,
     Statement,
     Witness,
@@ -26,6 +25,9 @@ from gainproof.verify.judge.exact.truth import NO_VALUE, SKIPPED, TRUE
 from gainproof.verify.judge.exact.witness import (
     equal_sides_witness,
     find_witness,
+    free_values,
+    point_text,
+    sides_witness,
     undefined_witness,
 )
 
@@ -88,20 +90,21 @@ def _outcome(work: Work, judged: list[Judged]) -> Outcome:
     wide = [j for j in held if j.place.is_cell or work.tower.parameter is None]
     if not wide and held and _is_single(work, judged):
         wide = held
+    region = tuple(j.place for j in held) if work.tower.parameter is not None else ()
     domain = _domain_text(work, [j.place for j in held], label)
     method = _method(statement, work)
     if not failed:
         if not wide and not _only_points(judged):
             raise Undecided("the formula has a value at isolated points only")
-        return Outcome("proved", domain, "holds on the whole domain", method, None, certificate)
+        reason = "holds on the whole domain"
+        return Outcome("proved", domain, reason, method, None, certificate, region=region)
     witness, tried = _witness(work, failed)
     if wide:
         reason = f"fails {witness.text()}; {_extent(work)} {domain}"
-        return Outcome("conditional", domain, reason, method, witness, certificate, tried)
+        return Outcome("conditional", domain, reason, method, witness, certificate, tried, region)
     reason = f"fails {witness.text()}" + (f"; holds only {domain}" if held else "")
-    return Outcome(
-        "refuted", domain if held else "nowhere", reason, method, witness, certificate, tried
-    )
+    where = domain if held else "nowhere"
+    return Outcome("refuted", where, reason, method, witness, certificate, tried, region)
 
 
 def _extent(work: Work) -> str:
@@ -154,22 +157,17 @@ def _witness(work: Work, failed: list[Judged]) -> tuple[Witness, int]:
             if none is not None:
                 return none, tried + 1
             continue
+        if work.statement.connective != "if":
+            sample = next(iter(_samples(j.place, integer)), None)
+            free = next(free_values(work.tower.free, work.boxes), ())
+            point = point_text(j.local, sample, free, work.labels)
+            return sides_witness(work.statement, j.local, point), tried + 1
         found = find_witness(j.local, rel, work.boxes, work.labels, integer)
         if found is not None:
             return found[0], tried + found[1]
         equal = j.local.vanishes(work.tower.element(work.differences[rel]).num)
         if equal and rel.operator in ("<", ">", "!="):
             return equal_sides_witness(j.local, rel, work.boxes, work.labels, integer), tried + 1
-        if work.statement.connective != "if":
-            sample = next(iter(_samples(j.place, integer)), None)
-            note = "one side of the equivalence holds there and the other does not"
-            point = (
-                {}
-                if sample is None
-                else {work.labels.get(work.tower.parameter or "", ""): str(sample)}
-            )
-            none_ = Enclosure("", "", "not compared")
-            return Witness(point, rel.operator, none_, none_, exact=True, note=note), tried + 1
     raise Undecided("the statement is false, but no rational point that shows it was found")
 
 

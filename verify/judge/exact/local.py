@@ -9,7 +9,7 @@ same holds for numbers.
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
 from fractions import Fraction
 
@@ -134,18 +134,25 @@ class Local:
             # where p and q both vanish, and the root does not, every coefficient vanishes
             if all(self._zero(c) for c in coefficients_in(p, root.index)):
                 return True
-            found = self._which(p, q, late)
+            found = self._which(p, q, early, self.place.moved)
+            found = self._which(p, q, late) if found is None else found
         if found is None:
             bits = self.tower.limits.precision
             raise Undecided(f"balls of {bits} bits cannot tell two branches apart")
         return found
 
-    def _which(self, p: Poly, q: Poly, precisions: list[int]) -> bool | None:
+    def _which(
+        self,
+        p: Poly,
+        q: Poly,
+        precisions: list[int],
+        points: Sequence[Sample | None] | None = None,
+    ) -> bool | None:
         """p q vanishes: whether p does, shown by a ball round q or p that excludes zero; None if
-        neither does.
+        neither does at these points, or at the samples.
         """
         for precision in precisions:
-            for sample in self._points():
+            for sample in self._points() if points is None else points:
                 if self._excludes_zero(q, sample, precision):
                     where = self._at_text(sample)
                     self.steps.append(f"cofactor not zero at {where} ({precision} bits)")

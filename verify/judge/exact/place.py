@@ -36,6 +36,8 @@ class Place:
     at: Algebraic | None = None
     is_cell: bool = False
 
+    moved = ()
+
     @property
     def samples(self) -> tuple[Fraction, ...]:
         """Rational points of a cell, the simplest first."""

@@ -8,6 +8,7 @@ from typing import Any
 
 from gainproof.verify.judge.exact.box import Box
 from gainproof.verify.judge.exact.expression import Expr, symbols_of
+from gainproof.verify.judge.exact.place import Place
 
 ORDERS = ("<", "<=", ">", ">=")
 TURNED = {"<": ">", "<=": ">=", ">": "<", ">=": "<="}
@@ -155,6 +156,7 @@ class Outcome:
     witness: Witness | None = None
     certificate: Mapping[str, Any] = field(default_factory=dict)
     reach: int = 0  # how many points were tried before the witness; 1 means that the first one did
+    region: tuple[Place, ...] = ()  # of one parameter, where `domain` tells of it
 
 
 def unstated() -> Box:

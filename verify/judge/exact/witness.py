@@ -18,8 +18,14 @@ from gainproof.verify.judge.exact.local import FIRST_PRECISION, Local
 from gainproof.verify.judge.exact.place import Place
 from gainproof.verify.judge.exact.poly import Ball
 from gainproof.verify.judge.exact.radicand import Element
-from gainproof.verify.judge.exact.statement import Enclosure, Rel, Witness
+from gainproof.verify.judge.exact.statement import Enclosure, Rel, Statement, Witness
+from gainproof.verify.judge.exact.tower import Tower
+from gainproof.verify.judge.exact.truth import FALSE, NO_VALUE, TRUE, Question, truth
 
+NOT_COMPARED = "not compared"
+"""Of the sides of a relation where the note of a witness says what fails."""
+SIDES_OF = "the left side of the"
+"""How the note of a witness against an equivalence or implication begins."""
 FREE_PATTERNS = (
     (1, 2, 3, 5, 7, 11, 13, 17),
     (2, 3, 5, 7, 11, 13, 17, 19),
@@ -188,3 +194,28 @@ def undefined_witness(
             sides.append(Enclosure("", "", why or "not evaluated"))
     point = point_text(local, samples[0], free, labels)
     return Witness(point, rel.operator, sides[0], sides[1], note="a side has no value")
+
+
+SAID = {TRUE: "holds", FALSE: "does not hold", NO_VALUE: "has no value"}
+
+
+class _Side(Question):
+    """One side of an equivalence or implication, in the tower of the whole."""
+
+    def __init__(self, relations: tuple[Rel, ...], tower: Tower) -> None:
+        self.statement, self.boxes, self.tower = Statement(relations), {}, tower
+        self.differences = {rel: rel.left - rel.right for rel in relations}
+
+
+def sides_witness(statement: Statement, local: Local, point: Mapping[str, str]) -> Witness:
+    """Against an equivalence or implication: what each side comes to at a point of the place, in
+    whose tower the statement is.
+    """
+    first, second = (
+        SAID[truth(_Side(rels, local.tower), local)[0]]
+        for rels in (statement.relations, statement.conditions)
+    )
+    what = "equivalence" if statement.connective == "iff" else "implication"
+    note = f"{SIDES_OF} {what} {first}, the right {second}"
+    none = Enclosure("", "", NOT_COMPARED)
+    return Witness(point, statement.relations[0].operator, none, none, exact=True, note=note)

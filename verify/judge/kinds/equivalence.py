@@ -7,6 +7,7 @@ from dataclasses import replace
 from gainproof.verify.judge.claim.record import Claim
 from gainproof.verify.judge.exact.limits import Undecided
 from gainproof.verify.judge.exact.statement import Statement
+from gainproof.verify.judge.exact.witness import SIDES_OF
 from gainproof.verify.judge.formula import Reading
 from gainproof.verify.judge.freed.freely import where_valued
 from gainproof.verify.judge.freed.rewriting import has_functions
@@ -39,13 +40,13 @@ def decide_equivalence(statement: Statement, frame: Frame) -> Finding:
         if one and not has_functions(statement):
             raise
     findings, reasons = [], []
-    for hypothesis, conclusion in (
-        (statement.relations, statement.conditions),
-        (statement.conditions, statement.relations),
+    for hypothesis, conclusion, sides in (
+        (statement.relations, statement.conditions, ("holds", "{}")),
+        (statement.conditions, statement.relations, ("{}", "holds")),
     ):
         one_way = Statement(conclusion, hypothesis, "if", statement.needed)
         try:
-            found = finding_of(strictly(frame).decide(one_way))
+            found = _told(finding_of(strictly(frame).decide(one_way)), sides)
             findings.append(where_hypotheses_have_values(found, hypothesis, frame))
         except Undecided as reason:
             reasons.append(reason)
@@ -65,3 +66,14 @@ def decide_equivalence(statement: Statement, frame: Frame) -> Finding:
     if against.verdict == "conditional" and has_functions(statement):
         against = replace(against, domain=where_valued(against.domain or ""))
     return replace(against, reason=f"one direction only: {against.reason}")
+
+
+def _told(finding: Finding, sides: tuple[str, str]) -> Finding:
+    """The finding on one direction, its witness with what each side of the equivalence comes to."""
+    witness = finding.witness
+    if witness is None:
+        return finding
+    lacks = witness.left.undefined is not None or witness.right.undefined is not None
+    first, second = (side.format("has no value" if lacks else "does not hold") for side in sides)
+    note = f"{SIDES_OF} equivalence {first}, the right {second}"
+    return replace(finding, witness=replace(witness, note=note))

@@ -2,19 +2,33 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import replace
+from fractions import Fraction
+from typing import Any
+
+import flint
 
 from gainproof.verify.judge.claim.record import Claim
+from gainproof.verify.judge.exact.calculus import substituted
+from gainproof.verify.judge.exact.constant_value import constant_value
+from gainproof.verify.judge.exact.expression import number
 from gainproof.verify.judge.exact.expression_text import labelled
 from gainproof.verify.judge.exact.limits import Undecided
-from gainproof.verify.judge.exact.statement import Rel, Statement
+from gainproof.verify.judge.exact.points import failure_at
+from gainproof.verify.judge.exact.poly import rational
+from gainproof.verify.judge.exact.statement import Rel, Statement, Witness
 from gainproof.verify.judge.formula import Reading
 from gainproof.verify.judge.kinds.framing import OTHER, Frame, framed, strictly
 from gainproof.verify.judge.kinds.identity import resolved
+from gainproof.verify.judge.reader.latex import relations_to_latex
 from gainproof.verify.judge.scope import Scope
 from gainproof.verify.judge.verdict import Finding, finding_of
 
+FILTER = "the filter is"
+"""How the note of a witness begins that says whether the filter is stable there."""
+AT_MOST = "at most "
+COEFFICIENT = "closed_loop_coefficient."
 CRITERION = "all poles inside the unit circle, by the Hurwitz criterion"
 
 
@@ -34,17 +48,71 @@ def judge_stability(claim: Claim, reading: Reading, scope: Scope) -> Finding:
     stable, needed = region.relations, tuple(scope.needed)
     match claim.sense or "exact":
         case "sufficient":
-            return _told(finding_of(frame.decide(Statement(stable, stated, "if", needed))))
+            found = finding_of(frame.decide(Statement(stable, stated, "if", needed)))
         case "necessary":
-            return _told(finding_of(frame.decide(Statement(stated, stable, "if", needed))))
+            found = finding_of(frame.decide(Statement(stated, stable, "if", needed)))
         case "unstable":
-            return _told(_nowhere_stable(stated, stable, frame))
+            found = _nowhere_stable(stated, stable, frame)
         case _:
-            return _told(_exactly(stated, stable, frame))
+            found = _exactly(stated, stable, frame)
+    witness = found.witness
+    if witness is not None:
+        printed = [relations_to_latex([r]) for r in (*reading.relations, *reading.conditions)]
+        fits = len(printed) == len(stated)
+        told = dict(zip(stated, printed, strict=True)) if fits else {}
+        witness = _in_words(witness, told, frame)
+    return replace(found, witness=witness, method=f"{CRITERION}; {found.method}")
 
 
-def _told(finding: Finding) -> Finding:
-    return replace(finding, method=f"{CRITERION}; {finding.method}")
+def _in_words(witness: Witness, printed: Mapping[Rel, str], frame: Frame) -> Witness:
+    """The witness with a note on the poles and on the conditions as they are printed; as it is
+    where its point is not rational.
+    """
+    names = {label: name for name, label in frame.labels.items()}
+    try:
+        point = {names.get(label, label): Fraction(v) for label, v in witness.point.items()}
+    except ValueError:
+        return witness
+    modulus = _moduli(point, frame)
+    if modulus is None:
+        return witness
+    if _is_stable(point, frame):
+        failing = [
+            text
+            for rel, text in printed.items()
+            if failure_at(Statement((rel,)), point, frame.labels) is not None
+        ]
+        poles = f"poles of modulus {modulus}"
+        though = f"though {', '.join(failing)} fails" if failing else "though it is said not to be"
+        return replace(witness, note=f"{FILTER} stable ({poles}), {though}")
+    pole = f"a pole of modulus {modulus.removeprefix(AT_MOST)}"
+    note = f"{FILTER} not stable ({pole}), though all that is stated holds"
+    return replace(witness, note=note)
+
+
+def _is_stable(point: Mapping[str, Fraction], frame: Frame) -> bool:
+    """Whether the conditions of stability hold at a point, on whose border balls cannot tell."""
+    assert frame.environment.region is not None
+    put_in = {name: number(value) for name, value in point.items()}
+    gaps = [(r, r.left - r.right) for r in frame.environment.region.relations]
+    signs = ((r.operator, constant_value(substituted(gap, put_in))) for r, gap in gaps)
+    return all(v is not None and (v > 0 if op == ">" else v < 0) for op, v in signs)
+
+
+def _moduli(point: Mapping[str, Fraction], frame: Frame) -> str | None:
+    """The modulus of the poles, or the greatest of several; None if the point does not fix them."""
+    known = frame.environment.quantities
+    names = [name for name in known if name.startswith(COEFFICIENT)]
+    ordered = sorted(names, key=lambda name: int(name.removeprefix(COEFFICIENT)))
+    put_in = {name: number(value) for name, value in point.items()}
+    values = [constant_value(substituted(known[name], put_in)) for name in ordered]
+    coefficients = [rational(value) for value in values if value is not None]
+    if not values or len(coefficients) < len(values):
+        return None
+    polynomial: Any = flint.fmpq_poly(coefficients).numer()
+    moduli = sorted(float(abs(root).mid()) for root, _ in polynomial.complex_roots())
+    same = f"{moduli[0]:.6g}" == f"{moduli[-1]:.6g}"
+    return f"{'' if same else AT_MOST}{moduli[-1]:.6g}"
 
 
 def _exactly(stated: Sequence[Rel], stable: Sequence[Rel], frame: Frame) -> Finding:

@@ -16,6 +16,7 @@ from gainproof.verify.judge.matrices.instance import Instance, NoValueError
 from gainproof.verify.judge.matrices.letter import MatrixSetting
 from gainproof.verify.judge.matrices.opened import names_in, outside_means
 from gainproof.verify.judge.matrices.prove import Question, links
+from gainproof.verify.judge.matrices.tree import Node
 
 DIGITS = 30
 
@@ -23,16 +24,26 @@ DIGITS = 30
 def witness_of(question: Question, setting: MatrixSetting, instance: Instance) -> Witness:
     """The instance and two numbers that should be in the relation claimed and are not."""
     point = _point(question, setting, instance)
-    try:
-        for left, operator, right in links(question.chains):
+    for left, operator, right in links(question.chains):
+        try:
             one, other = instance.of(left), instance.of(right)
-            if not compared(one, operator, other):
-                return _difference(point, operator, one, other)
-    except NoValueError as reason:
-        nothing = Enclosure("0", "0", str(reason))
-        return Witness(point, "=", nothing, nothing, note="a side has no value")
+        except NoValueError:
+            first, second = _side(instance, left), _side(instance, right)
+            return Witness(point, operator, first, second, note="a side has no value")
+        if not compared(one, operator, other):
+            return _difference(point, operator, one, other)
     number = Enclosure("0", "0")
     return Witness(point, "!=", number, number, exact=True, note="the determinant is 0")
+
+
+def _side(instance: Instance, side: Node) -> Enclosure:
+    """The value of one side, a number or a whole matrix, or why it has none."""
+    try:
+        value = instance.of(side)
+    except NoValueError as reason:
+        return Enclosure("", "", str(reason))
+    is_number = value.nrows() == value.ncols() == 1
+    return _number(value[0, 0]) if is_number else Enclosure(text_of(value), "0")
 
 
 def _point(question: Question, setting: MatrixSetting, instance: Instance) -> dict[str, str]:

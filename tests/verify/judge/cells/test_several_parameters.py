@@ -174,3 +174,19 @@ def test_limits_are_named() -> None:
         decide_in_cells(many, {}, limits=Limits(seconds=-1))
     with pytest.raises(Undecided, match="empty"):
         judged("=", x, y, Box(lower=Fraction(2), upper=Fraction(1)))
+
+
+@pytest.mark.parametrize("others", ["", "a", "z", "ab", "az", "uvz", "abyz"])
+@pytest.mark.parametrize("vanishes", ["one", "difference", "product"])
+def test_a_part_is_told_however_many_symbols_cancel(others: str, vanishes: str) -> None:
+    """What both sides vanish on is no border of the part: a sample may lie there by chance."""
+    p, q = symbol("p"), symbol("q")
+    top = {"one": q, "difference": q - p - 1, "product": q * (q - 1) * (q - 2) * (q - 3)}[vanishes]
+    left, right = top / sqrt(square(p) + square(q)), top / (p * sqrt(1 + square(q) / square(p)))
+    for name in others:
+        left = left + symbol(name) - symbol(name)
+    found = judged("=", left, right, REAL)
+    assert found.verdict == "conditional", found.reason
+    assert found.domain == "for p > 0"
+    assert found.witness is not None
+    assert Fraction(found.witness.point["p"]) < 0

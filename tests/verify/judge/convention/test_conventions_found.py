@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 import pytest
-from claim_texts import algebra, judged
+from claim_texts import MODELS, SOLVED, algebra, claim_file, judged
+
+from gainproof.verify.judge.judge import judge_file
 
 PARABOLA = """
 [settings.s]
@@ -32,8 +34,8 @@ model = '{}'
 's' = {{ quantity = "measurement_noise_deviation", meaning = "noise" }}
 'q' = {{ quantity = "tracking_index", meaning = "process noise" }}
 """
-HALF = "the third gain is 1/2 T^2 times that of the acceleration"
-TWICE = "the third gain is 2 T^2 times that of the acceleration"
+HALF = "the third gain K_3 = 2 c/T^2"
+TWICE = "the third gain K_3 = c/(2 T^2)"
 ALL = r"(k+1)(k+2)(k+3)"
 
 
@@ -45,7 +47,7 @@ ALL = r"(k+1)(k+2)(k+3)"
         (
             "gain = 'filter'\npower_of_T = 'search'",
             [rf"b = \frac{{18(2k+1)}}{{T {ALL}}}"],
-            "T^0 times that of the velocity",
+            "the second gain K_2 = b",
         ),
         (
             "gain = 'filter'\nindex_origin = 'search'",
@@ -76,7 +78,9 @@ def test_growing_memory(fields: str, claims: list[str], expected: str) -> None:
     [
         ("gain = 'search'", r"(a - b) a = 2b", "gains are those of the predictor (F K)"),
         ("covariance = 'search'", r"P = K s^2", "the covariance is the updated one"),
-        ("covariance = 'search'", r"P = \frac{K}{1-K} s^2", ""),
+        ("covariance = 'search'", r"P = \frac{K}{1-K} s^2", "the covariance is the predicted one"),
+        ("gain = 'search'", r"a (a + b) = 2b", "gains are those of the filter (K)"),
+        ("noise = 'search'\ngain = 'filter'", r"q^2 = \frac{b^2}{1 - a}", "given as a deviation"),
         ("noise = 'search'\ncovariance = 'updated'", r"P = K s", "noise is given as a variance"),
         ("noise = 'search'\ngain = 'filter'", r"q = \frac{b^2}{1 - a}", "a variance"),
         ("noise = 'search'\ncovariance = 'updated'", r"P = K", "noise is given as a ratio"),
@@ -113,7 +117,127 @@ def test_many_conventions_and_every_family_at_once() -> None:
     )
     assert [v.verdict for v in verdicts] == ["proved", "proved", "proved", "refuted"]
     for verdict in verdicts[:3]:
-        assert verdict.convention == "process noise random-acceleration"
+        assert verdict.convention == (
+            "process noise random-acceleration, gains are those of the filter (K), "
+            "the second gain K_2 = b/T, the covariance is the predicted one"
+        )
+
+
+@pytest.mark.parametrize(
+    ("fields", "latex", "expected"),
+    [
+        ("third_gain = 'search'", rf"c = \frac{{60}}{{{ALL}}}", "the third gain K_3 = c/T^2"),
+        ("index_origin = 'search'", rf"c = \frac{{60}}{{{ALL}}}", "the first sample has number 0"),
+        ("power_of_T = 'search'", rf"b = \frac{{18(2k+1)}}{{{ALL}}}", "the second gain K_2 = b/T"),
+    ],
+)
+def test_the_usual_choice_is_named_and_nothing_that_is_stated(
+    fields: str, latex: str, expected: str
+) -> None:
+    (verdict,) = judged(PARABOLA.format(f"gain = 'filter'\n{fields}"), ("identity", latex))
+    assert (verdict.verdict, verdict.convention) == ("proved", expected)
+
+
+STATED = """
+[settings.s]
+title = 's'
+kind = 'steady_state'
+{}
+[settings.s.symbols]
+'a' = {{ quantity = "{}gain.1", meaning = "gain" }}
+'b' = {{ quantity = "{}gain.2", meaning = "gain" }}
+'c' = {{ quantity = "{}gain.3", meaning = "gain" }}
+'P' = {{ quantity = "{}covariance.1.1", meaning = "covariance" }}
+'R' = {{ quantity = "{}covariance.1.3", meaning = "covariance" }}
+'T' = {{ quantity = "sampling_interval", meaning = "interval" }}
+"""
+WIENER = {
+    "name": "wiener-acceleration",
+    "transition": [["1", "1", "1/2"], ["0", "1", "1"], ["0", "0", "1"]],
+    "process_noise": [["1/4", "1/2", "1/2"], ["1/2", "1", "1"], ["1/2", "1", "1"]],
+    "measurement": [["1", "0", "0"]],
+    "measurement_noise": [["1"]],
+}
+THREE = "model = 'wiener-acceleration'\n"
+
+
+@pytest.mark.parametrize(
+    ("fields", "forms", "claims", "expected"),
+    [
+        # the ratio of covariances is K_3/K_1 for both of them: the factor is what is wrong
+        (
+            THREE + "gain = 'filter'\nthird_gain = '2'\ncovariance = 'updated'",
+            ("", ""),
+            [r"\frac{R}{P} = \frac{c}{a T^2}"],
+            "the third gain K_3 = c/T^2",
+        ),
+        (
+            THREE + "gain = 'filter'\ncovariance = 'predicted'",
+            ("", ""),
+            [r"c^2 = b^2 (2 - a)"],
+            None,
+        ),
+        # a quantity whose name says which gain it is states that too
+        (
+            "model = 'random-velocity'\n",
+            ("filter_", "predicted_"),
+            ["(a - b) a = 2b"],
+            "gains are those of the predictor (F K)",
+        ),
+        (
+            "model = 'random-velocity'\n",
+            ("predictor_", "updated_"),
+            ["a (a + b) = 2b"],
+            "gains are those of the filter (K)",
+        ),
+        (
+            THREE,
+            ("filter_", "predicted_"),
+            [r"b^2 = 4 a c"],
+            "the third gain K_3 = 2 c/T^2",
+        ),
+    ],
+)
+def test_what_is_stated_is_never_called_contradicted(
+    fields: str, forms: tuple[str, str], claims: list[str], expected: str | None
+) -> None:
+    gain, covariance = forms
+    setting = STATED.format(fields, *[gain] * 3, *[covariance] * 2)
+    if "random-velocity" in fields:
+        setting = "\n".join(line for line in setting.split("\n") if "3" not in line)
+    file = claim_file(setting, [("identity", latex) for latex in claims])
+    for verdict in judge_file(file, (*MODELS, WIENER), solved=SOLVED):
+        assert verdict.convention == expected, verdict.reason
+        assert verdict.verdict == ("refuted" if expected is None else "conditional")
+
+
+OWN = """
+[settings.s]
+title = 's'
+kind = 'steady_state'
+transition = [['1', '1'], ['0', '1']]
+process_noise = {}
+measurement = [['1', '0']]
+measurement_noise = [['1']]
+[settings.s.symbols]
+'q' = {{ unit = '1', domain = 'q > 0', meaning = 'strength' }}
+'a' = {{ quantity = "filter_gain.1", meaning = "gain" }}
+'b' = {{ quantity = "filter_gain.2", meaning = "gain" }}
+"""
+
+
+@pytest.mark.parametrize(
+    ("noise", "latex", "expected"),
+    [
+        ("[['q/4', 'q/2'], ['q/2', 'q']]", "a (a + b) = 2b", "process noise random-velocity"),
+        ("[['q', '0'], ['0', 'q']]", r"(a + \frac{b}{2})^2 = 2b", "random-acceleration"),
+    ],
+)
+def test_matrices_that_are_not_those_of_the_formula(noise: str, latex: str, expected: str) -> None:
+    (verdict,) = judged(OWN.format(noise), ("identity", latex))
+    assert verdict.verdict == "conditional", verdict.reason
+    assert verdict.convention is not None
+    assert expected in verdict.convention
 
 
 READINGS = algebra(

@@ -4,6 +4,7 @@ eigenvalues say so.
 
 from __future__ import annotations
 
+import re
 from fractions import Fraction
 
 import pytest
@@ -47,6 +48,13 @@ def test_false_neighbours(latex: str, states: int, stable: bool) -> None:
     assert found.witness is not None
     gains = [float(Fraction(found.witness["point"].get(name, "1"))) for name in GAINS[:states]]
     assert (radius(gains) < 1 - 1e-9) is stable, (gains, found.reason)
+    # what is told of the filter there, with the modulus of its poles as NumPy has it
+    note = found.witness["note"]
+    assert note.startswith(f"the filter is {'stable (poles' if stable else 'not stable (a pole'}")
+    modulus = re.search(r"modulus (?:at most )?([\d.e+-]+)\)", note)
+    assert modulus is not None
+    assert float(modulus[1]) == pytest.approx(radius(gains), rel=1e-5)
+    assert note.endswith(" fails" if stable else "though all that is stated holds")
     # one direction is false on a part of its domain, which refutes the claim
     assert found.certificate is not None
     assert replay(found.certificate, "refuted") is None

@@ -2,8 +2,12 @@
 
 from __future__ import annotations
 
+import re
+
 import pytest
 from small_claims import check, judged
+
+from gainproof.verdict_reason import reasons
 
 ROOT = "\ngiven = ['x^2 = 3x - 1']\ndomain = '0 < x < "
 
@@ -54,3 +58,41 @@ def test_a_witness_shows_the_exact_value_and_the_number_printed(shown: str) -> N
     assert found.witness is not None
     assert found.witness["left"]["midpoint"].startswith("0.38196")
     assert found.witness["right"]["midpoint"] == shown
+
+
+@pytest.mark.parametrize(
+    ("latex", "exact"),
+    [
+        (r"\frac{5}{9} = 0.5556", "5/9"),
+        (r"0.5556 = \frac{5}{9}", "5/9"),
+        (r"-\frac{2}{3} = -0.667", "-2/3"),
+        (r"\sqrt{2} = 1.41", "the other side"),
+        (r"\frac{x}{x + 1} = 0.67 \quad (x = 2)", "2/3"),
+    ],
+)
+def test_a_decimal_after_an_equality_is_said_to_be_exact_or_rounded(latex: str, exact: str) -> None:
+    (number,) = re.findall(r"-?\d\.\d+", latex)
+    found = judged("identity", latex)
+    assert (found.verdict, found.reading) == ("refuted", f"{number} is an exact number")
+    note = found.certificate["as a rounded number"]
+    assert note == f"{exact} rounded to these digits: a claim of kind value has it"
+    assert note in reasons(found.to_json())
+    found = judged("value", latex)
+    assert (found.verdict, found.reading) == ("proved", f"{number} is rounded to its digits")
+
+
+@pytest.mark.parametrize(
+    ("kind", "latex", "verdict", "reading"),
+    [
+        ("identity", r"\frac{1}{2} = 0.5", "proved", "0.5 is an exact number"),
+        ("identity", r"\frac{5}{9} = 0.57", "refuted", "0.57 is an exact number"),
+        ("identity", "x - x = 0", "proved", None),
+        ("value", r"\frac{5}{9} \approx 0.556", "proved", None),
+    ],
+)
+def test_no_rounded_number_where_there_is_none(
+    kind: str, latex: str, verdict: str, reading: str | None
+) -> None:
+    found = judged(kind, latex)
+    assert (found.verdict, found.reading) == (verdict, reading)
+    assert "as a rounded number" not in found.certificate
