@@ -308,7 +308,10 @@ def variances(
     updated_12: covariance of updated position and velocity over sigma_v^2, times T. Error over
         predicted_12 at most 3.01 * 2^-52 (float64), 3.01 * 2^-23 (float32), proved for every input.
         Cancellation in updated_12_difference, condition number 1: changes its sign at beta = 2
-        alpha; error over the sum of its terms.
+        alpha; error over the sum of its terms. Digits that can be lost: up to 16 of 16 in float64
+        and 7 of 7 in float32; half or more only where the value is below 7e-8 in float64 and 0.002
+        in float32 of what its error is relative to; what cancels: 2*beta/(2*(1 - alpha) + 2 - beta)
+        - beta/alpha*beta/(2*(1 - alpha) + 2 - beta).
     updated_22: variance of the updated velocity over sigma_v^2, times T^2. Relative error at most
         2.51 * 2^-52 (float64), 2.51 * 2^-23 (float32), proved for every input.
 
@@ -412,6 +415,9 @@ def variances_of_coordinates(
         (float64), 3.01 * 2^-23 (float32), proved for every input.
     updated_12: covariance of updated position and velocity over sigma_v^2, times T. Error over
         predicted_12 at most 1.51 * 2^-52 (float64), 1.51 * 2^-23 (float32), proved for every input.
+        Digits that can be lost: up to 16 of 16 in float64, half or more only where 0.999934 <=
+        linear_coefficient <= 1; up to 7 of 7 in float32, half or more only where 0.9 <=
+        linear_coefficient <= 1.
     updated_22: variance of the updated velocity over sigma_v^2, times T^2. Relative error at most
         1.01 * 2^-52 (float64), 1.01 * 2^-23 (float32), proved for every input.
 
@@ -546,7 +552,10 @@ def process_noise_variances(
     updated_12_by_q_22: what q22 adds to updated_12, over q22. Error over updated_12_by_q_22_scale
         at most 4.01 * 2^-52 (float64), 4.01 * 2^-23 (float32), proved for every input. Cancellation
         in updated_12_by_q_22_difference, condition number 1: changes its sign at beta = alpha (2 -
-        alpha); error over the sum of its terms.
+        alpha); error over the sum of its terms. Digits that can be lost: up to 16 of 16 in float64
+        and 7 of 7 in float32; half or more only where the value is below 9e-8 in float64 and 0.002
+        in float32 of what its error is relative to; what cancels: (1 - alpha)*(2 -
+        alpha)/(beta*(2*(1 - alpha) + 2 - beta)) - (1 - alpha)/(alpha*(2*(1 - alpha) + 2 - beta)).
     updated_22_by_q_22: what q22 adds to updated_22, over q22. Relative error at most 4.00 * 2^-52
         (float64), 3.92 * 2^-23 (float32), proved for every input.
 
@@ -816,7 +825,9 @@ def lags(
     updated_velocity_lag: truth less updated velocity. Error over predicted_velocity_lag at most
         1.01 * 2^-52 (float64), 1.01 * 2^-23 (float32), proved for every input. Cancellation in
         updated_velocity_lag_difference, condition number 1: changes its sign at beta = 2 alpha;
-        error over the sum of its terms.
+        error over the sum of its terms. Digits that can be lost: up to 16 of 16 in float64, half or
+        more only where 0.499987 <= alpha/beta <= 0.500021; up to 7 of 7 in float32, half or more
+        only where 0.49 <= alpha/beta <= 0.51; what cancels: 2*alpha/(2*beta) - beta/(2*beta).
 
     Every true value that an error is relative to is a normal number. Numbers and arrays are taken,
     arrays of any shapes that broadcast. Where all inputs are float32 so are the results; otherwise
@@ -895,13 +906,19 @@ def closed_loop_poles(
 
     half_sum: half the sum of the poles. Error over half_sum_scale at most 0.80 * 2^-52 (float64),
         0.81 * 2^-23 (float32), proved for every input. Cancellation in half_sum_difference,
-        condition number 1: changes its sign; error over the sum of its terms.
+        condition number 1: changes its sign; error over the sum of its terms. Digits that can be
+        lost: up to 16 of 16 in float64 and 7 of 7 in float32; half or more only where the value is
+        below 2e-8 in float64 and 0.0004 in float32 of what its error is relative to; what cancels:
+        1 - (alpha + beta)/2.
     modulus: square root of the product of the poles, the modulus of a complex pair. Relative error
         at most 0.76 * 2^-52 (float64), 0.76 * 2^-23 (float32), proved for every input.
     quarter_discriminant: the square of half their difference, negative where they are complex.
         Error over quarter_discriminant_scale at most 2.01 * 2^-52 (float64), 2.01 * 2^-23
         (float32), proved for every input. Cancellation in quarter_discriminant_difference,
         condition number 1: changes its sign where poles turn real; error over the sum of its terms.
+        Digits that can be lost: up to 16 of 16 in float64 and 7 of 7 in float32; half or more only
+        where the value is below 5e-8 in float64 and 0.001 in float32 of what its error is relative
+        to; what cancels: ((alpha + beta)/2)**2 - beta.
 
     Every true value that an error is relative to is a normal number. Numbers and arrays are taken,
     arrays of any shapes that broadcast. Where all inputs are float32 so are the results; otherwise

@@ -416,11 +416,15 @@ def variances(
     updated_12: covariance of updated position and velocity over sigma_v^2, times T. Error over
         updated_12_scale at most 7.00 * 2^-52 (float64), 7.00 * 2^-23 (float32), proved for every
         input. Cancellation in updated_12_difference, condition number 1: changes its sign; error
-        over the sum of its terms.
+        over the sum of its terms. Digits that can be lost: up to 16 of 16 in float64 and 7 of 7 in
+        float32; half or more only where the value is below 2e-7 in float64 and 0.004 in float32 of
+        what its error is relative to; what cancels: updated_12_difference.
     updated_13: covariance of updated position and acceleration over sigma_v^2, times T^2. Error
         over updated_13_scale at most 8.00 * 2^-52 (float64), 8.00 * 2^-23 (float32), proved for
         every input. Cancellation in updated_13_difference, condition number 1: changes its sign;
-        error over the sum of its terms.
+        error over the sum of its terms. Digits that can be lost: up to 16 of 16 in float64 and 7 of
+        7 in float32; half or more only where the value is below 2e-7 in float64 and 0.004 in
+        float32 of what its error is relative to; what cancels: updated_13_difference.
     updated_22: variance of the updated velocity over sigma_v^2, times T^2. Relative error at most
         10.00 * 2^-52 (float64), 10.00 * 2^-23 (float32), proved for every input.
     updated_23: covariance of updated velocity and acceleration over sigma_v^2, times T^3. Relative
@@ -723,15 +727,21 @@ def updated_variances_of_coordinates(
     updated_12: covariance of updated position and velocity over sigma_v^2, times T. Error over
         updated_12_scale at most 4.51 * 2^-52 (float64), 4.50 * 2^-23 (float32), proved for every
         input. Cancellation in updated_12_difference, condition number 1: changes its sign; error
-        over the sum of its terms.
+        over the sum of its terms. Digits that can be lost: up to 16 of 16 in float64 and 7 of 7 in
+        float32; half or more only where the value is below 1e-7 in float64 and 0.003 in float32 of
+        what its error is relative to; what cancels: updated_12_difference.
     updated_13: covariance of updated position and acceleration over sigma_v^2, times T^2. Error
         over updated_13_scale at most 2.01 * 2^-52 (float64), 2.01 * 2^-23 (float32), proved for
         every input. Cancellation in updated_13_difference, condition number 1: changes its sign;
-        error over the sum of its terms.
+        error over the sum of its terms. Digits that can be lost: up to 16 of 16 in float64 and 7 of
+        7 in float32; half or more only where the value is below 5e-8 in float64 and 0.001 in
+        float32 of what its error is relative to; what cancels: updated_13_difference.
     updated_23: covariance of updated velocity and acceleration over sigma_v^2, times T^3. Error
         over updated_23_scale at most 2.01 * 2^-52 (float64), 2.00 * 2^-23 (float32), proved for
         every input. Cancellation in updated_23_difference, condition number 1: changes its sign;
-        error over the sum of its terms.
+        error over the sum of its terms. Digits that can be lost: up to 16 of 16 in float64, half or
+        more only where 0.999824 <= linear_coefficient <= 1.00018; up to 7 of 7 in float32, half or
+        more only where 0.9 <= linear_coefficient <= 1.1; what cancels: updated_23_difference.
     updated_22: variance of the updated velocity over sigma_v^2, times T^2. Relative error at most
         3.51 * 2^-52 (float64), 3.51 * 2^-23 (float32), proved for every input.
 
@@ -893,23 +903,37 @@ def acceleration_noise_variances(
     updated_12: added to the covariance of updated position and velocity over sigma_v^2, times T.
         Error over updated_12_scale at most 6.51 * 2^-52 (float64), 6.51 * 2^-23 (float32), proved
         for every input. Cancellation in updated_12_difference, condition number 1: terms of both
-        signs; error over the sum of their sizes.
+        signs; error over the sum of their sizes. Digits that can be lost: up to 16 of 16 in float64
+        and 7 of 7 in float32; half or more only where the value is below 2e-7 in float64 and 0.004
+        in float32 of what its error is relative to; what cancels: updated_12_difference.
     updated_13: added to the covariance of updated position and acceleration over sigma_v^2, times
         T^2. Error over updated_13_scale at most 4.01 * 2^-52 (float64), 4.01 * 2^-23 (float32),
         proved for every input. Cancellation in updated_13_difference, condition number 1: terms of
-        both signs; error over the sum of their sizes.
+        both signs; error over the sum of their sizes. Digits that can be lost: up to 16 of 16 in
+        float64 and 7 of 7 in float32; half or more only where the value is below 9e-8 in float64
+        and 0.002 in float32 of what its error is relative to; what cancels:
+        4*1/(alpha*share*2*beta/(2 - alpha))*8*(1 - alpha)/64 - 4*4*alpha/(8*alpha*beta*(1 -
+        share))*8*(1 - alpha)/64.
     updated_22: added to the variance of the updated velocity over sigma_v^2, times T^2. Error over
         updated_22_scale at most 8.01 * 2^-52 (float64), 8.01 * 2^-23 (float32), proved for every
         input. Cancellation in updated_22_difference, condition number 1: terms of both signs; error
-        over the sum of their sizes.
+        over the sum of their sizes. Digits that can be lost: up to 16 of 16 in float64 and 7 of 7
+        in float32; half or more only where the value is below 2e-7 in float64 and 0.004 in float32
+        of what its error is relative to; what cancels: updated_22_difference.
     updated_23: added to the covariance of updated velocity and acceleration over sigma_v^2, times
         T^3. Error over updated_23_scale at most 9.00 * 2^-52 (float64), 9.01 * 2^-23 (float32),
         proved for every input. Cancellation in updated_23_difference, condition number 1: terms of
-        both signs; error over the sum of their sizes.
+        both signs; error over the sum of their sizes. Digits that can be lost: up to 16 of 16 in
+        float64 and 7 of 7 in float32; half or more only where the value is below 2e-7 in float64
+        and 0.005 in float32 of what its error is relative to; what cancels: updated_23_difference.
     updated_33: added to the variance of the updated acceleration over sigma_v^2, times T^4. Error
         over updated_33_scale at most 3.51 * 2^-52 (float64), 3.51 * 2^-23 (float32), proved for
         every input. Cancellation in updated_33_difference, condition number 1: terms of both signs;
-        error over the sum of their sizes.
+        error over the sum of their sizes. Digits that can be lost: up to 16 of 16 in float64, half
+        or more only where alpha >= 5.6e-12 and share >= 0.0031; up to 7 of 7 in float32, half or
+        more only where alpha >= 0.00017 and share >= 0.23; what cancels:
+        16*((4*alpha)**2/(8*alpha*beta*(1 - share)) + 1*2*beta/(alpha*share*2*beta/(2 - alpha)))/64
+        - 1*(1 - share + share).
 
     Every true value that an error is relative to is a normal number. Numbers and arrays are taken,
     arrays of any shapes that broadcast. Where all inputs are float32 so are the results; otherwise
@@ -1155,23 +1179,33 @@ def jerk_noise_variances(
     updated_12: added to the covariance of updated position and velocity over sigma_v^2, times T.
         Error over updated_12_scale at most 11.51 * 2^-52 (float64), 11.51 * 2^-23 (float32), proved
         for every input. Cancellation in updated_12_difference, condition number 1: terms of both
-        signs; error over the sum of their sizes.
+        signs; error over the sum of their sizes. Digits that can be lost: up to 16 of 16 in float64
+        and 7 of 7 in float32; half or more only where the value is below 3e-7 in float64 and 0.006
+        in float32 of what its error is relative to; what cancels: updated_12_difference.
     updated_13: added to the covariance of updated position and acceleration over sigma_v^2, times
         T^2. Error over updated_13_scale at most 8.51 * 2^-52 (float64), 8.51 * 2^-23 (float32),
         proved for every input. Cancellation in updated_13_difference, condition number 1: terms of
-        both signs; error over the sum of their sizes.
+        both signs; error over the sum of their sizes. Digits that can be lost: up to 16 of 16 in
+        float64 and 7 of 7 in float32; half or more only where the value is below 2e-7 in float64
+        and 0.005 in float32 of what its error is relative to; what cancels: updated_13_difference.
     updated_22: added to the variance of the updated velocity over sigma_v^2, times T^2. Error over
         updated_22_scale at most 14.00 * 2^-52 (float64), 14.00 * 2^-23 (float32), proved for every
         input. Cancellation in updated_22_difference, condition number 1: terms of both signs; error
-        over the sum of their sizes.
+        over the sum of their sizes. Digits that can be lost: up to 16 of 16 in float64 and 7 of 7
+        in float32; half or more only where the value is below 3e-7 in float64 and 0.007 in float32
+        of what its error is relative to; what cancels: updated_22_difference.
     updated_23: added to the covariance of updated velocity and acceleration over sigma_v^2, times
         T^3. Error over updated_23_scale at most 17.00 * 2^-52 (float64), 17.00 * 2^-23 (float32),
         proved for every input. Cancellation in updated_23_difference, condition number 1: terms of
-        both signs; error over the sum of their sizes.
+        both signs; error over the sum of their sizes. Digits that can be lost: up to 16 of 16 in
+        float64 and 7 of 7 in float32; half or more only where the value is below 4e-7 in float64
+        and 0.009 in float32 of what its error is relative to; what cancels: updated_23_difference.
     updated_33: added to the variance of the updated acceleration over sigma_v^2, times T^4. Error
         over updated_33_scale at most 11.00 * 2^-52 (float64), 11.00 * 2^-23 (float32), proved for
         every input. Cancellation in updated_33_difference, condition number 1: terms of both signs;
-        error over the sum of their sizes.
+        error over the sum of their sizes. Digits that can be lost: up to 16 of 16 in float64, half
+        or more only where alpha >= 5.6e-12 and share >= 0.0031; up to 7 of 7 in float32, half or
+        more only where alpha >= 8.6e-5 and share >= 0.056; what cancels: updated_33_difference.
 
     Every true value that an error is relative to is a normal number. Numbers and arrays are taken,
     arrays of any shapes that broadcast. Where all inputs are float32 so are the results; otherwise
@@ -1459,23 +1493,33 @@ def white_jerk_noise_variances(
     updated_12: added to the covariance of updated position and velocity over sigma_v^2, times T.
         Error over updated_12_scale at most 11.51 * 2^-52 (float64), 11.51 * 2^-23 (float32), proved
         for every input. Cancellation in updated_12_difference, condition number 1: terms of both
-        signs; error over the sum of their sizes.
+        signs; error over the sum of their sizes. Digits that can be lost: up to 16 of 16 in float64
+        and 7 of 7 in float32; half or more only where the value is below 3e-7 in float64 and 0.006
+        in float32 of what its error is relative to; what cancels: updated_12_difference.
     updated_13: added to the covariance of updated position and acceleration over sigma_v^2, times
         T^2. Error over updated_13_scale at most 8.51 * 2^-52 (float64), 8.51 * 2^-23 (float32),
         proved for every input. Cancellation in updated_13_difference, condition number 1: terms of
-        both signs; error over the sum of their sizes.
+        both signs; error over the sum of their sizes. Digits that can be lost: up to 16 of 16 in
+        float64 and 7 of 7 in float32; half or more only where the value is below 2e-7 in float64
+        and 0.005 in float32 of what its error is relative to; what cancels: updated_13_difference.
     updated_22: added to the variance of the updated velocity over sigma_v^2, times T^2. Error over
         updated_22_scale at most 14.00 * 2^-52 (float64), 14.00 * 2^-23 (float32), proved for every
         input. Cancellation in updated_22_difference, condition number 1: terms of both signs; error
-        over the sum of their sizes.
+        over the sum of their sizes. Digits that can be lost: up to 16 of 16 in float64 and 7 of 7
+        in float32; half or more only where the value is below 3e-7 in float64 and 0.007 in float32
+        of what its error is relative to; what cancels: updated_22_difference.
     updated_23: added to the covariance of updated velocity and acceleration over sigma_v^2, times
         T^3. Error over updated_23_scale at most 17.00 * 2^-52 (float64), 17.00 * 2^-23 (float32),
         proved for every input. Cancellation in updated_23_difference, condition number 1: terms of
-        both signs; error over the sum of their sizes.
+        both signs; error over the sum of their sizes. Digits that can be lost: up to 16 of 16 in
+        float64 and 7 of 7 in float32; half or more only where the value is below 4e-7 in float64
+        and 0.009 in float32 of what its error is relative to; what cancels: updated_23_difference.
     updated_33: added to the variance of the updated acceleration over sigma_v^2, times T^4. Error
         over updated_33_scale at most 11.00 * 2^-52 (float64), 11.00 * 2^-23 (float32), proved for
         every input. Cancellation in updated_33_difference, condition number 1: terms of both signs;
-        error over the sum of their sizes.
+        error over the sum of their sizes. Digits that can be lost: up to 16 of 16 in float64, half
+        or more only where alpha >= 5.6e-12 and share >= 0.0031; up to 7 of 7 in float32, half or
+        more only where alpha >= 8.6e-5 and share >= 0.056; what cancels: updated_33_difference.
 
     Every true value that an error is relative to is a normal number. Numbers and arrays are taken,
     arrays of any shapes that broadcast. Where all inputs are float32 so are the results; otherwise
@@ -2236,7 +2280,10 @@ def lags(
     updated_velocity_lag: truth less updated velocity. Error over predicted_velocity_lag at most
         3.51 * 2^-52 (float64), 3.50 * 2^-23 (float32), proved for every input. Cancellation in
         updated_velocity_lag_difference, condition number 1: changes its sign; error over the sum of
-        its terms.
+        its terms. Digits that can be lost: up to 16 of 16 in float64 and 7 of 7 in float32; half or
+        more only where the value is below 8e-8 in float64 and 0.002 in float32 of what its error is
+        relative to; what cancels: alpha/(alpha*share*2*beta/(2 - alpha)) + 1/12 -
+        beta/(2*alpha*share*2*beta/(2 - alpha)).
     updated_acceleration_lag: truth less updated acceleration. Relative error at most 4.01 * 2^-52
         (float64), 4.01 * 2^-23 (float32), proved for every input.
 
@@ -2359,15 +2406,22 @@ def closed_loop_poles(
     reduced_linear: p of the reduced cubic. Error over reduced_linear_scale at most 3.51 * 2^-52
         (float64), 3.50 * 2^-23 (float32), proved for every input. Cancellation in
         reduced_linear_difference, condition number 1: changes its sign; error over the sum of its
-        terms.
+        terms. Digits that can be lost: up to 16 of 16 in float64 and 7 of 7 in float32; half or
+        more only where the value is below 8e-8 in float64 and 0.002 in float32 of what its error is
+        relative to; what cancels: (alpha + beta + gamma/2)**2/9 - (beta + gamma + gamma/2)/3.
     reduced_constant: q of the reduced cubic. Error over reduced_constant_scale at most 5.51 * 2^-52
         (float64), 5.50 * 2^-23 (float32), proved for every input. Cancellation in
         reduced_constant_difference, condition number 1: changes its sign; error over the sum of its
-        terms.
+        terms. Digits that can be lost: up to 16 of 16 in float64 and 7 of 7 in float32; half or
+        more only where the value is below 2e-7 in float64 and 0.003 in float32 of what its error is
+        relative to; what cancels: (alpha + beta + gamma/2)*(beta + gamma + gamma/2)/6 - ((alpha +
+        beta + gamma/2)**2*(alpha + beta + gamma/2)/27 + gamma/2).
     discriminant: p^3 - q^2, 0 or more where all poles are real. Error over discriminant_scale at
         most 7.00 * 2^-52 (float64), 6.97 * 2^-23 (float32), proved for every input. Cancellation in
         discriminant_difference, condition number 1: changes its sign; error over the sum of its
-        terms.
+        terms. Digits that can be lost: up to 16 of 16 in float64 and 7 of 7 in float32; half or
+        more only where the value is below 2e-7 in float64 and 0.004 in float32 of what its error is
+        relative to; what cancels: discriminant_difference.
 
     Every true value that an error is relative to is a normal number. Numbers and arrays are taken,
     arrays of any shapes that broadcast. Where all inputs are float32 so are the results; otherwise

@@ -510,12 +510,18 @@ def gains_by_tracking_index(
         gain_12_scale at most 28.36 * 2^-52 (float64), 26.79 * 2^-23 (float32), proved for every
         input. Cancellation in gain_12_difference, condition number 1: what it is the derivative of
         grows in one part of the domain and falls in another, so that it vanishes between;
-        gain_12_scale is the sum of the terms whose difference it is.
+        gain_12_scale is the sum of the terms whose difference it is. Digits that can be lost: up to
+        16 of 16 in float64 and 7 of 7 in float32; half or more only where the value is below 6e-7
+        in float64 and 0.02 in float32 of what its error is relative to; what cancels:
+        gain_12_difference.
     gain_21: derivative by Lambda of the velocity's gain on the measured position times T. Error
         over gain_21_scale at most 27.36 * 2^-52 (float64), 25.79 * 2^-23 (float32), proved for
         every input. Cancellation in gain_21_difference, condition number 1: what it is the
         derivative of grows in one part of the domain and falls in another, so that it vanishes
-        between; gain_21_scale is the sum of the terms whose difference it is.
+        between; gain_21_scale is the sum of the terms whose difference it is. Digits that can be
+        lost: up to 16 of 16 in float64 and 7 of 7 in float32; half or more only where the value is
+        below 6e-7 in float64 and 0.02 in float32 of what its error is relative to; what cancels:
+        gain_21_difference.
     gain_22: derivative by Lambda of the velocity's gain on the measured velocity. Relative error at
         most 29.19 * 2^-52 (float64), 27.62 * 2^-23 (float32), proved for every input.
 
@@ -682,7 +688,10 @@ def gains_by_velocity_ratio(
         gain_12_scale at most 29.47 * 2^-52 (float64), 28.14 * 2^-23 (float32), proved for every
         input. Cancellation in gain_12_difference, condition number 1: what it is the derivative of
         grows in one part of the domain and falls in another, so that it vanishes between;
-        gain_12_scale is the sum of the terms whose difference it is.
+        gain_12_scale is the sum of the terms whose difference it is. Digits that can be lost: up to
+        16 of 16 in float64 and 7 of 7 in float32; half or more only where the value is below 7e-7
+        in float64 and 0.02 in float32 of what its error is relative to; what cancels:
+        gain_12_difference.
     gain_21: derivative by S of the velocity's gain on the measured position times T. Relative error
         at most 27.97 * 2^-52 (float64), 26.64 * 2^-23 (float32), proved for every input.
     gain_22: derivative by S of the velocity's gain on the measured velocity. Relative error at most
@@ -1205,6 +1214,9 @@ def updated_covariance_by_tracking_index(
         (float32), proved for every input. Cancellation in updated_12_difference, condition number
         1: what it is the derivative of grows in one part of the domain and falls in another, so
         that it vanishes between; updated_12_scale is the sum of the terms whose difference it is.
+        Digits that can be lost: up to 16 of 16 in float64 and 7 of 7 in float32; half or more only
+        where the value is below 6e-7 in float64 and 0.02 in float32 of what its error is relative
+        to; what cancels: updated_12_difference.
     updated_22: derivative by Lambda of the variance of the updated velocity times T^2/sigma_o^2.
         Relative error at most 27.99 * 2^-52 (float64), 26.62 * 2^-23 (float32), proved for every
         input.
@@ -1564,7 +1576,10 @@ def closed_loop_poles(
     half_sum: half the sum of the poles, the real part of each where they are complex. Error over
         half_sum_scale at most 7.71 * 2^-52 (float64), 7.66 * 2^-23 (float32), proved for every
         input. Cancellation in half_sum_difference, condition number 1: the real part of complex
-        poles vanishes on a curve; half_sum_scale is the sum of the terms' magnitudes.
+        poles vanishes on a curve; half_sum_scale is the sum of the terms' magnitudes. Digits that
+        can be lost: up to 16 of 16 in float64 and 7 of 7 in float32; half or more only where the
+        value is below 2e-7 in float64 and 0.004 in float32 of what its error is relative to; what
+        cancels: half_sum_difference.
     modulus: the geometric mean of their moduli, the modulus of each where they are complex.
         Relative error at most 2.75 * 2^-52 (float64), 2.75 * 2^-23 (float32), proved for every
         input.
@@ -1572,7 +1587,9 @@ def closed_loop_poles(
         Error over quarter_discriminant_scale at most 15.99 * 2^-52 (float64), 15.99 * 2^-23
         (float32), proved for every input. Cancellation in quarter_discriminant_difference,
         condition number 1: the poles meet on a curve; quarter_discriminant_scale is the sum of both
-        terms.
+        terms. Digits that can be lost: up to 16 of 16 in float64 and 7 of 7 in float32; half or
+        more only where the value is below 4e-7 in float64 and 0.008 in float32 of what its error is
+        relative to; what cancels: quarter_discriminant_difference.
 
     Every true value that an error is relative to is a normal number. Numbers and arrays are taken,
     arrays of any shapes that broadcast. Where all inputs are float32 so are the results; otherwise
@@ -1686,7 +1703,8 @@ def real_poles(
     negative_up_to: the 1/S^2 up to which both poles are real and negative, for no S where it is not
         positive. Error over positive_from at most 4.01 * 2^-52 (float64), 4.01 * 2^-23 (float32),
         proved for 1e-12 <= tracking_index <= 1000000000000.0 (float64) and 1e-08 <= tracking_index
-        <= 1e08 (float32).
+        <= 1e08 (float32). Digits that can be lost: up to 4 of 16 in float64; up to 3 of 7 in
+        float32.
 
     Outside an output's range, a few numbers next to its ends apart, its true value is no normal
     number: it comes as 0, a subnormal number or infinity, never as NaN. Numbers and arrays are

@@ -490,12 +490,18 @@ def gains_by_tracking_index(
         gain_12_scale at most 39.53 * 2^-52 (float64), 33.49 * 2^-23 (float32), proved for every
         input. Cancellation in gain_12_difference, condition number 1: what it is the derivative of
         grows in one part of the domain and falls in another, so that it vanishes between;
-        gain_12_scale is the sum of the terms whose difference it is.
+        gain_12_scale is the sum of the terms whose difference it is. Digits that can be lost: up to
+        16 of 16 in float64 and 7 of 7 in float32; half or more only where the value is below 9e-7
+        in float64 and 0.02 in float32 of what its error is relative to; what cancels:
+        gain_12_difference.
     gain_21: derivative by Lambda of the velocity's gain on the measured position times T. Error
         over gain_21_scale at most 38.53 * 2^-52 (float64), 32.49 * 2^-23 (float32), proved for
         every input. Cancellation in gain_21_difference, condition number 1: what it is the
         derivative of grows in one part of the domain and falls in another, so that it vanishes
-        between; gain_21_scale is the sum of the terms whose difference it is.
+        between; gain_21_scale is the sum of the terms whose difference it is. Digits that can be
+        lost: up to 16 of 16 in float64 and 7 of 7 in float32; half or more only where the value is
+        below 9e-7 in float64 and 0.02 in float32 of what its error is relative to; what cancels:
+        gain_21_difference.
     gain_22: derivative by Lambda of the velocity's gain on the measured velocity. Relative error at
         most 43.26 * 2^-52 (float64), 39.81 * 2^-23 (float32), proved for every input.
 
@@ -652,7 +658,10 @@ def gains_by_velocity_ratio(
         gain_12_scale at most 41.03 * 2^-52 (float64), 35.99 * 2^-23 (float32), proved for every
         input. Cancellation in gain_12_difference, condition number 1: what it is the derivative of
         grows in one part of the domain and falls in another, so that it vanishes between;
-        gain_12_scale is the sum of the terms whose difference it is.
+        gain_12_scale is the sum of the terms whose difference it is. Digits that can be lost: up to
+        16 of 16 in float64 and 7 of 7 in float32; half or more only where the value is below 9e-7
+        in float64 and 0.02 in float32 of what its error is relative to; what cancels:
+        gain_12_difference.
     gain_21: derivative by S of the velocity's gain on the measured position times T. Relative error
         at most 39.53 * 2^-52 (float64), 32.02 * 2^-23 (float32), proved for every input.
     gain_22: derivative by S of the velocity's gain on the measured velocity. Relative error at most
@@ -1189,6 +1198,9 @@ def updated_covariance_by_tracking_index(
         (float32), proved for every input. Cancellation in updated_12_difference, condition number
         1: what it is the derivative of grows in one part of the domain and falls in another, so
         that it vanishes between; updated_12_scale is the sum of the terms whose difference it is.
+        Digits that can be lost: up to 16 of 16 in float64 and 7 of 7 in float32; half or more only
+        where the value is below 9e-7 in float64 and 0.02 in float32 of what its error is relative
+        to; what cancels: updated_12_difference.
     updated_22: derivative by Lambda of the variance of the updated velocity times T^2/sigma_o^2.
         Relative error at most 42.26 * 2^-52 (float64), 38.81 * 2^-23 (float32), proved for every
         input.
@@ -1539,7 +1551,9 @@ def closed_loop_poles(
         Error over quarter_discriminant_scale at most 14.62 * 2^-52 (float64), 14.56 * 2^-23
         (float32), proved for every input. Cancellation in quarter_discriminant_difference,
         condition number 1: the poles meet on a curve; quarter_discriminant_scale is the sum of both
-        terms.
+        terms. Digits that can be lost: up to 16 of 16 in float64 and 7 of 7 in float32; half or
+        more only where the value is below 4e-7 in float64 and 0.008 in float32 of what its error is
+        relative to; what cancels: quarter_discriminant_difference.
 
     Every true value that an error is relative to is a normal number. Numbers and arrays are taken,
     arrays of any shapes that broadcast. Where all inputs are float32 so are the results; otherwise

@@ -1211,7 +1211,9 @@ def predicted_covariance_second_derivatives(
         (float64) and 1.0258392e-26 <= tracking_index <= 3.4028235e38 (float32). Cancellation in
         predicted_11_turn, condition number 1: the variance bends down for a small index and up for
         a large one, so that it vanishes between; predicted_11_scale is the sum of the terms whose
-        difference it is.
+        difference it is. Digits that can be lost: up to 16 of 16 in float64, half or more only
+        where 0.389234 <= tracking_index <= 0.38929; up to 7 of 7 in float32, half or more only
+        where 0.38 <= tracking_index <= 0.4; what cancels: predicted_11_turn.
     predicted_12: second derivative by Lambda of the covariance of predicted position and velocity
         times T/sigma_v^2. Relative error at most 6.75 * 2^-52 (float64), 6.77 * 2^-23 (float32),
         proved for 5e-324 <= tracking_index <= 1.7976931348623157e308 (float64) and 1e-45 <=
@@ -1485,16 +1487,24 @@ def closed_loop_poles(
 
     first_real: real part of the first pole. Error over first_modulus at most 7.02 * 2^-52
         (float64), 7.03 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=
-        4.49423283715579e307 (float64) and 1e-45 <= tracking_index <= 8.507059e37 (float32).
+        4.49423283715579e307 (float64) and 1e-45 <= tracking_index <= 8.507059e37 (float32). Digits
+        that can be lost: up to 16 of 16 in float64, half or more only where tracking_index >=
+        1.3e7; up to 7 of 7 in float32, half or more only where tracking_index >= 480.
     first_imaginary: imaginary part of the first pole, not negative. Error over first_modulus at
         most 5.10 * 2^-52 (float64), 5.10 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=
-        4.49423283715579e307 (float64) and 1e-45 <= tracking_index <= 8.507059e37 (float32).
+        4.49423283715579e307 (float64) and 1e-45 <= tracking_index <= 8.507059e37 (float32). Digits
+        that can be lost: up to 16 of 16 in float64, half or more only where tracking_index <=
+        2.5e-14; up to 7 of 7 in float32, half or more only where tracking_index <= 1.8e-5.
     second_real: real part of the second pole. Error over second_modulus at most 7.02 * 2^-52
         (float64), 7.03 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=
-        4.49423283715579e307 (float64) and 1e-45 <= tracking_index <= 8.507059e37 (float32).
+        4.49423283715579e307 (float64) and 1e-45 <= tracking_index <= 8.507059e37 (float32). Digits
+        that can be lost: up to 16 of 16 in float64, half or more only where tracking_index >=
+        1.3e7; up to 7 of 7 in float32, half or more only where tracking_index >= 480.
     second_imaginary: imaginary part of the second pole, not positive. Error over second_modulus at
         most 5.10 * 2^-52 (float64), 5.10 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=
-        4.49423283715579e307 (float64) and 1e-45 <= tracking_index <= 8.507059e37 (float32).
+        4.49423283715579e307 (float64) and 1e-45 <= tracking_index <= 8.507059e37 (float32). Digits
+        that can be lost: up to 16 of 16 in float64, half or more only where tracking_index <=
+        2.5e-14; up to 7 of 7 in float32, half or more only where tracking_index <= 1.8e-5.
 
     Outside an output's range, a few numbers next to its ends apart, its true value is no normal
     number: it comes as 0, a subnormal number or infinity, never as NaN. Numbers and arrays are

@@ -4,33 +4,54 @@ from __future__ import annotations
 
 import keyword
 import re
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import fields
+from fractions import Fraction
 
 import sympy as sp
 
 from gainproof.derive.own_expressions.expressions import (
+    Argument,
     ExpressionError,
     ExpressionKernel,
     ExpressionSet,
     Result,
 )
 from gainproof.derive.own_expressions.kernel_names import require_side_by_side
+from gainproof.derive.quantity import Quantity, Unit
 
 NAME = re.compile(r"[a-z][a-z0-9]*(_[a-z0-9]+)*")
 TAKEN = frozenset({"np", "evaluate", "annotations", "iv", "out", "near_cbrt", "choose", "mask_of"})
 INPUTS_TAKEN = frozenset({"abs", "accurate", "value", "workers"})
 """Names that a printed module, function or certificate has for something else."""
+SHOWN = 80  # characters of what came
 EXPONENT = 64
 """Of a power, as in claim files: proofs expand powers."""
 PARTS = re.compile(r"(part|over)_\d+(_of.*)?")
 """Names of what is no polynomial, see `parts`."""
 
 
+FIELDS: Mapping[type, Mapping[str, type | tuple[type, ...]]] = {
+    ExpressionSet: {"name": str, "title": str},
+    ExpressionKernel: {"name": str, "title": str, "source": str},
+    Argument: {"quantity": Quantity, "zero": bool, "signed": bool},
+    Result: {"quantity": Quantity},
+    Quantity: {"name": str, "latex": str, "meaning": str, "unit": Unit},
+    Unit: dict.fromkeys((field.name for field in fields(Unit)), (int, Fraction)),
+}
+"""Of what kind fields are; ends of domains and expressions are looked at where they are read."""
+
+
 def require_written_well(given: ExpressionSet) -> None:
-    """Raise ExpressionError for names that cannot be, and symbols that nothing defines."""
+    """Raise ExpressionError for fields of another kind, names that cannot be, and symbols that
+    nothing defines.
+    """
+    _require_kind("EXPRESSIONS", given, ExpressionSet)
     module = given.name.replace("-", "_")
     _require_name("the set", module)
     require_tuple(given.name, "kernels", given.kernels, ExpressionError)
+    for number, kernel in enumerate(given.kernels, 1):
+        _require_kind(f"{given.name}: kernel {number}", kernel, ExpressionKernel)
     if not given.kernels:
         raise ExpressionError(f"{given.name}: a kernel at least is wanted, there is none")
     names = [kernel.name for kernel in given.kernels]
@@ -50,12 +71,32 @@ def require_tuple(place: str, name: str, value: object, error: type[ValueError])
         )
 
 
+def _require_kind(place: str, value: object, kind: type | tuple[type, ...]) -> None:
+    if not isinstance(value, kind):
+        names = " or ".join(k.__name__ for k in (kind if isinstance(kind, tuple) else (kind,)))
+        shown = repr(value)
+        shown = shown if len(shown) <= SHOWN else f"{shown[:SHOWN]}..."
+        raise ExpressionError(f"{place} should be of the type {names}, {shown} came")
+    for name, wanted in FIELDS.get(type(value), {}).items():
+        _require_kind(f"{place}, {name}", getattr(value, name), wanted)
+
+
 def _require_kernel(kernel: ExpressionKernel) -> None:
     _require_name("a kernel", kernel.name)
     for text in (kernel.title, kernel.source):
         _require_line(kernel.name, text)
     for name in ("inputs", "outputs"):
         require_tuple(kernel.name, name, getattr(kernel, name), ExpressionError)
+        kind = Argument if name == "inputs" else Result
+        for number, each in enumerate(getattr(kernel, name), 1):
+            _require_kind(f"{kernel.name}: {name}, number {number}", each, kind)
+    for each in kernel.inputs:
+        single = each.single
+        if single is not None and not (isinstance(single, tuple | list) and len(single) == 2):
+            raise ExpressionError(
+                f"{kernel.name}: {each.quantity.name}: single should be two ends of a domain as "
+                f"texts, {single!r} came"
+            )
     for what, quantities in (
         ("inputs", [each.quantity for each in kernel.inputs]),
         ("outputs", [each.quantity for each in kernel.outputs]),
@@ -102,7 +143,7 @@ def _expression(place: str, output: Result) -> sp.Expr:
         found = sp.sympify(output.expression, strict=True)
     except sp.SympifyError:
         found = None
-    if not isinstance(found, sp.Expr):
+    if not isinstance(found, sp.Expr) or found.is_Matrix:
         raise ExpressionError(f"{place}: an expression is wanted, {output.expression!r} came")
     return found
 

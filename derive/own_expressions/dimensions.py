@@ -32,6 +32,8 @@ def require_units(kernel: ExpressionKernel) -> None:
 def unit_of(value: sp.Expr, units: Mapping[sp.Symbol, Unit]) -> Unit:
     """The unit of an expression; ExpressionError where parts of it do not agree."""
     if isinstance(value, sp.Symbol):
+        if value not in units:  # of an integral or a sum
+            raise ExpressionError(f"the symbol {value} is of no input's quantity")
         return units[value]
     if value.is_number:
         return ONE

@@ -17,6 +17,8 @@ from gainproof.derive.stable_form import StableForm, stable
 from gainproof.derive.stable_form.certificate import GIVEN, STABLE
 from gainproof.derive.subject import Program
 
+SUM = "the same with both sides of its differences added"
+
 
 def rewritten(given: ExpressionKernel) -> Formed:
     """The kernel of the stable form; a subtraction that remains is named, and its output measured
@@ -31,7 +33,10 @@ def rewritten(given: ExpressionKernel) -> Formed:
         kernel,
         cancellations=form.cancellations,
         outputs=tuple(
-            replace(output, relative_to=form.scales.get(output.name)) for output in kernel.outputs
+            replace(output, relative_to=form.scales[output.name], scale_meaning=SUM)
+            if output.name in form.scales
+            else output
+            for output in kernel.outputs
         ),
     )
     document, name = form.certificate, given.name

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from dataclasses import replace
 
 import sympy as sp
 
@@ -37,6 +38,7 @@ def derive_expressions(given: ExpressionSet) -> Subject:
     require_written_well(given)
     for kernel in given.kernels:
         require_units(kernel)
+    given = replace(given, kernels=tuple(map(_sympified, given.kernels)))
     made = [_formed(kernel) for kernel in given.kernels]
     by_name = {each.kernel.name: each for each in made}
     title = given.title.removesuffix(".")
@@ -55,14 +57,18 @@ def derive_expressions(given: ExpressionSet) -> Subject:
             kernels=tuple(each.kernel for each in made),
         ),
         textbook=lambda: {
-            kernel.name: {
-                each.quantity.name: sp.sympify(each.expression) for each in kernel.outputs
-            }
+            kernel.name: {each.quantity.name: each.expression for each in kernel.outputs}
             for kernel in given.kernels
         },
         settings={name: tower for each in made for name, tower in each.towers.items()},
         held=lambda kernel: by_name[kernel.name].held(kernel),
     )
+
+
+def _sympified(kernel: ExpressionKernel) -> ExpressionKernel:
+    """With expressions of SymPy, also where a number of Python came."""
+    outputs = (replace(each, expression=sp.sympify(each.expression)) for each in kernel.outputs)
+    return replace(kernel, outputs=tuple(outputs))
 
 
 def _formed(given: ExpressionKernel) -> Formed:
@@ -76,7 +82,8 @@ def _formed(given: ExpressionKernel) -> Formed:
         other, reason = _proved(rewritten, given)
         formed, refusal = other or formed, f"{refusal}. No other form helps: {reason}"
     if formed is None:
-        raise ExpressionError(refusal)
+        place = "" if refusal.startswith(given.name) else f"{given.name}: "
+        raise ExpressionError(place + refusal)
     return formed
 
 

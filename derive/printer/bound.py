@@ -11,6 +11,7 @@ import numpy as np
 
 from gainproof.derive.printer.formats import Format
 from gainproof.derive.printer.kernel import Kernel
+from gainproof.derive.printer.loss import Loss
 from gainproof.derive.printer.one_input import OneInput
 from gainproof.derive.printer.proof import Settled
 from gainproof.derive.printer.several_inputs import SeveralInputs
@@ -30,7 +31,8 @@ class OutputBound:
     value of the scale is a normal number (and 64 epsilon below the largest); of several it is the
     whole domain of the kernel, where the true value is proved to be normal. `amplification`: for
     each named cancellation the factor by which errors of its operands' sizes may enter this output.
-    `beside`: what an underflow on the way may add to the error.
+    `beside`: what an underflow on the way may add to the error. `loss`: what the bound says of the
+    value where it is relative to something larger, once that was asked (see `lost_digits`).
     """
 
     name: str
@@ -38,6 +40,7 @@ class OutputBound:
     domain: Box
     amplification: Mapping[str, float]
     beside: float = 0.0
+    loss: Loss | None = None
 
     @property
     def lowest(self) -> float:

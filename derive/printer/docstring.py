@@ -14,8 +14,9 @@ from gainproof.derive.printer.constant import constant
 from gainproof.derive.printer.double_word.bound import units
 from gainproof.derive.printer.double_word.single import single_units
 from gainproof.derive.printer.formats import FLOAT64, Format
-from gainproof.derive.printer.kernel import Input, Kernel, Limit, Requirement
+from gainproof.derive.printer.kernel import Input, Kernel, Limit, Output, Requirement
 from gainproof.derive.printer.library import ULP, functions_of
+from gainproof.derive.printer.loss import Loss, loss_text
 from gainproof.derive.printer.signed_inputs import has_signs
 
 WIDTH = 96  # of the text, inside an indentation of four
@@ -144,7 +145,7 @@ def _required(required: Requirement) -> Iterator[str]:
 
 def _output(kernel: Kernel, bounds: Sequence[KernelBound], row: int) -> Iterator[str]:
     output = kernel.outputs[row]
-    scale = "Relative error" if output.relative_to is None else f"Error over {output.relative_to}"
+    scale = "Relative error" if output.relative_to is None else f"Error over {scale_text(output)}"
     if output.by_terms:
         scale = "Error over the sum of its terms taken positive"
     found = [(bound.format, bound.outputs[row]) for bound in bounds]
@@ -167,7 +168,19 @@ def _output(kernel: Kernel, bounds: Sequence[KernelBound], row: int) -> Iterator
         if found[0][1].amplification.get(name):
             most = max(each.amplification[name] for _, each in found)
             text += f" Cancellation in {name}, condition number {most:.3g}: {reason}."
+    if losses := losses_of(bounds, row):
+        text += f" {loss_text(losses)}"
     yield from _wrap(text, "    ")
+
+
+def scale_text(output: Output) -> str:
+    """What an error is relative to that is another output of the graph."""
+    return output.scale_meaning or str(output.relative_to)
+
+
+def losses_of(bounds: Sequence[KernelBound], row: int) -> list[Loss]:
+    """What an output may lose, in each format; nothing where its bound is relative to itself."""
+    return [loss for bound in bounds if (loss := bound.outputs[row].loss) is not None]
 
 
 def _accurate(kernel: Kernel, bounds: Sequence[KernelBound]) -> list[str]:

@@ -30,6 +30,11 @@ class Format:
         return math.ldexp(1.0, 1 - self.digits)
 
     @property
+    def decimals(self) -> int:
+        """Decimal digits of a number: 16 of float64, 7 of float32."""
+        return round(self.digits * math.log10(2.0))
+
+    @property
     def least_normal(self) -> float:
         return math.ldexp(1.0, self.least_exponent)
 

@@ -21,6 +21,7 @@ from gainproof.derive.printer.leaves import affine_value, constant_value, input_
 from gainproof.derive.printer.operations import product, quotient, root, scaled, with_stray
 from gainproof.derive.printer.program import Program, Step
 from gainproof.derive.printer.ratio import ratio
+from gainproof.derive.printer.step_text import formula
 from gainproof.derive.printer.threshold import threshold
 from gainproof.derive.printer.value import (
     LEAST_NORMAL,
@@ -185,5 +186,4 @@ class Forward:
         return below
 
     def _name(self, number: int) -> str:
-        step = self.program.steps[number]
-        return f"node {step.node}" + (f" ({step.label})" if step.label else "")
+        return formula(self.program, number)

@@ -84,12 +84,14 @@ class Output:
     `relative_to` (which need not be an `Output`), e.g. the modulus of a pole whose real part may
     vanish. `by_terms`: it is relative to the value of the output's own formula with every term of
     its sums taken positive, which a kernel of signed inputs must say where terms may cancel.
+    `scale_meaning`: `relative_to` in words, where no equation of the kernel says what it is.
     """
 
     name: str
     meaning: str
     relative_to: str | None = None
     by_terms: bool = False
+    scale_meaning: str = ""
 
 
 @dataclass(frozen=True)

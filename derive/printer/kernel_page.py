@@ -8,6 +8,7 @@ from gainproof.derive.printer.bound import KernelBound, OutputBound
 from gainproof.derive.printer.docstring import (
     assumption,
     decimal_text,
+    losses_of,
     number_text,
     required_text,
     rounded_up,
@@ -15,6 +16,7 @@ from gainproof.derive.printer.docstring import (
 )
 from gainproof.derive.printer.formats import Format
 from gainproof.derive.printer.kernel import Kernel, Output
+from gainproof.derive.printer.loss import loss_text
 
 
 def kernel_page(kernel: Kernel, bounds: Sequence[KernelBound]) -> str:
@@ -43,13 +45,18 @@ def _lines(kernel: Kernel, bounds: Sequence[KernelBound]) -> Iterator[str]:
     for name, reason in kernel.cancellations.items():
         yield f"`{name}` is a difference of computed values: {reason}."
         yield ""
+    for row, output in enumerate(kernel.outputs):
+        if losses := losses_of(bounds, row):
+            yield f"`{output.name}`: {loss_text(losses)}"
+            yield ""
     yield f"Source: {kernel.source}"
 
 
 def _bound(kernel: Kernel, output: Output, found: OutputBound, form: Format) -> str:
     """What is proved of an output in one format."""
     scale = " of its terms taken positive" if output.by_terms else ""
-    scale = f" of `{output.relative_to}`" if output.relative_to else scale
+    if output.relative_to:
+        scale = f" of {output.scale_meaning or f'`{output.relative_to}`'}"
     text = f"{decimal_text(found)} * 2^{1 - form.digits}{scale}"
     if found.beside:
         text += f", and {rounded_up(found.beside)} beside it"

@@ -102,10 +102,10 @@ def _known(
     for precision in PRECISIONS:
         balls = enclosures_at(used, point, bound.format, precision)
         with flint.ctx.workprec(precision):
-            if not _admitted(kernel, used, balls, bound.format):
+            if not admitted(kernel, used, balls, bound.format):
                 return None
-            scales = _scales(used, known, balls)
-            pairs = {output: _pair(output, used, balls, scales) for output in promised}
+            sizes = scales(used, known, balls)
+            pairs = {output: _pair(output, used, balls, sizes) for output in promised}
             if all(value.rad() <= scale * KNOWN for value, scale in pairs.values()):
                 entry: dict[str, Any] = {
                     "at": list(at),
@@ -120,7 +120,7 @@ def _by_other(output: Output) -> bool:
     return output.by_terms or output.relative_to is not None
 
 
-def _admitted(kernel: Kernel, used: Program, balls: Balls, form: Format) -> bool:
+def admitted(kernel: Kernel, used: Program, balls: Balls, form: Format) -> bool:
     """Whether what is required of the inputs together is so, with room for rounding."""
 
     def limit(each: Requirement) -> flint.arb:
@@ -143,12 +143,12 @@ def _pair(
     return balls[number], scales[number] if output.by_terms else abs(balls[number])
 
 
-def _scales(used: Program, known: Sequence[Reference] | None, balls: Balls) -> Balls:
+def scales(used: Program, known: Sequence[Reference] | None, balls: Balls) -> Balls:
     """Of every step its formula with the terms of sums taken positive (see `reference`)."""
     if known is None:
         return balls
     found: list[flint.arb] = []
-    for number, step in enumerate(used.steps):
+    for number, step in enumerate(used.steps[: len(balls)]):
         parts = [found[part] for part in step.operands]
         if known[number].tight:
             found.append(abs(balls[number]))

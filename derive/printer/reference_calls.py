@@ -37,7 +37,8 @@ def called(name: str, parts: list[Reference], form: Format) -> Reference:
             # |d log angle/d log of either argument| is at most 1: sin 2t <= 2t
             count = sum(part.count for part in parts) + CALLED
             over, under = parts
-            low = min(over.low / under.high / LARGER, 1.0) * 0.78  # atan t >= t pi/4 for t <= 1
+            # atan t >= t pi/4 for t <= 1; against 0 the angle is a right one
+            low = 0.78 * (min(over.low / under.high / LARGER, 1.0) if under.high else 1.0)
             return Reference(count, low, 3.1416, over.sign, True)
         case "exp" | "expm1" if first.sign == 0:
             raise PrintingError(f"{name} of what may have either sign")

@@ -14,6 +14,7 @@ from gainproof.derive.printer.library import ULP
 from gainproof.derive.printer.program import FUNCTIONS, Program, Step
 from gainproof.derive.printer.reference import LARGER, Reference, settled
 from gainproof.derive.printer.reference_calls import called
+from gainproof.derive.printer.step_text import formula, unsure, zeros
 from gainproof.derive.printer.value import Box, PrintingError
 
 ROOM = 2.0  # of `low` and `high` to the ends of the normal numbers
@@ -37,7 +38,7 @@ class References:
         self.steps: list[Reference] = []
 
     def run(self, requirements: Sequence[Requirement]) -> list[Reference]:
-        """All steps; PrintingError, naming the node, where one has no bound."""
+        """All steps; PrintingError, naming the formula, where one has no bound."""
         least = {self.program.outputs[each.name]: self._least(each) for each in requirements}
         for number, step in enumerate(self.program.steps):
             try:
@@ -46,14 +47,46 @@ class References:
                     parts = [settled(parts[0], least[number], self.form)]
                 found = self._step(number, step, parts)
             except PrintingError as error:
-                label = f" ({step.label})" if step.label else ""
-                raise PrintingError(f"node {step.node}{label}: {error}") from None
+                text = formula(self.program, number)
+                raise PrintingError(f"{text}: {error}{self._reason(step)}") from None
             if number in least:
                 if not found.clean:
-                    raise PrintingError(f"node {step.node}: a requirement of an uncertain value")
+                    text = formula(self.program, number)
+                    raise PrintingError(f"{text}: a requirement of an uncertain value")
                 found = replace(found, low=max(found.low, least[number]), zero=False)
             self.steps.append(found)
         return self.steps
+
+    def _reason(self, step: Step) -> str:
+        """What of the operands is in the way, over the inputs."""
+        under = step.operands[-1]
+        if step.operation == "div" and self.steps[under].zero and self._vanishes(under):
+            where = zeros(self.program, under, self.steps)
+            divisor = formula(self.program, under)
+            return (
+                f": {divisor} is 0 where {where}, and the domain admits that; wanted: a domain "
+                "without it, such as an input that is not signed"
+            )
+        if step.operation in ("sin", "cos"):
+            argument = formula(self.program, step.operands[0])
+            return (
+                f": next to its zeros an error that {argument} already has is no small part of "
+                f"it; wanted: {argument} as an input of its own"
+            )
+        parts = [part for part in dict.fromkeys(step.operands) if not self.steps[part].clean]
+        if not parts:
+            return ""
+        why = dict.fromkeys(unsure(self.program, part, self.steps) for part in parts)
+        return f": {' and '.join(why)}, so that no digit is sure"
+
+    def _vanishes(self, number: int) -> bool:
+        """Whether a step may be 0 by its inputs, and not by an underflow alone."""
+        step = self.program.steps[number]
+        if step.operation == "input":
+            return self.zeros[self.program.axis(number)]
+        if step.operation in ("add", "sub") and not self.steps[number].tight:
+            return True
+        return any(self._vanishes(part) for part in step.operands)
 
     def _least(self, required: Requirement) -> float:
         limit = required.single if self.form is FLOAT32 else required.least
@@ -169,14 +202,19 @@ def _result(step: Step, parts: list[Reference], form: Format) -> Reference:
             )
         case "div":
             a, b = parts
-            if b.zero or not b.clean:
-                raise PrintingError("a division by what may be 0, or is an uncertain value")
+            if b.zero:
+                also = "" if b.clean else " and is an uncertain value"
+                raise PrintingError(f"a division by what may be 0{also}")
+            if not b.clean:
+                raise PrintingError("a division by an uncertain value")
             low, high = a.low / b.high / LARGER, a.high / b.low * LARGER
             count, stray = a.count + b.count + 1.0, a.stray / b.low * SECOND
             return Reference(count, low, high, a.sign * b.sign, a.zero, a.tight, stray)
         case "sqrt":
-            if first.sign <= 0 or not first.clean:
-                raise PrintingError("the root of what may be negative, or is an uncertain value")
+            if first.sign <= 0:
+                raise PrintingError("the root of what may be negative")
+            if not first.clean:
+                raise PrintingError("the root of an uncertain value")
             low, high = math.sqrt(first.low) / LARGER, math.sqrt(first.high) * LARGER
             return Reference(first.count / 2 + 1.0, low, high, 1, first.zero)
         case name if name in FUNCTIONS:

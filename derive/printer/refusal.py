@@ -1,4 +1,4 @@
-"""Why a bound is refused, in words that name the node and the input."""
+"""Why a bound is refused, in words that name the formula and the input."""
 
 from __future__ import annotations
 
@@ -7,6 +7,7 @@ import numpy as np
 from gainproof.derive.printer import boxes
 from gainproof.derive.printer.adjoint import Adjoint
 from gainproof.derive.printer.domain import greatest_normal
+from gainproof.derive.printer.step_text import formula
 from gainproof.derive.printer.value import Mask, true_size
 
 
@@ -27,7 +28,8 @@ def reason(adjoint: Adjoint, failed: Mask) -> tuple[int, str]:
         value, weight = forward.values[number], adjoint.weights.get(number)
         if weight is None or not weight.is_active(row, box):
             continue
-        name = f"node {step.node} ({step.label or step.operation})"
+        name = formula(forward.program, number)
+        name += f" ({step.label})" if step.label in forward.cancellations else ""
         if found.keys() & set(step.operands):
             continue  # only where it begins
         if value.over is not None and value.over[box]:

@@ -11,13 +11,20 @@ import re
 from collections.abc import Iterator
 from dataclasses import dataclass
 from importlib import import_module
-from inspect import isfunction
+from inspect import cleandoc, isfunction
 
 from gainproof import generated
 from gainproof.page import WIDTH, filled
 
 _NAMED = re.compile(r"Cancellation in (\w+), condition number ([\d.e+]+): (.*?)(?:\.(?= |$))")
 _TERMS = "Error over the sum of its terms taken positive"
+_LOST = re.compile(r"(\w+): .*Digits that can be lost: (.*)\.")
+
+
+LOST = (
+    "Digits that can be lost, proved for every input: of float64's 16 and float32's 7 decimal "
+    "digits, by each output whose error is bounded over something larger than its value."
+)
 
 
 @dataclass(frozen=True)
@@ -26,11 +33,14 @@ class Left:
 
     The condition number is by how much errors of the difference's two sides, each relative to their
     sum, enter an output over its scale. `by_terms`: outputs whose terms may have either sign.
+    `losses`: each output whose error is relative to something larger, with the digits that it can
+    lose.
     """
 
     name: str
     differences: tuple[tuple[str, str, str], ...]
     by_terms: int
+    losses: tuple[tuple[str, str], ...]
 
 
 def left() -> Iterator[Left]:
@@ -44,7 +54,20 @@ def left() -> Iterator[Left]:
             if isfunction(function):
                 text = " ".join((function.__doc__ or "").split())
                 named = dict.fromkeys(_NAMED.findall(text))
-                yield Left(f"{found.name}.{name}", tuple(named), text.count(_TERMS))
+                losses = tuple(_losses(function.__doc__ or ""))
+                yield Left(f"{found.name}.{name}", tuple(named), text.count(_TERMS), losses)
+
+
+def _losses(text: str) -> Iterator[tuple[str, str]]:
+    """Outputs and what is said of their digits: an output's lines but the first are indented."""
+    paragraph = ""
+    for line in [*cleandoc(text).splitlines(), ""]:
+        if line.startswith("    ") and paragraph:
+            paragraph += " " + line.strip()
+            continue
+        if found := _LOST.fullmatch(paragraph):
+            yield found[1], found[2]
+        paragraph = line
 
 
 def page(columns: int = WIDTH) -> str:
@@ -70,8 +93,9 @@ def page(columns: int = WIDTH) -> str:
         for difference, condition, reason in kernel.differences:
             text = f"{difference}, condition number {condition}: {reason}"
             lines += filled(text, "  ", "      ", columns=columns)
-    for kernel in signed:
-        outputs = "1 output" if kernel.by_terms == 1 else f"{kernel.by_terms} outputs"
-        text = f"{kernel.name}: {outputs} over the sum of terms"
-        lines += ["", *filled(text, "", "  ", columns=columns)]
+    lines += ["", *filled(LOST, columns=columns)]
+    for kernel in kernels:
+        lines += ["", kernel.name] if kernel.losses else []
+        for output, text in kernel.losses:
+            lines += filled(f"{output}: {text}", "  ", "      ", columns=columns)
     return "\n".join(lines) + "\n"

@@ -2,18 +2,23 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from typing import Any
 
 from gainproof.bad_input import BadInputError
 from gainproof.derive.formulas import formulas_source
 from gainproof.derive.formulas_tried import require_values
+from gainproof.derive.printer.bound import KernelBound
 from gainproof.derive.printer.c_language.module import c_files
 from gainproof.derive.printer.c_language.trial import c_trial
 from gainproof.derive.printer.canonical_json import canonical_json
+from gainproof.derive.printer.docstring import losses_of
 from gainproof.derive.printer.fpcore import fpcore
 from gainproof.derive.printer.javascript.script import scripts
+from gainproof.derive.printer.kernel import Module
 from gainproof.derive.printer.known_values import known_values
+from gainproof.derive.printer.loss import loss_text
+from gainproof.derive.printer.lost_digits import with_losses
 from gainproof.derive.printer.together import prove_all
 from gainproof.derive.printer.write import module_files
 from gainproof.derive.subject import Subject
@@ -26,17 +31,25 @@ def printed(subject: Subject, certificate: Mapping[str, Any]) -> dict[str, Any]:
     the same.
     """
     module = subject.module
-    files = {**module_files(module, certificate, prove_all(module.kernels)), **scripts(module)}
+    files = {**module_files(module, certificate, _proved(module)), **scripts(module)}
     return {"module": module.name, "title": module.title, "files": files}
+
+
+def _proved(module: Module) -> list[tuple[KernelBound, ...]]:
+    """The bounds of all kernels, with what they say of digits that can be lost."""
+    pairs = zip(module.kernels, prove_all(module.kernels), strict=True)
+    return [with_losses(kernel, bounds) for kernel, bounds in pairs]
 
 
 def packaged(subject: Subject, certificate: Mapping[str, Any]) -> dict[str, Any]:
     """The same for a package of its own: with a page, values that its tests read, and what the
-    other targets have, in folders called after them. Raises BadInputError where a test against
-    formulas could compare nothing.
+    other targets have, in folders called after them; "losses" besides: sentences, each with whether
+    half of the digits or more can be lost of a user's own expression. (What a model's kernels lose
+    its author cannot write otherwise.) Raises BadInputError where a test against formulas could
+    compare nothing.
     """
     module = subject.module
-    bounds = prove_all(module.kernels)
+    bounds = _proved(module)
     values = {
         kernel.name: known_values(kernel, pair, module.name)
         for kernel, pair in zip(module.kernels, bounds, strict=True)
@@ -56,4 +69,17 @@ def packaged(subject: Subject, certificate: Mapping[str, Any]) -> dict[str, Any]
         except ValueError as error:
             raise BadInputError(f"{subject.name}: {error}") from None
         files[f"tests/formulas_{module.name}.py"] = formulas
-    return {"module": module.name, "title": module.title, "files": files}
+    own = subject.model is None
+    losses = [(text, half and own) for text, half in _losses(module, bounds)]
+    return {"module": module.name, "title": module.title, "files": files, "losses": losses}
+
+
+def _losses(
+    module: Module, bounds: Sequence[tuple[KernelBound, ...]]
+) -> Iterator[tuple[str, bool]]:
+    """A sentence for each output that may lose digits, and whether it may lose half of them."""
+    for kernel, pair in zip(module.kernels, bounds, strict=True):
+        for row, output in enumerate(kernel.outputs):
+            if losses := losses_of(pair, row):
+                half = any(loss.half for loss in losses)
+                yield f"{kernel.name}, {output.name}: {loss_text(losses)}", half

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
     from gainproof.drift import Difference
+    from gainproof.standalone.making import Loss
     from gainproof.workshop import Workshop
 
 HELP = "write kernels and certificates, or a package of your own with its tests"
@@ -25,8 +26,13 @@ Other files in DIR are left alone, and nothing is written that would replace one
 the package computes once `python -m PACKAGE.compile` was run, and --target fpcore its expressions
 as FPCore, into DIR/fpcore.
 
+Where the error of an output is proved relative to something larger than its value, the command says
+how many digits can be lost and in which part of the domain, as docstring and page do. A kernel of
+your own that can lose half of its digits or more is not written, unless --allow-loss is given.
+
 With --check nothing is written. Exit status 0: written, or as derived; 1: with --check a file is
-missing, different or left over, with --test a test fails; 2: bad input, nothing is written."""
+missing, different or left over, with --test a test fails, without --allow-loss half of an output's
+digits can be lost and nothing is written; 2: bad input, nothing is written."""
 
 
 def configure(parser: argparse.ArgumentParser) -> None:
@@ -41,11 +47,16 @@ def configure(parser: argparse.ArgumentParser) -> None:
     )
     parser.add_argument("--check", action="store_true", help="compare, write nothing")
     parser.add_argument("--test", action="store_true", help="run the tests of the package too")
+    parser.add_argument(
+        "--allow-loss", action="store_true", help="write kernels that can lose half of their digits"
+    )
     parser.add_argument("--fresh", action="store_true", help="take nothing from the cache")
 
 
 def run(options: argparse.Namespace) -> int:
-    """0; with --check 1 on a difference, with --test 1 on a test that fails."""
+    """0; 1 on a difference with --check, on a test that fails with --test, on digits lost without
+    --allow-loss.
+    """
     from gainproof import derivations
     from gainproof.bad_input import BadInputError
     from gainproof.workshop import open_workshop
@@ -81,14 +92,31 @@ def _package(options: argparse.Namespace, shop: Workshop) -> int:
         testing.require_pytest()
     folder = Path(options.out)
     targets = [target for target in making.TARGETS if target in options.target]
-    files = making.fresh(options.subjects, shop, folder, targets)
+    made = making.fresh(options.subjects, shop, folder, targets)
+    files = made.files
     if options.check:
-        line = making.command(options.subjects, making.package_name(folder), targets)
-        cure = f"`{line}` writes them"
+        cure = f"`{made.command}` writes them"
         status = _checked(len(files) + 1, record.differences(files, folder), cure)
+    elif _refused(made.losses, options.allow_loss):
+        return 1
     else:
         status = _said(record.put(files, folder), len(files) + 1, folder)
     return int(not testing.passes(folder)) if options.test and status == 0 else status
+
+
+def _refused(losses: Sequence[Loss], allowed: bool) -> bool:
+    """Whether nothing may be written, after what each output can lose was said."""
+    from gainproof.page import filled
+
+    for loss in losses:
+        print("\n".join(filled(loss.text, "", "  ")))
+    refused = sum(loss.refused for loss in losses)
+    if allowed or not refused:
+        return False
+    outputs = "1 output" if refused == 1 else f"{refused} outputs"
+    print(f"nothing is written: half of the digits or more can be lost of {outputs};")
+    print("--allow-loss writes the kernels as they are")
+    return True
 
 
 def _checked(count: int, differences: Sequence[Difference], cure: str) -> int:

@@ -6,7 +6,8 @@ import keyword
 import os
 import sys
 from collections import Counter
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
@@ -22,11 +23,30 @@ TAKEN = frozenset({*sys.stdlib_module_names, "gainproof", "mpmath", "numpy", "py
 """Names under which nothing else could be imported any more, or that a package itself uses."""
 
 
+@dataclass(frozen=True)
+class Loss:
+    """What an output may lose, in words; `refused`: half of the digits or more, of a user's own
+    expression.
+    """
+
+    text: str
+    refused: bool
+
+
+@dataclass(frozen=True)
+class Package:
+    """Content by file name, what is to be said of it, and the command that makes it."""
+
+    files: Mapping[str, bytes]
+    losses: Sequence[Loss]
+    command: str
+
+
 def fresh(
     subjects: Sequence[str], shop: Workshop, folder: Path, targets: Sequence[str] = ()
-) -> dict[str, bytes]:
-    """Content by file name; no subjects are all of the catalogue, `targets` what there is besides
-    NumPy modules. Raises BadInputError, also for a derivation that the checker rejects.
+) -> Package:
+    """The package; no subjects are all of the catalogue, `targets` what there is besides NumPy
+    modules. Raises BadInputError, also for a derivation that the checker rejects.
     """
     name = package_name(folder)
     places.require_folder(folder)
@@ -43,7 +63,15 @@ def fresh(
             )
     parts = [_aimed(each["part"], targets) for each in found]
     _require_apart(chosen, parts)
-    return package_files(parts, name, command(subjects, name, targets))
+    losses = [
+        Loss(text, half and derivations.is_file(subject))
+        for subject, part in zip(chosen, parts, strict=True)
+        for text, half in part["losses"]
+    ]
+    line = command(subjects, name, targets)
+    if any(loss.refused for loss in losses):
+        line += " --allow-loss"
+    return Package(package_files(parts, name, line), losses, line)
 
 
 def _aimed(part: dict[str, Any], targets: Sequence[str]) -> dict[str, Any]:

@@ -40,6 +40,10 @@ PLACE = Argument(LENGTH, "1/1000", "1000")
 MOMENT = Argument(TIME, "1/1000", "1000")
 PURE = Argument(NUMBER, "1/1000", "10")
 SPEED = METRE / SECOND
+SIGNED = replace(PURE, signed=True)
+OTHER = Argument(Quantity("m", "m", "another number", ONE), "1/1000", "10", signed=True)
+ANOTHER = Argument(Quantity("x0", "x0", "another length", METRE), "1/1000", "1000")
+m, x0 = OTHER.quantity.symbol, ANOTHER.quantity.symbol
 LIGHT = Argument(Quantity("c", "c", "a speed", SPEED), "1", "1000")
 SPEED_OF_LIGHT = LIGHT.quantity.symbol
 
@@ -112,6 +116,42 @@ def replaced(given: ExpressionSet, **changes: Any) -> ExpressionSet:
         (one(sp.gamma(n), PURE), "are what a kernel computes, gamma(n) came"),
         (one(sp.sqrt(n - 20), PURE), "No other form helps"),
         (one(1 / n, Argument(NUMBER, "1/10", "1", signed=True)), "a division by what may be 0"),
+        (
+            one(n / (n**2 + x**2 / x0**2), SIGNED, replace(PLACE, signed=True), ANOTHER),
+            (
+                "kernel_1: n/(n**2 + x**2/x0**2): a division by what may be 0: n**2 + "
+                "x**2/x0**2 is 0 "
+                "where n = 0 and x = 0, and the domain admits that"
+            ),
+        ),
+        (
+            one(x / sp.sqrt(x**2 * n**2), SIGNED, replace(PLACE, signed=True)),
+            "0 where n = 0 or x = 0",
+        ),
+        (
+            one(1 / (n - 1), SIGNED),
+            "1/(-1 + n): a division by what may be 0: -1 + n is 0 where -1 + n = 0",
+        ),
+        (
+            one(sp.atan2(2 * n * m + 1, n**2 - m**2), SIGNED, OTHER),
+            (
+                "atan2 of an uncertain value: the terms of 1 + 2*m*n may cancel and the terms of "
+                "n**2 - m**2 may cancel"
+            ),
+        ),
+        (
+            one(sp.sin(x / x0) / n, PLACE, ANOTHER, PURE),
+            (
+                "sin(x/x0): sin of a computed number: next to its zeros an error that "
+                "x/x0 already has "
+                "is no small part of it; wanted: x/x0 as an input of its own"
+            ),
+        ),
+        (one(n + sp.Integral(m, (m, 0, n)), PURE), "the symbol m is of no input's quantity"),
+        (one(sp.Matrix([n]), PURE), "an expression is wanted"),
+        (replaced(one(n, PURE), title=7), "some-set: kernel 1, title should be of the type str, 7"),
+        (replaced(one(n, PURE), inputs=(n,)), "inputs, number 1 should be of the type Argument, n"),
+        (one(n, replace(PURE, single=("1",))), "single should be two ends of a domain"),  # type: ignore[arg-type]
         (one(sp.I * n, PURE), "are what a kernel computes, I came"),
         (one(n / (n - n + 1), PURE, PLACE), "the input x occurs in no output"),
         (one(n, PURE).__class__("s", "A set", ()), "a kernel at least is wanted"),

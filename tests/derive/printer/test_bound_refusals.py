@@ -71,7 +71,9 @@ def test_a_planted_rounding_raises_the_bound() -> None:
     ],
 )
 def test_a_subtraction_of_computed_values_is_refused(write: object) -> None:
-    with pytest.raises(PrintingError, match=r"node \d+.*: a subtraction of computed values"):
+    with pytest.raises(
+        PrintingError, match=r"\(float64\): .*x.*: a subtraction of computed values"
+    ):
         prove(simple(write), FLOAT64)  # type: ignore[arg-type]
 
 
@@ -129,11 +131,11 @@ def test_what_cannot_use_a_named_cancellation() -> None:
 
 def test_avoidable_over_and_underflow_is_refused() -> None:
     """sqrt(x x) is x, but x x leaves the range; sqrt(16/x + x) needs its terms scaled."""
-    with pytest.raises(PrintingError, match=r"node 1 \(mul\) may be subnormal or 0"):
+    with pytest.raises(PrintingError, match=r"x\*\*2 may be subnormal or 0"):
         prove(simple(lambda b, x: b.sqrt(x * x)), FLOAT64)
-    with pytest.raises(PrintingError, match=r"node 1 \(mul\) may overflow"):
+    with pytest.raises(PrintingError, match=r"x\*\*2 may overflow"):
         prove(simple(lambda b, x: b.sqrt(x * x), lower=1), FLOAT64)
-    with pytest.raises(PrintingError, match=r"node 2 \(div\) may overflow"):
+    with pytest.raises(PrintingError, match=r"16/x may overflow"):
         prove(simple(lambda b, x: b.sqrt(16 / x + x)), FLOAT64)
     scaled = simple(lambda b, x: 2**30 * b.sqrt(Fraction(16, 4**30) / x + x / 4**30))
     assert only(scaled) < Fraction(110, 100)

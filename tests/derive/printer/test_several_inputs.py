@@ -112,15 +112,15 @@ def test_a_planted_rounding_raises_the_bound() -> None:
     ],
 )
 def test_a_subtraction_of_computed_values_is_refused(write: object) -> None:
-    with pytest.raises(PrintingError, match=r"node \d+.*: a subtraction of computed values"):
+    with pytest.raises(
+        PrintingError, match=r"\(float64\): .*z.*: a subtraction of computed values"
+    ):
         prove(two_inputs(write), FLOAT64)  # type: ignore[arg-type]
 
 
 def test_what_leaves_the_range_in_one_corner_is_refused() -> None:
     """x x z/(x z) is x, but x x z is too large or small where both inputs are."""
-    with pytest.raises(
-        PrintingError, match=r"input \(1000000.0, 1000000.0\).*\(mul\) may overflow"
-    ):
+    with pytest.raises(PrintingError, match=r"input \(1000000.0, 1000000.0\).*z may overflow"):
         prove(
             two_inputs(lambda _, x, z: (x * x) * (x * x) * (z * z) * z / (x * z), lower=1), FLOAT32
         )
