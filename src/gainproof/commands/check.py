@@ -44,7 +44,7 @@ def run(options: argparse.Namespace) -> int:
         print(_begun(options), end="")
         return 0
     from gainproof import errata, judgements, places, verdicts
-    from gainproof.claim_words import claim_words
+    from gainproof.claim_words import claim_words, claims_said
     from gainproof.workshop import open_workshop
 
     _say_what_is_not_limited()
@@ -52,10 +52,13 @@ def run(options: argparse.Namespace) -> int:
     files = [judgements.find(options.file)] if options.file else list(places.claim_files())
     shop = open_workshop(fresh=options.fresh, only_terminal=True)
     judged = judgements.judge(files, shop, options.seconds)
-    words = [claim_words(judgements.read(file)) for file in files]
+    texts = [judgements.read(file) for file in files]
     if sheet is not None:
-        errata.write(judged, words, sheet)
-    print(_shown(options, judged, words), end="")
+        errata.write(judged, [claims_said(text) for text in texts], sheet)
+    if options.errata == "" and not options.json:
+        print(errata.sheet(judged, [claims_said(text) for text in texts]), end="")
+    else:
+        print(_shown(options, judged, [claim_words(text) for text in texts]), end="")
     if sheet is not None and not options.json:
         print(f"\nerrata: {places.shown(sheet)}")
     return 1 if any(verdicts.unsettled(judgement) for judgement in judged) else 0
@@ -91,15 +94,13 @@ def _shown(
     judged: Sequence[Mapping[str, Any]],
     words: Sequence[Mapping[str, str]],
 ) -> str:
-    """What goes to standard output: data, the sheet, or the table."""
+    """What goes to standard output: data or the table."""
     import json
 
-    from gainproof import errata, page, verdict_text
+    from gainproof import page, verdict_text
 
     if options.json:
         return json.dumps(judged[0] if options.file else judged, indent=2) + "\n"
-    if options.errata == "":
-        return errata.sheet(judged, words)
     columns = page.width()
     return "\n".join(
         verdict_text.overview(judgement, columns, said)

@@ -15,7 +15,7 @@ from gainproof.verify.judge.claim.formulas import (
 )
 from gainproof.verify.judge.claim.kinds import OWN_FIELDS, WITHOUT_FORMULA, with_own_fields
 from gainproof.verify.judge.claim.record import Claim, Setting
-from gainproof.verify.judge.claim.vocabulary import CLAIM_KINDS
+from gainproof.verify.judge.claim.vocabulary import CLAIM_KINDS, ORIGINS
 from gainproof.verify.judge.dimensions.declared import domain_fault
 from gainproof.verify.judge.formula import Formula
 from gainproof.verify.judge.matrices import claim_fields
@@ -26,6 +26,7 @@ from gainproof.verify.judge.reader.words import BRANCHES
 MOST_CLAIMS = 2000
 MOST_GIVEN = 20
 MOST_IDENTIFIER = 80
+FOR_READERS = ("quoted", "origin")
 FIELDS = (
     "id",
     "place",
@@ -38,7 +39,7 @@ FIELDS = (
     "domain",
     "given",
     "held",
-    "quoted",
+    *FOR_READERS,
     "note",
     *claim_fields.FIELDS,
     *dict.fromkeys(name for names in OWN_FIELDS.values() for name in names),
@@ -94,7 +95,7 @@ def _claim(fields: Fields, settings: Mapping[str, Setting], before: Sequence[Cla
     if kind in claim_fields.KINDS:
         raise fields.fail("kind", f"only settings of kind matrices have claims of kind {kind}")
     domain = fields.text_or_none("domain")
-    fields.text_or_none("quoted")  # for readers of the file; only its form is checked
+    _for_readers(fields)
     words = fields.text_or_none("text")
     latex, plain, formula = _formula(fields, kind, setting)
     if formula is None and words is None and kind in ("determines", "remark"):
@@ -127,6 +128,13 @@ def _claim(fields: Fields, settings: Mapping[str, Setting], before: Sequence[Cla
     return with_own_fields(claim, fields, setting.symbols)
 
 
+def _for_readers(fields: Fields) -> None:
+    """Fields that no verdict depends on; only their form is checked."""
+    fields.text_or_none("quoted")
+    if fields.has("origin"):
+        fields.choice("origin", ORIGINS)
+
+
 def _of_matrices(
     fields: Fields,
     identifier: str,
@@ -136,11 +144,11 @@ def _of_matrices(
     before: Sequence[Claim],
 ) -> Claim:
     """A claim of a setting of matrices, which has a reader of its own."""
-    allowed = ("id", "place", "kind", "setting", "latex", "text", "given", "quoted", "note")
+    allowed = ("id", "place", "kind", "setting", "latex", "text", "given", *FOR_READERS, "note")
     for field in fields.given():
         if field not in (*allowed, *claim_fields.FIELDS):
             raise fields.fail(field, "claims of a setting of matrices do not take this field")
-    fields.text_or_none("quoted")
+    _for_readers(fields)
     is_remark = kind == "remark"
     latex = (fields.text_or_none("latex") or "") if is_remark else fields.required_text("latex")
     words = fields.required_text("text") if is_remark and not latex else fields.text_or_none("text")
