@@ -6,7 +6,7 @@ from __future__ import annotations
 
 import re
 import tomllib
-from collections.abc import Mapping
+from collections.abc import Collection, Mapping
 from dataclasses import dataclass
 from typing import Any
 
@@ -44,13 +44,16 @@ def claims_said(text: str) -> dict[str, Said]:
     return {claim["id"]: _said(claim, tables[claim["setting"]]) for claim in file["claims"]}
 
 
-def claim_words(text: str) -> dict[str, str]:
+def claim_words(text: str, only: Collection[str] | None = None) -> dict[str, str]:
     """The words of every claim that has no formula, by id: its paraphrase, or what its fields say.
-    `text` is that of a claim file that was accepted.
+    `text` is that of a claim file that was accepted; with `only`, for the claims of these ids.
     """
+    claims = tomllib.loads(text)["claims"]
+    if only is not None:
+        claims = [one for one in claims if isinstance(one, Mapping) and one.get("id") in only]
     return {
         claim["id"]: " ".join(str(claim.get("text") or _fields(claim)).split())
-        for claim in tomllib.loads(text)["claims"]
+        for claim in claims
         if "latex" not in claim and "plain" not in claim
     }
 
