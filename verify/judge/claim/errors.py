@@ -95,7 +95,7 @@ class FileText:
     def note(self, error: ClaimFileError) -> None:
         """Keep an error, to go on behind it. Raises TooManyError."""
         self.noted += 1
-        if not error.follows:
+        if not (error.follows and self.found):  # one without a cause that is told is told itself
             self.found.append(error)
         if len(self.found) >= MOST_FOUND:
             raise TooManyError
@@ -118,10 +118,14 @@ class FileText:
         return made if good else None
 
     def refusal(self) -> ClaimFileError:
-        """The first error that was found, with the others."""
-        first, *others = self.found
+        """The first error that was found, with the others, in the order of the file."""
+        first, *others = self.in_order()
         first.others = tuple(others)
         return first
+
+    def in_order(self) -> list[ClaimFileError]:
+        """The errors that were found by their lines, those without one last."""
+        return sorted(self.found, key=lambda error: (error.line is None, error.line or 0))
 
     def doubted(self, error: ClaimFileError, text: str) -> ClaimFileError:
         """The error, which follows where the text holds a doubtful name."""

@@ -45,10 +45,12 @@ class Fields:
                 text.note(self.fail(shown, f"this field is not known{hint}"))
 
     def fail(self, field: str, problem: str) -> ClaimFileError:
-        """The error to raise about `field`."""
+        """The error to raise about `field`; that it is missing follows from a misspelt name."""
         where = f"{self.where}.{field}" if field else self.where
         line = self.text.line_in_table(field, self.line) or self.line
-        return self.text.error(where, problem, line)
+        error = self.text.error(where, problem, line)
+        error.follows = field in self._misspelt
+        return error
 
     def has(self, field: str) -> bool:
         """Whether the field is there."""
@@ -130,9 +132,7 @@ class Fields:
         return tuple(value)
 
     def _missing(self, field: str) -> ClaimFileError:
-        error = self.fail(field, "this field is missing")
-        error.follows = field in self._misspelt
-        return error
+        return self.fail(field, "this field is missing")
 
 
 def kind_of(value: object) -> str:

@@ -129,7 +129,7 @@ def read_claim_text(
         file_text.found.append(ClaimFileError(path, "", problem))
     if claim_file is None or (file_text.found and not (keep_going and claim_file.claims)):
         raise file_text.refusal()
-    return replace(claim_file, errors=tuple(file_text.found))
+    return replace(claim_file, errors=tuple(file_text.in_order()))
 
 
 def _claim_file(

@@ -99,7 +99,9 @@ def _setting(
     where = f"settings.{name[:80]}"
     noted = text.noted
     fields = Fields(text, where, content, FIELDS, text.line_of_table(where))
-    kind = fields.choice("kind", SETTING_KINDS)
+    kind = text.attempt(lambda: fields.choice("kind", SETTING_KINDS), "")
+    if not kind and fields.has("sizes"):
+        return None
     title = text.attempt(lambda: fields.required_text("title"), "")
     model = text.attempt(lambda: fields.text_or_none("model"), None)
     degree = text.attempt(lambda: fields.whole_number("degree", 0, MOST_DEGREE), None)
@@ -121,7 +123,7 @@ def _setting(
         _check(fields, setting, shared.sound)
         return setting
 
-    bare = Setting(name=name, kind=kind, title=title, symbols=symbols.symbols)
+    bare = Setting(name=name, kind=kind or "algebra", title=title, symbols=symbols.symbols)
     setting = bare if errors else text.attempt(lambda: built(symbols.symbols), bare)
     if errors or text.noted > noted:
         return ReadSetting(setting, None)
