@@ -232,13 +232,12 @@ def test_every_claim_of_every_file_has_an_origin(file: Path) -> None:
 
 
 def test_claims_are_one_entry_over_others_between_them() -> None:
-    page = {"place": "page 1"}
     found = [
-        claim("1", "refuted", latex="f > 1", **page),
-        claim("2", "refuted", latex="f > 1", place="page 2"),
-        claim("3", "refuted", latex="g > 1", **page),
+        claim("u", "refuted", latex="f > 1", place="page 1"),
+        claim("v", "refuted", latex="f > 1", place="page 2"),
+        claim("w", "refuted", latex="g > 1", place="page 1"),
     ]
-    said = {"1": Said("words", "it is large"), "2": Said("words", "so it is")}
-    for text in sheets(*found, **said, **{"3": said["1"]}):
-        assert text.count("page 1, 1; page 2, 2; page 1, 3") == 1
+    large = Said("words", "it is large")
+    for text in sheets(*found, u=large, v=Said("words", "so it is"), w=large):
+        assert text.count("page 1, u; page 2, v; page 1, w") == 1
         assert text.count("it is large") == 1
