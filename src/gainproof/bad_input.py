@@ -3,8 +3,11 @@
 from __future__ import annotations
 
 import difflib
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping, Sequence
+from typing import Any
 
+MOST_TOLD = 50
+"""Errors of one file that are told in words."""
 MOST_SUGGESTIONS = 3
 SIMILARITY = 0.6
 """How alike two names must be, from 0 to 1, for one to be suggested in place of the other."""
@@ -13,7 +16,27 @@ LEAST_PART = 3
 
 
 class BadInputError(Exception):
-    """Input that cannot be used; the message says what was wanted and what came. Exit status 2."""
+    """Input that cannot be used; the message says what was wanted and what came. Exit status 2.
+    Where it is about places in a file, `errors` has them as plain data.
+    """
+
+    def __init__(self, message: str, errors: Sequence[Mapping[str, Any]] = ()) -> None:
+        super().__init__(message)
+        self.errors = tuple(errors)
+
+
+def listed(errors: Sequence[Mapping[str, Any]]) -> str:
+    """Errors of files in words, one below the other, the first `MOST_TOLD`, then how many more."""
+    texts = [str(error["text"]) for error in errors[:MOST_TOLD]]
+    more = len(errors) - MOST_TOLD
+    return "\n".join([*texts, *([f"and {more} more"] if more > 0 else [])])
+
+
+def harmless(text: str) -> str:
+    """A message without signs that move a terminal's cursor or change its colours: names of files
+    and options are quoted in it as they came.
+    """
+    return "".join(c if c.isprintable() or c in "\n\t" else ascii(c)[1:-1] for c in text)
 
 
 def nearest(name: str, known: Iterable[str]) -> list[str]:

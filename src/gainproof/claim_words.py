@@ -1,29 +1,93 @@
-"""What claims without a printed formula say, in words: verdicts hold formulas only."""
+"""What a claim file says beside its formulas: words, excerpts, notes, and whether a formula is
+printed in the source at all. Verdicts hold formulas only.
+"""
 
 from __future__ import annotations
 
+import re
 import tomllib
-from collections.abc import Mapping
+from collections.abc import Collection, Mapping
+from dataclasses import dataclass
 from typing import Any
+
+from gainproof.verify.judge.claim.vocabulary import usual_origin
+from gainproof.verify.judge.reader.plain_names import plain_name
 
 Words = Mapping[str, str]
 
 
-def claim_words(text: str) -> dict[str, str]:
-    """The words of every claim that has no formula, by id. `text` is that of a claim file that was
-    accepted.
+@dataclass(frozen=True)
+class Said:
+    """One claim as its file has it. `origin` is one of `ORIGINS`; `text` are the words of the
+    source, or about the formula; `reading` says the fields of a claim without a formula in words;
+    `under` are the domain and the hypotheses that its formula does not print; `quoted` is the
+    excerpt as seen; `symbols` are those that it has with their meanings. Empty where nothing is
+    said.
     """
-    found = {}
-    for claim in tomllib.loads(text)["claims"]:
-        if "latex" not in claim and "plain" not in claim:
-            found[claim["id"]] = " ".join(_words(claim).split())
-    return found
+
+    origin: str = "printed"
+    text: str = ""
+    reading: str = ""
+    under: tuple[str, ...] = ()
+    note: str = ""
+    quoted: str = ""
+    symbols: tuple[tuple[str, str], ...] = ()
 
 
-def _words(claim: Mapping[str, Any]) -> str:
-    """Its paraphrase, or what its fields say."""
-    if "text" in claim:
-        return str(claim["text"])
+def claims_said(text: str) -> dict[str, Said]:
+    """What is said of every claim, by id. `text` is that of a claim file that was accepted."""
+    file = tomllib.loads(text)
+    shared = file.get("symbols", {})
+    tables = {
+        name: {**shared, **setting.get("symbols", {})} for name, setting in file["settings"].items()
+    }
+    return {claim["id"]: _said(claim, tables[claim["setting"]]) for claim in file["claims"]}
+
+
+def claim_words(text: str, only: Collection[str] | None = None) -> dict[str, str]:
+    """The words of every claim that has no formula, by id: its paraphrase, or what its fields say.
+    `text` is that of a claim file that was accepted; with `only`, for the claims of these ids.
+    """
+    claims = tomllib.loads(text)["claims"]
+    if only is not None:
+        claims = [one for one in claims if isinstance(one, Mapping) and one.get("id") in only]
+    return {
+        claim["id"]: " ".join(str(claim.get("text") or _fields(claim)).split())
+        for claim in claims
+        if "latex" not in claim and "plain" not in claim
+    }
+
+
+def _said(claim: Mapping[str, Any], table: Mapping[str, Any]) -> Said:
+    formula = claim.get("latex", "") or claim.get("plain", "")
+    reading = "" if formula else _fields(claim)
+    under = (*([claim["domain"]] if "domain" in claim else []), *claim.get("given", []))
+    whole = " ".join((formula, reading, *under))
+    met = {
+        symbol: place
+        for symbol in table
+        if (place := _place(symbol if "plain" not in claim else plain_name(symbol), whole)) >= 0
+    }
+    return Said(
+        origin=claim.get("origin") or usual_origin(claim),
+        text=" ".join(claim.get("text", "").split()),
+        reading=reading,
+        under=under,
+        note=" ".join(claim.get("note", "").split()),
+        quoted=claim.get("quoted", "").strip("\n"),
+        symbols=tuple(
+            (symbol, table[symbol]["meaning"]) for symbol in sorted(met, key=lambda name: met[name])
+        ),
+    )
+
+
+def _place(symbol: str, formula: str) -> int:
+    """Where a symbol stands in a formula by itself, and not as part of another; -1 if nowhere."""
+    found = re.search(rf"(?<![A-Za-z\\_]){re.escape(symbol)}(?![A-Za-z'_])", formula)
+    return found.start() if found else -1
+
+
+def _fields(claim: Mapping[str, Any]) -> str:
     match claim["kind"]:
         case "monotone":
             return f"{claim['about'][0]} is {claim['trend']} in {claim['about'][1]}"

@@ -18,7 +18,7 @@ from collections.abc import Mapping, Sequence
 from types import FrameType, ModuleType
 from typing import NoReturn
 
-from gainproof.bad_input import BadInputError, unknown_name
+from gainproof.bad_input import BadInputError, harmless, unknown_name
 from gainproof.commands import (
     bench,
     book,
@@ -143,13 +143,6 @@ def main(arguments: Sequence[str] | None = None) -> int:
     except Exception as error:  # noqa: BLE001 (the last stop: every fault gets its own exit status)
         return _fault(error)
     return status
-
-
-def harmless(text: str) -> str:
-    """A message without signs that move a terminal's cursor or change its colours: names of files
-    and options are quoted in it as they came.
-    """
-    return "".join(c if c.isprintable() or c in "\n\t" else ascii(c)[1:-1] for c in text)
 
 
 def _leave_output() -> None:

@@ -5,17 +5,18 @@ symbols, and a mark wherever the user has to say something.
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from gainproof.claim_template import FORMAT_LINE, KINDS_COMMENT, SETTINGS_COMMENT, SYMBOLS_COMMENT
 from gainproof.draft_symbols import Met, symbols_met
 from gainproof.tex_rows import Equation, equations
-from gainproof.tex_text import argument_of, without_comments
+from gainproof.tex_text import argument_of, macro_of, without_comments
 from gainproof.toml_text import comment, quoted
 
 MOST_EQUATIONS = 1000
 MOST_FORMULA = 4000
 _MOST_SHOWN = 2000
+_MOST_MACRO = 100
 
 
 @dataclass(frozen=True)
@@ -39,7 +40,7 @@ def draft(tex: str, name: str, key: str) -> Draft:
         if len(found) == MOST_EQUATIONS:
             break
         found.append(equation)
-    met = [_met(equation) for equation in found]
+    met = [_met(equation, text) for equation in found]
     claims = [
         _claim(equation, one, name)
         for equation, one, name in zip(found, met, _ids(found), strict=True)
@@ -71,10 +72,26 @@ def draft(tex: str, name: str, key: str) -> Draft:
     return Draft("\n".join(parts) + "\n", len(found), unread)
 
 
-def _met(equation: Equation) -> Met:
+def _met(equation: Equation, text: str) -> Met:
+    """The symbols of an equation, or why it was not read and what to do about it."""
     if len(equation.latex) > MOST_FORMULA:
-        return Met((), None, f"more than {MOST_FORMULA} characters")
-    return symbols_met(equation.latex)
+        return Met((), None, f"more than {MOST_FORMULA} characters: leave it out")
+    met = symbols_met(equation.latex)
+    return met if met.formula is not None else replace(met, problem=_problem(met, text))
+
+
+def _problem(met: Met, text: str) -> str:
+    """Why an equation was not read, and what to do about it."""
+    macro = macro_of(text, met.token) if met.token.startswith("\\") else None
+    if macro is not None:
+        stands = f", for {macro[:_MOST_MACRO]}" if macro else " with arguments"
+        return f"{met.token} is a macro of the paper{stands}: macros are not expanded, write it out"
+    if met.token == "^T":
+        return (
+            "a letter under a transpose is a matrix, and a draft does not know its size: declare "
+            "it with shape = [rows, columns], then take away the signs of a comment"
+        )
+    return f"{met.problem}: write it in another way or leave it out"
 
 
 def _or_todo(field: str, value: str | None) -> str:
@@ -136,7 +153,7 @@ def _claim(equation: Equation, met: Met, name: str) -> list[str]:
     if met.formula is not None:
         return lines
     shown = [comment(line[:_MOST_SHOWN]) for line in lines if not line.startswith("kind")]
-    why = f"TODO not read, {met.problem}: write it in another way or leave it out"
+    why = f"TODO not read, {met.problem}"
     return [comment(why), *shown]
 
 

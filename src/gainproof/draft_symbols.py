@@ -26,11 +26,14 @@ class Free:
 
 @dataclass(frozen=True)
 class Met:
-    """The symbols of an equation in order of appearance, and the formula, or why there is none."""
+    """The symbols of an equation in order of appearance, and the formula, or why there is none and
+    at what the reader stopped.
+    """
 
     symbols: tuple[str, ...]
     formula: Formula | None
     problem: str = ""
+    token: str = ""
 
 
 def symbols_met(latex: str) -> Met:
@@ -42,7 +45,7 @@ def symbols_met(latex: str) -> Met:
         except ReaderError as error:
             new = [name for name in _names(error.token) if name not in declared]
             if not new:
-                return Met(tuple(declared), None, error.problem)
+                return Met(tuple(declared), None, error.problem, error.token)
             declared |= dict.fromkeys(new, Free())
         else:
             return Met(tuple(name for name in declared if name in formula.symbols), formula)

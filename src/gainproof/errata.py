@@ -7,10 +7,11 @@ from pathlib import Path
 
 from gainproof import atomic_file, errata_latex, errata_markdown, places
 from gainproof.bad_input import BadInputError
-from gainproof.claim_words import Words
-from gainproof.errata_entries import Part, entries
+from gainproof.claim_words import Said
+from gainproof.errata_entries import blocks
 from gainproof.verdicts import Judgement
 
+ClaimsSaid = Mapping[str, Said]
 MARKS: Mapping[str, str] = {
     ".md": "<!-- errata sheet made by gainproof check -->",
     ".tex": "% errata sheet made by gainproof check",
@@ -18,16 +19,12 @@ MARKS: Mapping[str, str] = {
 """First line of each kind of sheet; a file that begins otherwise is not overwritten."""
 
 
-def sheet(judgements: Sequence[Judgement], words: Sequence[Words], suffix: str = ".md") -> str:
-    """The sheet of all sources, in Markdown or as a LaTeX document; `words` are those of the claims
-    without a formula, for each source.
+def sheet(judgements: Sequence[Judgement], said: Sequence[ClaimsSaid], suffix: str = ".md") -> str:
+    """The sheet of all sources, in Markdown or as a LaTeX document; `said` is what their files say
+    of each claim beside its formula, for each source.
     """
     write = errata_latex.document if suffix == ".tex" else errata_markdown.document
-    parts = [
-        Part(judgement["source"], tuple(entries(judgement, said)))
-        for judgement, said in zip(judgements, words, strict=True)
-    ]
-    return f"{MARKS[suffix]}\n{write(parts)}"
+    return f"{MARKS[suffix]}\n{write(blocks(judgements, said))}"
 
 
 def target(name: str) -> Path:
@@ -50,10 +47,10 @@ def target(name: str) -> Path:
     return path
 
 
-def write(judgements: Sequence[Judgement], words: Sequence[Words], path: Path) -> None:
+def write(judgements: Sequence[Judgement], said: Sequence[ClaimsSaid], path: Path) -> None:
     """Write the sheet. Raises BadInputError where that is not possible."""
     try:
-        atomic_file.write_text(path, sheet(judgements, words, path.suffix))
+        atomic_file.write_text(path, sheet(judgements, said, path.suffix))
     except OSError as error:
         shown = places.shown(path)
         raise BadInputError(f"{shown}: cannot be written: {error.strerror or error}") from None

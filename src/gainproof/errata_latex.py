@@ -2,13 +2,15 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterable
 
-from gainproof.errata_entries import Entry, Part, source_line
+from gainproof.errata_entries import Block
 from gainproof.lecture_latex import escaped
 
+_COMMANDS = {"source": "section", "part": "subsection", "entry": "subsubsection"}
 
-def document(sources: Sequence[Part]) -> str:
+
+def document(blocks: Iterable[Block]) -> str:
     """The whole document, a section for each source."""
     parts = [
         r"\documentclass{article}",
@@ -16,32 +18,18 @@ def document(sources: Sequence[Part]) -> str:
         r"\usepackage{amsmath}",
         r"\setlength{\parindent}{0pt}",
         r"\begin{document}",
-        *[line for part in sources for line in _section(part)],
+        *[line for how, text in blocks for line in _set(how, text)],
         r"\end{document}",
     ]
     return "\n".join(parts) + "\n"
 
 
-def _section(part: Part) -> list[str]:
-    lines = [
-        "",
-        rf"\section*{{Errata: {escaped(part.source['title'])}}}",
-        escaped(source_line(part.source)),
-    ]
-    if not part.entries:
-        return [*lines, "", "No errata were found."]
-    return [*lines, *[line for entry in part.entries for line in _entry(entry)]]
-
-
-def _entry(entry: Entry) -> list[str]:
-    lines = ["", rf"\subsection*{{{escaped(entry.title)}}}", f"Printed ({escaped(entry.verdict)}):"]
-    lines += _display(entry.printed) if entry.printed else [escaped(entry.words)]
-    for label, text in entry.remarks:
-        lines += ["", rf"{escaped(label)}: {escaped(text)}"]
-    if entry.repair:
-        lines += ["", rf"Read instead ({escaped(entry.repair_verdict)}):", *_display(entry.repair)]
-    return lines
-
-
-def _display(latex: str) -> list[str]:
-    return [r"\[", f"  {' '.join(latex.split())}", r"\]"]
+def _set(how: str, text: str) -> list[str]:
+    if how == "formula":
+        return [r"\[", f"  {text}", r"\]"]
+    if how == "quote":
+        lines = [escaped(line) or r"\strut" for line in text.split("\n")]
+        return [r"\begin{quote}\ttfamily\raggedright", "\\\\\n".join(lines), r"\end{quote}"]
+    if how == "text":
+        return ["", escaped(text)]
+    return ["", rf"\{_COMMANDS[how]}*{{{escaped(text)}}}"]

@@ -2,34 +2,25 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterable
 
-from gainproof.errata_entries import Entry, Part, source_line
+from gainproof.errata_entries import Block
 
 _SPECIAL = frozenset("\\`*_{}[]#|<>~$")
+_MARKS = {"source": "# ", "part": "## ", "entry": "### ", "text": ""}
 
 
-def document(sources: Sequence[Part]) -> str:
+def document(blocks: Iterable[Block]) -> str:
     """The whole sheet, a heading for each source."""
-    parts = []
-    for part in sources:
-        parts.append(f"# Errata: {_escaped(part.source['title'])}")
-        parts.append(_escaped(source_line(part.source)))
-        parts += [_entry(entry) for entry in part.entries] or ["No errata were found."]
-    return "\n\n".join(parts) + "\n"
+    return "\n\n".join(_set(how, text) for how, text in blocks) + "\n"
 
 
-def _entry(entry: Entry) -> str:
-    lines = [f"## {_escaped(entry.title)}", f"Printed ({entry.verdict}):"]
-    lines.append(_display(entry.printed) if entry.printed else _escaped(entry.words))
-    lines += [f"{label}: {_escaped(text)}" for label, text in entry.remarks]
-    if entry.repair:
-        lines += [f"Read instead ({entry.repair_verdict}):", _display(entry.repair)]
-    return "\n\n".join(lines)
-
-
-def _display(latex: str) -> str:
-    return f"$$\n{' '.join(latex.split())}\n$$"
+def _set(how: str, text: str) -> str:
+    if how == "formula":
+        return f"$$\n{text}\n$$"
+    if how == "quote":
+        return "\n".join(f"    {line}" for line in text.split("\n"))
+    return f"{_MARKS[how]}{_escaped(text)}"
 
 
 def _escaped(text: str) -> str:

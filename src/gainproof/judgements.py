@@ -14,12 +14,22 @@ from gainproof.commands.time_limit import DEFAULT
 from gainproof.workshop import Workshop
 
 
-def judge(files: Sequence[Path], shop: Workshop, seconds: float = DEFAULT) -> list[dict[str, Any]]:
+def judge(
+    files: Sequence[Path], shop: Workshop, seconds: float = DEFAULT, *, keep_going: bool = False
+) -> list[dict[str, Any]]:
     """{"source", "claims"} of every file; a claim that takes more than `seconds` is undecided.
+    With `keep_going` also {"errors", "not judged"}: a file with errors is judged as far as it can
+    be.
 
     Raises BadInputError for a file that cannot be used.
     """
     asked = jobs(files, shop, seconds)
+    if keep_going:
+        further = {"keep_going": True}
+        asked = {
+            file: replace(job, arguments={**job.arguments, **further})
+            for file, job in asked.items()
+        }
     found = dict(zip(asked, shop.results("judged", list(asked.values())), strict=True))
     return [found[file] for file in files]
 

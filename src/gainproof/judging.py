@@ -6,7 +6,7 @@ from collections.abc import Callable, Mapping, Sequence
 from dataclasses import asdict
 from typing import Any
 
-from gainproof.bad_input import BadInputError, unknown_name
+from gainproof.bad_input import BadInputError, listed, unknown_name
 from gainproof.verify.judge.claim.file import ClaimFileError, read_claim_text
 from gainproof.verify.judge.judge import judge_file
 from gainproof.verify.judge.worker import Workers
@@ -19,18 +19,23 @@ def judge_text(
     judges: Workers,
     tell: Callable[[str], None],
     only: str | None = None,
+    *,
+    keep_going: bool = False,
 ) -> dict[str, Any]:
     """{"source": {...}, "claims": [...]} of a claim file of this text; `path` is for messages.
     `judges` judge claim by claim; `tell` hears how far that is. With `only` there is the claim of
-    this id alone.
+    this id alone. With `keep_going` a file with errors is judged as far as it can be: "errors" and
+    the ids of claims "not judged" come along.
 
-    Raises BadInputError, with line and column where known, for a file that is not accepted, or
-    without the claim.
+    Raises BadInputError, with line and column of each error where known, for a file that is not
+    accepted, or without the claim.
     """
+    names = [str(model["name"]) for model in models]
     try:
-        claim_file = read_claim_text(text, path, [str(model["name"]) for model in models])
+        claim_file = read_claim_text(text, path, names, keep_going=keep_going)
     except ClaimFileError as error:
-        raise BadInputError(str(error)) from None
+        every = [one.to_json() for one in (error, *error.others)]
+        raise BadInputError(listed(every), every) from None
     names = [claim.id for claim in claim_file.claims]
     if only is not None and only not in names:
         raise unknown_name(f"claim of {claim_file.source.key}", only, names)
@@ -41,10 +46,14 @@ def judge_text(
         workers=judges,
         only=only,
     )
-    return {
+    judged = {
         "source": asdict(claim_file.source),
         "claims": [verdict.to_json() for verdict in verdicts],
     }
+    if not keep_going:
+        return judged
+    errors = [error.to_json() for error in claim_file.errors]
+    return judged | {"errors": errors, "not judged": list(claim_file.unread)}
 
 
 def _so_far(tried: int, total: int) -> str:

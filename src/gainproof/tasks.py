@@ -110,9 +110,10 @@ def judge(
     seconds: float,
     processes: int,
     only: str | None = None,
+    keep_going: bool = False,
 ) -> Plain:
     """Judge a claim file of this text, or only one claim of it, given the catalogue's models;
-    `path` is for messages.
+    `path` is for messages. With `keep_going` one with errors is judged as far as it can be.
     """
     from gainproof.judging import judge_text
     from gainproof.verify.judge.worker import Workers
@@ -120,7 +121,7 @@ def judge(
     # children that judge stay for the next file: what they keep they keep by its whole content
     key = ("workers", json.dumps(models, sort_keys=True), seconds, processes)
     judges = desk.opened(key, lambda: Workers(models, seconds, processes))
-    return judge_text(path, text, models, judges, desk.tell, only)
+    return judge_text(path, text, models, judges, desk.tell, only, keep_going=keep_going)
 
 
 def _subject(desk: Desk, name: str) -> Subject:

@@ -21,17 +21,8 @@ DECIDED_AS_STATED = frozenset({"proved", "definition"})
 
 def reasons(claim: Claim) -> list[str]:
     """What a reader has to know besides the verdict; nothing for a claim that is simply true."""
-    found = []
-    if claim["verdict"] == "conditional" and claim["domain"]:
-        other = is_contradicted(claim)
-        under = ["under another convention"] if other else []
-        on = [] if other and claim["domain"] == "everywhere" else [_on(claim["domain"])]
-        where = "as the conventions are stated" if other else "everywhere"
-        if _is_proved_by_itself(claim):
-            named = f" under {claim['convention']}," if claim["convention"] else ""
-            found.append(f"true{named} {on[0]}; other claims of its setting want another choice")
-        else:
-            found.append(f"true {', '.join([*under, *on])}; not {where}")
+    where = where_true(claim)
+    found = [where] if where else []
     if claim["reading"]:
         found.append(f"read so that {claim['reading']}")
     if claim.get("any_filter"):
@@ -42,6 +33,20 @@ def reasons(claim: Claim) -> list[str]:
     rounded = (claim["evidence"]["certificate"] or {}).get("as a rounded number")
     found += [rounded] if rounded else []
     return found + repaired(claim) + solutions(claim)
+
+
+def where_true(claim: Claim) -> str:
+    """Where a claim is true that is not true everywhere, or under what; empty for any other."""
+    if claim["verdict"] != "conditional" or not claim["domain"]:
+        return ""
+    other = is_contradicted(claim)
+    under = ["under another convention"] if other else []
+    on = [] if other and claim["domain"] == "everywhere" else [_on(claim["domain"])]
+    where = "as the conventions are stated" if other else "everywhere"
+    if _is_proved_by_itself(claim):
+        named = f" under {claim['convention']}," if claim["convention"] else ""
+        return f"true{named} {on[0]}; other claims of its setting want another choice"
+    return f"true {', '.join([*under, *on])}; not {where}"
 
 
 def _on(domain: str) -> str:
@@ -75,9 +80,14 @@ def repaired(claim: Claim) -> list[str]:
     if not repair:
         missing = claim["verdict"] == "refuted" and NO_REPAIR in str(claim["reason"])
         return [NO_REPAIR] if missing and NO_REPAIR not in reason(claim) else []
-    told = (claim["evidence"]["certificate"] or {}).get("repair", {})
-    changes = "; ".join([repair["verdict"], *told.get("changes", [])])
+    changes = "; ".join([repair["verdict"], *changes_of(claim)])
     return [f"nearest true formula: {repair['latex']} ({changes})"]
+
+
+def changes_of(claim: Claim) -> list[str]:
+    """What the repair changes, in words."""
+    told = (claim["evidence"]["certificate"] or {}).get("repair", {})
+    return list(told.get("changes", []))
 
 
 def reason(claim: Claim) -> str:

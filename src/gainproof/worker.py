@@ -1,8 +1,8 @@
 """The process on the other side of `gainproof.workers`: call after call, plain data in and out.
 
 Reads lines {"task": name, "arguments": {...}} from standard input until it ends. Answers each by a
-line {"result": ...} or {"error", "message", "trace"} on standard output, before which there may be
-lines {"told": text} about the work. What a task prints goes to standard error.
+line {"result": ...} or {"error", "message", "errors", "trace"} on standard output, before which
+there may be lines {"told": text} about the work. What a task prints goes to standard error.
 """
 
 from __future__ import annotations
@@ -51,6 +51,7 @@ def _answer(request: dict[str, Any], desk: Desk) -> dict[str, Any]:
         return {
             "error": type(error).__name__,
             "message": str(error),
+            "errors": getattr(error, "errors", ()),
             "trace": traceback.format_exc(),
         }
 

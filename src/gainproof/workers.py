@@ -175,5 +175,5 @@ async def _asked(process: Process, job: Job, on_told: Told | None, *, last: bool
         return answer["result"]
     kind, message = answer.get("error"), answer.get("message")
     if kind == BadInputError.__name__:
-        raise BadInputError(str(message))
+        raise BadInputError(str(message), answer.get("errors", ()))
     raise JobError(f"{job.label}: {kind}: {message}\n{answer.get('trace')}")

@@ -15,7 +15,7 @@ from gainproof.book import making, site, site_links
 from gainproof.book.contents import Contents
 from gainproof.book.document_pages import slug
 from gainproof.book.sampled_kernel import sampled
-from gainproof.claim_words import claim_words
+from gainproof.claim_words import claims_said
 from gainproof.workshop import open_workshop
 
 SOURCE = r"""
@@ -51,6 +51,23 @@ place = "equation (2)"
 kind = "identity"
 setting = "velocity"
 latex = '\beta = \frac{\alpha^2}{2 + \alpha}'
+
+[[claims]]
+id = "word"
+place = "page 3"
+kind = "inequality"
+setting = "velocity"
+latex = '\alpha > 1'
+text = "It follows its measurements closely."
+note = "No number is given."
+
+[[claims]]
+id = "more"
+place = "page 4"
+origin = "ours"
+kind = "inequality"
+setting = "velocity"
+latex = '\beta > 1'
 """
 """True and false: a source of its own takes a tenth of the time that one of the repository does."""
 
@@ -69,7 +86,7 @@ def files(all_derived: object, tmp_path_factory: pytest.TempPathFactory) -> dict
         subjects=[subject],
         reports=[derivations.own_report(subject, shop)],
         judgements=judgements.judge([file], shop),
-        words=[claim_words(judgements.read(file))],
+        said=[claims_said(judgements.read(file))],
         checked=[{}],
         sampled={"random_velocity.gains": sampled("random_velocity", kernel, kernel["graph"])},
     )
@@ -104,6 +121,20 @@ def test_source_in_both_languages(files: dict[str, bytes]) -> None:
     assert '<html lang="ja">' in japanese
     assert "証明済み" in japanese
     assert "https://" not in japanese.split("<main")[0]
+
+
+def test_a_source_is_blamed_only_for_what_it_prints_or_says(files: dict[str, bytes]) -> None:
+    text = files["sources/notes.html"].decode()
+    errata, claims = text.split('id="errata"')[1].split('id="claims"')
+    words, more = claims.split('id="claim-word"')[1].split('id="claim-more"')
+    assert errata.count("As printed") == 1
+    assert "page 2" in errata or "equation (2)" in errata
+    assert "page 4" not in errata
+    for part in (errata, words):
+        said = part.index("In words: It follows its measurements closely.")
+        assert said < part.index("Read as", said) < part.index("No number is given.", said)
+    assert "As printed" not in words
+    assert "Ours, not in the source" in more
 
 
 def test_page_of_a_kernel(files: dict[str, bytes]) -> None:

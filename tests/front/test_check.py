@@ -279,3 +279,102 @@ def test_a_logarithm_without_a_base_is_said_to_be_natural(tmp_path: Path, capsys
         path.write_text(text, encoding="utf-8")
         cli.main(["check", str(path)])
         assert "natural logarithm" not in capsys.readouterr().out
+
+
+BROKEN = r"""format = "gainproof claims 1"
+[source]
+key = "notes"
+title = "Notes"
+authors = ["A"]
+publication = "none"
+[settings.s]
+title = "numbers"
+kind = "algebra"
+[settings.s.symbols]
+'x' = { unit = "deg", meaning = "an angle" }
+'y' = { unit = "1", meaning = "a number" }
+[[claims]]
+id = "good"
+place = "1"
+kind = "identity"
+setting = "s"
+latex = 'y + y = 2y'
+[[claims]]
+id = "rests"
+place = "2"
+kind = "identity"
+setting = "s"
+latex = 'x + x = 2x'
+[[claims]]
+id = "bad"
+place = "3"
+kind = "identity"
+setting = "s"
+latex = 'y + z = y'
+"""
+
+
+@pytest.fixture
+def broken(tmp_path: Path) -> Path:
+    path = tmp_path / "notes.toml"
+    path.write_text(BROKEN, encoding="utf-8")
+    return path
+
+
+def test_all_errors_are_told_in_one_run(broken: Path, capsys: Capture) -> None:
+    assert cli.main(["check", str(broken)]) == 2
+    shown = capsys.readouterr()
+    assert not shown.out
+    assert "line 11: settings.s.symbols.x.unit: 'deg' is no unit: write rad" in shown.err
+    assert "line 30, column 14: claims.bad.latex: the symbol z is not declared" in shown.err
+    assert shown.err.count("claims.") == 1
+
+
+def test_errors_as_data(broken: Path, capsys: Capture) -> None:
+    assert cli.main(["check", str(broken), "--json"]) == 2
+    shown = capsys.readouterr()
+    assert not shown.err
+    first, second = json.loads(shown.out)["errors"]
+    assert (first["line"], first["column"], first["where"]) == (
+        11,
+        None,
+        "settings.s.symbols.x.unit",
+    )
+    assert (second["line"], second["column"], second["token"]) == (30, 14, "z")
+    assert second["message"] == "the symbol z is not declared"
+    assert second["text"].endswith("^")
+    assert first["file"] == second["file"]
+    assert first["file"].endswith("notes.toml")
+
+
+def test_a_file_that_is_missing_as_data(tmp_path: Path, capsys: Capture) -> None:
+    assert cli.main(["check", str(tmp_path / "none.toml"), "--json"]) == 2
+    (error,) = json.loads(capsys.readouterr().out)["errors"]
+    assert "cannot be read" in error["message"]
+    assert error["line"] is None
+
+
+def test_what_can_be_read_is_judged(broken: Path, capsys: Capture) -> None:
+    assert cli.main(["check", str(broken), "--keep-going"]) == 2
+    shown = capsys.readouterr()
+    assert "good  proved" in shown.out
+    assert "not judged, for errors: rests, bad" in shown.out
+    assert shown.err.count("line ") == 2
+    assert cli.main(["check", str(broken), "--keep-going", "--json"]) == 2
+    judged = json.loads(capsys.readouterr().out)
+    assert [(claim["id"], claim["verdict"]) for claim in judged["claims"]] == [("good", "proved")]
+    assert judged["not judged"] == ["rests", "bad"]
+    assert len(judged["errors"]) == 2
+
+
+def test_a_file_without_errors_is_the_same_with_keep_going(broken: Path, capsys: Capture) -> None:
+    broken.write_text(BROKEN.replace('"deg"', '"rad"').replace("y + z", "y + 0"), encoding="utf-8")
+    assert cli.main(["check", str(broken), "--keep-going", "--json"]) == 0
+    judged = json.loads(capsys.readouterr().out)
+    assert (judged["errors"], judged["not judged"]) == ([], [])
+    assert [claim["verdict"] for claim in judged["claims"]] == ["proved"] * 3
+
+
+def test_no_errata_of_a_file_with_errors(broken: Path, capsys: Capture) -> None:
+    assert cli.main(["check", str(broken), "--keep-going", "--errata"]) == 2
+    assert "made of files without errors" in capsys.readouterr().err

@@ -198,3 +198,25 @@ def test_arguments() -> None:
     assert argument_of(r"\title{a {b} c} \title{d}", "\\title") == "a {b} c"
     assert argument_of(r"\title{a", "\\title") is None
     assert argument_of(r"\titlepage", "\\title") is None
+
+
+@pytest.mark.parametrize(
+    ("definition", "told"),
+    [
+        (r"\newcommand{\sw}{\sigma_w}", r"\sw is a macro of the paper, for \sigma_w: "),
+        (r"\renewcommand*\sw{\sigma_{w}}", r"\sw is a macro of the paper, for \sigma_{w}: "),
+        (r"\def\sw{s}", r"\sw is a macro of the paper, for s: "),
+        (r"\newcommand{\sw}[1]{#1}", r"\sw is a macro of the paper with arguments: "),
+        (r"\newcommand{\swap}{s}", r"the command \sw is not known: write it in another way"),
+        ("", r"the command \sw is not known: write it in another way"),
+    ],
+)
+def test_a_macro_is_named_as_what_it_is(definition: str, told: str) -> None:
+    text = definition + r"\begin{document}\[ q = \sw{} T \]\end{document}"
+    assert f"# TODO not read, {told}" in draft(text, "a.tex", "a").text
+
+
+@pytest.mark.parametrize("mark", ["T", r"\mathsf{T}", r"\top"])
+def test_a_letter_under_a_transpose_is_to_be_declared(mark: str) -> None:
+    text = rf"\[ Q = G^{mark} G \]"
+    assert "declare it with shape = [rows, columns]" in draft(text, "a.tex", "a").text

@@ -10,6 +10,8 @@ import pytest
 
 from gainproof import cli, errata
 from gainproof.bad_input import BadInputError
+from gainproof.claim_words import Said, claims_said
+from gainproof.verify.judge.claim.vocabulary import ORIGINS
 
 Capture = pytest.CaptureFixture[str]
 CLAIMS = Path(__file__).parents[2] / "verify" / "claims"
@@ -79,10 +81,99 @@ def test_text_is_escaped() -> None:
     assert "\\[\n  \\beta = 2\n\\]" in latex
 
 
-def test_a_claim_in_words_shows_them() -> None:
-    judged = {"source": SOURCE, "claims": [claim("1", "refuted", latex="")]}
-    for suffix in errata.MARKS:
-        assert "gains grow" in errata.sheet([judged], [{"1": "gains grow"}], suffix)
+def sheets(*claims: dict[str, Any], **said: Said) -> tuple[str, str]:
+    judged = {"source": SOURCE, "claims": list(claims)}
+    both = tuple(errata.sheet([judged], [said], suffix) for suffix in errata.MARKS)
+    assert len(both) == 2
+    return both[0], both[1]
+
+
+def in_order(text: str, *parts: str) -> bool:
+    places = [text.find(part) for part in parts]
+    return -1 not in places and places == sorted(places)
+
+
+@pytest.mark.parametrize("origin", ["words", "reconstructed"])
+def test_printed_stands_over_nothing_that_is_not_printed(origin: str) -> None:
+    said = Said(origin, "gains grow quickly", note="no number is given", under=("k > 1",))
+    for text in sheets(claim("a", "refuted", witness=WITNESS), a=said):
+        assert "Only what stands under" in text
+        body = text.split("are ours.", 1)[1]
+        assert "printed" not in body.lower()
+        label = "Read as (refuted)" if origin == "words" else "Reconstructed (refuted)"
+        wanted = ("gains grow quickly", label, r"\beta = \alpha", "k > 1", "Why:", "no number is")
+        assert in_order(body, *wanted)
+
+
+def test_a_claim_without_a_formula_says_as_what_its_words_are_read() -> None:
+    said = Said("words", "gains grow", reading="K is increasing in S")
+    for text in sheets(claim("a", "refuted", latex="", kind="monotone"), a=said):
+        assert in_order(text, "In words: gains grow", "Read as (refuted):", "K is increasing in S")
+
+
+def test_an_excerpt_is_shown_as_seen_before_what_was_read() -> None:
+    said = Said(quoted="q = pow(dt, 3) & 1;\n  r_1 *= 2;", note="R is constant")
+    markdown, latex = sheets(claim("a", "refuted"), a=said)
+    assert in_order(
+        markdown, "As printed:", "    q = pow(dt, 3) & 1;\n      r_1", "Read as (refuted)"
+    )
+    assert in_order(
+        latex, r"pow(dt, 3) \& 1;\\", r"r\_1 *= 2;", "Read as (refuted)", "R is constant"
+    )
+
+
+def test_what_is_ours_is_no_erratum_of_the_source() -> None:
+    for text in sheets(claim("a", "refuted"), claim("b", "proved"), a=Said("ours"), b=Said("ours")):
+        assert "No errata were found." in text
+        assert r"\beta = \alpha" not in text
+        assert "1 statement that goes beyond" in text
+
+
+@pytest.mark.parametrize("copies", [2, 5])
+def test_claims_that_are_read_alike_are_one_entry(copies: int) -> None:
+    names = [f"c{n}" for n in range(copies)]
+    alike = [claim(n, "refuted", place=f"part {n}", latex="", kind="monotone") for n in names]
+    other = claim("x", "refuted", latex=r"\alpha > 1")
+    said = {n: Said("words", f"sentence {n}", reading="G is falling") for n in names}
+    for text in sheets(alike[0], other, *alike[1:], **said, x=Said("words", "another")):
+        assert text.count("G is falling") == 1
+        assert text.count("Read as") == 2
+        assert in_order(text, "; ".join(f"part {n}" for n in names), "(part c0): sentence c0")
+        assert in_order(text, f"(part {names[-1]}): sentence {names[-1]}", "G is falling")
+
+
+def test_several_readings_of_one_sentence_are_one_entry() -> None:
+    here = {"place": "page 9"}
+    first, second = (claim(n, "refuted", latex=rf"\alpha > {n}", **here) for n in "12")
+    elsewhere = claim("3", "refuted", latex=r"\alpha > 3", place="page 8")
+    said = dict.fromkeys("123", Said("words", "it is large"))
+    markdown, _ = sheets(first, second, elsewhere, **said)
+    assert markdown.count("In words: it is large") == 2
+    assert markdown.count("Read as") == 3
+
+
+def repaired(name: str, latex: str, *changes: str) -> dict[str, Any]:
+    fields = {"latex": latex, "repair": {"latex": latex + "+1", "verdict": "proved"}}
+    evidence = {"method": "", "certificate": {"repair": {"changes": [*changes]}}, "witness": None}
+    return claim(name, "refuted", **fields) | {"evidence": evidence}
+
+
+@pytest.mark.parametrize("formulas", ["ab", "abcde"])
+def test_one_change_that_repairs_several_formulas_is_one_entry(formulas: str) -> None:
+    change = "a symbol: r becomes s"
+    found = [repaired(name, f"{name} = r", change) for name in formulas]
+    for text in sheets(*found, repaired("x", "x = r", change, "a symbol: t becomes u")):
+        assert text.count("One change repairs all of these") == 1
+        assert text.count("Read instead") == len(formulas) + 1
+        places = "; ".join(f"equation ({name})" for name in formulas)
+        assert text.count(places) == 1
+
+
+@pytest.mark.parametrize("change", ["a printed number: 1 becomes 2", "sign of a term: a"])
+def test_changes_that_name_no_thing_join_nothing(change: str) -> None:
+    for text in sheets(repaired("a", "a = 1", change), repaired("b", "b = 1", change)):
+        assert "One change" not in text
+        assert "equation (a);" not in text
 
 
 def test_nothing_found_is_said() -> None:
@@ -119,3 +210,34 @@ def test_a_sheet_is_written_and_renewed(tmp_path: Path, capsys: Capture) -> None
 def test_a_sheet_to_standard_output(capsys: Capture) -> None:
     assert cli.main(["check", "kosuge-slides", "--errata"]) == 0
     assert capsys.readouterr().out.startswith("<!-- errata sheet")
+
+
+def test_symbols_of_a_reading_are_told_with_their_meanings() -> None:
+    text = (CLAIMS / "patent-4869403.toml").read_text(encoding="utf-8")
+    said = claims_said(text)["figure8"]
+    assert dict(said.symbols)["c"] == "ratio of the index to the nominal one"
+    assert "a" not in dict(said.symbols)
+    for sheet in sheets(claim("figure8", "refuted"), figure8=said):
+        assert "c: ratio of the index to the nominal one" in sheet
+
+
+@pytest.mark.parametrize("file", sorted(CLAIMS.rglob("*.toml")), ids=lambda path: path.stem)
+def test_every_claim_of_every_file_has_an_origin(file: Path) -> None:
+    text = file.read_text(encoding="utf-8")
+    for claim_, said in zip(tomllib.loads(text)["claims"], claims_said(text).values(), strict=True):
+        assert said.origin in ORIGINS
+        if said.origin == "printed":
+            assert "latex" in claim_ or "plain" in claim_
+            assert not said.note.startswith(("Not printed", "Not in the source", "Reconstructed"))
+
+
+def test_claims_are_one_entry_over_others_between_them() -> None:
+    found = [
+        claim("u", "refuted", latex="f > 1", place="page 1"),
+        claim("v", "refuted", latex="f > 1", place="page 2"),
+        claim("w", "refuted", latex="g > 1", place="page 1"),
+    ]
+    large = Said("words", "it is large")
+    for text in sheets(*found, u=large, v=Said("words", "so it is"), w=large):
+        assert text.count("page 1, u; page 2, v; page 1, w") == 1
+        assert text.count("it is large") == 1

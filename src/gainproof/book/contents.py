@@ -9,7 +9,7 @@ from typing import Any
 from gainproof import code_digest, derivations, judgements, places
 from gainproof.book import kernel_pictures
 from gainproof.claim_proofs import checked
-from gainproof.claim_words import Words, claim_words
+from gainproof.claim_words import Said, claims_said
 from gainproof.derived import Derived
 from gainproof.everything import DONE, committed, following
 from gainproof.verdicts import Judgement
@@ -18,17 +18,17 @@ from gainproof.workshop import Workshop
 
 @dataclass(frozen=True)
 class Contents:
-    """`reports`: the checker's on the committed certificate of each subject; `words`: those of
-    claims without a formula, for each judgement; `checked`: whether the certificate of each of its
-    claims leads to the verdict again, and a sentence on it; `sampled`: values and errors of kernels
-    by module and name.
+    """`reports`: the checker's on the committed certificate of each subject; `said`: what the file
+    of each judgement says of its claims beside the formulas; `checked`: whether the certificate of
+    each of its claims leads to the verdict again, and a sentence on it; `sampled`: values and
+    errors of kernels by module and name.
     """
 
     versions: Mapping[str, str]
     subjects: Sequence[Derived]
     reports: Sequence[Mapping[str, Any]]
     judgements: Sequence[Judgement]
-    words: Sequence[Words]
+    said: Sequence[Mapping[str, Said]]
     checked: Sequence[Mapping[str, tuple[bool, str]]]
     sampled: Mapping[str, Mapping[str, Any]]
 
@@ -47,7 +47,7 @@ def gather(shop: Workshop) -> Contents:
         subjects=subjects,
         reports=derivations.recheck(pairs, shop),
         judgements=judged,
-        words=[claim_words(judgements.read(file)) for file in files],
+        said=[claims_said(judgements.read(file)) for file in files],
         checked=[{claim["id"]: checked(claim) for claim in each["claims"]} for each in judged],
         sampled={job.label: found for job, found in zip(asked, sampled, strict=True)},
     )

@@ -21,9 +21,9 @@ def pages(contents: Contents) -> list[Page]:
     for subject, report in zip(contents.subjects, contents.reports, strict=True):
         found.append(derivation_page(subject, report, kernel_pages.links(subject)))
         found += kernel_pages.kernel_pages(subject, contents.sampled)
-    judged = zip(contents.judgements, contents.words, contents.checked, strict=True)
-    for judgement, words, checked in judged:
-        found += source_pages(judgement, words, {name: said for name, (_, said) in checked.items()})
+    judged = zip(contents.judgements, contents.said, contents.checked, strict=True)
+    for judgement, said, checked in judged:
+        found += source_pages(judgement, said, {name: word for name, (_, word) in checked.items()})
     found += reference_pages.reference_pages()
     return found + document_pages.document_pages(documents())
 

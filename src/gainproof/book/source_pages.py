@@ -13,10 +13,10 @@ from gainproof.book.mathematics import displayed
 from gainproof.book.page import Finding, Page
 from gainproof.book.quoted_symbols import with_symbols
 from gainproof.book.words import LANGUAGES, in_language
-from gainproof.claim_words import Words
-from gainproof.errata_entries import CANNOT_STAND
+from gainproof.claim_words import Said
+from gainproof.errata_entries import entries
 from gainproof.explanation import parts
-from gainproof.verdict_reason import reason, repair_of, solutions
+from gainproof.verdict_reason import changes_of, reason, repair_of, solutions
 from gainproof.verdicts import Judgement, tally
 
 Claim = Mapping[str, Any]
@@ -24,14 +24,21 @@ Claim = Mapping[str, Any]
 
 @dataclass(frozen=True)
 class ShownClaim:
-    """A claim: its formula or words, why it has its verdict, the nearest true formula, and the
-    parts of its proof or witness, each a title with lines, true for those that are set in.
+    """A claim: where it comes from, the words or the excerpt of the source, the formula or the
+    words as which it is judged, and under what; why it has its verdict, notes, the nearest true
+    formula, and the parts of its proof or witness, each a title with lines, true for those that are
+    set in.
     """
 
     id: str
     verdict: str
+    origin: str
+    text: Markup
+    quoted: str
     formula: Markup | None
     words: str
+    under: tuple[Markup, ...]
+    note: Markup
     facts: tuple[tuple[str, Markup], ...]
     reason: Markup
     repair: Markup | None
@@ -39,7 +46,6 @@ class ShownClaim:
     repair_changes: tuple[str, ...]
     parts: tuple[tuple[str, tuple[tuple[bool, Markup], ...]], ...]
     checked: str
-    cannot_stand: bool
 
 
 def address(key: str, language: str = "en") -> str:
@@ -47,13 +53,15 @@ def address(key: str, language: str = "en") -> str:
     return f"sources/{key}.html" if language == "en" else f"sources/{key}.{language}.html"
 
 
-def source_pages(judgement: Judgement, words: Words, checked: Mapping[str, str]) -> list[Page]:
-    """The page of a judged source in each language; `words` are those of claims without a formula,
-    `checked` says of each claim what came of its certificate when it was gone through again.
+def source_pages(
+    judgement: Judgement, said: Mapping[str, Said], checked: Mapping[str, str]
+) -> list[Page]:
+    """The page of a judged source in each language; `said` is what its file says of each claim
+    beside the formula, `checked` what came of its certificate when it was gone through again.
     """
     source = judgement["source"]
     claims = [
-        _shown(claim, words.get(claim["id"], ""), checked.get(claim["id"], ""))
+        _shown(claim, said[claim["id"]], checked.get(claim["id"], ""))
         for claim in judgement["claims"]
     ]
     by_id = {claim.id: claim for claim in claims}
@@ -71,14 +79,16 @@ def source_pages(judgement: Judgement, words: Words, checked: Mapping[str, str])
             data={
                 "source": source,
                 "places": places,
-                "errata": [claim for claim in claims if claim.cannot_stand],
-                "where": {claim["id"]: claim["place"] for claim in judgement["claims"]},
+                "errata": [
+                    (entry.title, [by_id[member.claim["id"]] for member in entry.members])
+                    for entry in entries(judgement, said)
+                ],
                 "tally": tally([judgement]),
                 "total": len(claims),
                 "w": in_language(language),
             },
             # found once, on the page in English
-            findings=_findings(source, judgement["claims"], words) if language == "en" else (),
+            findings=_findings(source, judgement["claims"], said) if language == "en" else (),
             language=language,
             versions=versions,
         )
@@ -87,7 +97,7 @@ def source_pages(judgement: Judgement, words: Words, checked: Mapping[str, str])
 
 
 def _findings(
-    source: Mapping[str, Any], claims: Sequence[Claim], words: Words
+    source: Mapping[str, Any], claims: Sequence[Claim], said: Mapping[str, Said]
 ) -> tuple[Finding, ...]:
     authors = " ".join(source["authors"])
     return (
@@ -95,7 +105,7 @@ def _findings(
         *(
             Finding(
                 f"{source['key']} {claim['id']}: {claim['verdict']}",
-                f"{claim['place']} {claim['latex'] or words.get(claim['id'], '')}",
+                f"{claim['place']} {claim['latex'] or _words(said[claim['id']])}",
                 f"claim-{claim['id']}",
             )
             for claim in claims
@@ -103,9 +113,12 @@ def _findings(
     )
 
 
-def _shown(claim: Claim, words: str, checked: str) -> ShownClaim:
+def _words(said: Said) -> str:
+    return said.text or said.reading
+
+
+def _shown(claim: Claim, said: Said, checked: str) -> ShownClaim:
     repair = repair_of(claim)
-    told = (claim["evidence"]["certificate"] or {}).get("repair", {})
     facts = (
         ("reading", claim["reading"]),
         ("convention", claim["convention"]),
@@ -116,16 +129,20 @@ def _shown(claim: Claim, words: str, checked: str) -> ShownClaim:
     return ShownClaim(
         id=claim["id"],
         verdict=claim["verdict"],
+        origin=said.origin,
+        text=with_symbols(said.text),
+        quoted=said.quoted,
         formula=displayed(claim["latex"]) if claim["latex"] else None,
-        words=words,
+        words="" if claim["kind"] == "remark" else said.reading,
+        under=tuple(map(displayed, said.under)),
+        note=with_symbols(said.note),
         facts=tuple((label, with_symbols(str(value))) for label, value in facts if value),
         reason=with_symbols(reason(claim)),
         repair=displayed(repair["latex"]) if repair else None,
         repair_verdict=repair["verdict"] if repair else "",
-        repair_changes=tuple(told.get("changes", ())) if repair else (),
+        repair_changes=tuple(changes_of(claim)) if repair else (),
         parts=tuple((title, tuple(map(_line, lines))) for title, lines in parts(claim)),
         checked=checked,
-        cannot_stand=claim["verdict"] in CANNOT_STAND,
     )
 
 

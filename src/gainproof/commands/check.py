@@ -11,20 +11,28 @@ from gainproof.commands import time_limit
 HELP = "judge the claims of a claim file, or begin one"
 DESCRIPTION = """\
 Judges every claim of FILE, or of all claim files that belong to gainproof. Exit status 0 if every
-claim is settled, whatever the verdict; 1 if one is held or undecided; 2 for a file that is bad."""
+claim is settled, whatever the verdict; 1 if one is held or undecided; 2 for a file with errors,
+which are told all at once."""
 
 
 def configure(parser: argparse.ArgumentParser) -> None:
     parser.add_argument(
         "file", metavar="FILE", nargs="?", help="a claim file, or the key of one of gainproof"
     )
-    parser.add_argument("--json", action="store_true", help="one object, or a list without FILE")
+    parser.add_argument(
+        "--json", action="store_true", help="one object, or a list without FILE; errors too"
+    )
     parser.add_argument(
         "--errata",
         metavar="SHEET",
         nargs="?",
         const="",
         help="errata sheet instead of the table, in Markdown; or written to SHEET (.md or .tex)",
+    )
+    parser.add_argument(
+        "--keep-going",
+        action="store_true",
+        help="judge what a file with errors has beside them; the exit status is 2 all the same",
     )
     time_limit.configure(parser)
     parser.add_argument("--fresh", action="store_true", help="take nothing from the cache")
@@ -39,26 +47,64 @@ def configure(parser: argparse.ArgumentParser) -> None:
 
 
 def run(options: argparse.Namespace) -> int:
-    """0 if every claim is settled, else 1; 0 for a claim file that was begun."""
+    """0 if every claim is settled, else 1; 2 if a file has errors; 0 for a file that was begun."""
+    from gainproof.bad_input import BadInputError
+
     if options.new or options.draft or options.out:
         print(_begun(options), end="")
         return 0
+    try:
+        return _check(options)
+    except BadInputError as error:
+        if not options.json:
+            raise
+        print(_errors_as_json(options.file, error), end="")
+        return 2
+
+
+def _check(options: argparse.Namespace) -> int:
+    import sys
+
     from gainproof import errata, judgements, places, verdicts
-    from gainproof.claim_words import claim_words
+    from gainproof.bad_input import BadInputError, harmless, listed
+    from gainproof.claim_words import claim_words, claims_said
     from gainproof.workshop import open_workshop
 
+    if options.keep_going and options.errata is not None:
+        raise BadInputError("an errata sheet is made of files without errors: not --keep-going")
     _say_what_is_not_limited()
     sheet = errata.target(options.errata) if options.errata else None
     files = [judgements.find(options.file)] if options.file else list(places.claim_files())
     shop = open_workshop(fresh=options.fresh, only_terminal=True)
-    judged = judgements.judge(files, shop, options.seconds)
-    words = [claim_words(judgements.read(file)) for file in files]
+    judged = judgements.judge(files, shop, options.seconds, keep_going=options.keep_going)
+    texts = [judgements.read(file) for file in files]
     if sheet is not None:
-        errata.write(judged, words, sheet)
-    print(_shown(options, judged, words), end="")
+        errata.write(judged, [claims_said(text) for text in texts], sheet)
+    if options.errata == "" and not options.json:
+        print(errata.sheet(judged, [claims_said(text) for text in texts]), end="")
+    else:
+        named = [{claim["id"] for claim in judgement["claims"]} for judgement in judged]
+        words = [claim_words(text, ids) for text, ids in zip(texts, named, strict=True)]
+        print(_shown(options, judged, words), end="")
     if sheet is not None and not options.json:
         print(f"\nerrata: {places.shown(sheet)}")
+    errors = [error for judgement in judged for error in judgement.get("errors", ())]
+    if errors and not options.json:
+        sys.stdout.flush()
+        print(f"gainproof: {harmless(listed(errors))}", file=sys.stderr)
+    if errors:
+        return 2
     return 1 if any(verdicts.unsettled(judgement) for judgement in judged) else 0
+
+
+def _errors_as_json(name: str | None, error: Exception) -> str:
+    """{"errors": [...]}; of input that is no claim file one error with the file as it was named."""
+    import json
+
+    whole = {"file": name, "line": None, "column": None, "where": "", "message": str(error)}
+    only = whole | {"text": str(error), "token": "", "nearest": []}
+    errors = getattr(error, "errors", ()) or [only]
+    return json.dumps({"errors": list(errors)}, indent=2) + "\n"
 
 
 def _say_what_is_not_limited() -> None:
@@ -91,15 +137,13 @@ def _shown(
     judged: Sequence[Mapping[str, Any]],
     words: Sequence[Mapping[str, str]],
 ) -> str:
-    """What goes to standard output: data, the sheet, or the table."""
+    """What goes to standard output: data or the table."""
     import json
 
-    from gainproof import errata, page, verdict_text
+    from gainproof import page, verdict_text
 
     if options.json:
         return json.dumps(judged[0] if options.file else judged, indent=2) + "\n"
-    if options.errata == "":
-        return errata.sheet(judged, words)
     columns = page.width()
     return "\n".join(
         verdict_text.overview(judgement, columns, said)

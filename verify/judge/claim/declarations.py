@@ -5,7 +5,7 @@ number, short for a formula, or undefined.
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from gainproof.verify.judge.claim.errors import FileText
 from gainproof.verify.judge.claim.fields import Fields, nearest_hint
@@ -40,7 +40,10 @@ RESERVED = frozenset(("infinity", "select", "and")) | MADE_BY_READER
 
 @dataclass(frozen=True)
 class Declaration:
-    """A symbol as declared, before the formulas in it are read, since these may use any symbol."""
+    """A symbol as declared, before the formulas in it are read, since these may use any symbol.
+    One that is `broken` has errors: formulas that use it are read with what is known of it, so that
+    their own errors are found.
+    """
 
     entry: SymbolEntry
     where: str
@@ -48,6 +51,7 @@ class Declaration:
     definition: str | None
     domain: str | None
     variance: str | None
+    broken: bool = False
 
 
 def read_declarations(
@@ -61,13 +65,37 @@ def read_declarations(
     found: dict[str, Declaration] = {}
     for token, content in table.items():
         line = text.line_of_key(token, start)
-        place = f"{where}.{token[:80]}"
-        name = _canonical(text, place, token, line)
-        if name in found or name in RESERVED:
-            problem = "is declared twice" if name in found else "is a reserved word"
-            raise text.error(place, f"the symbol {name} {problem}", line)
-        found[name] = _declaration(Fields(text, place, content, FIELDS, line), name)
+        _read_one(text, f"{where}.{token[:80]}", token, content, line, found)
     return found
+
+
+def _read_one(
+    text: FileText,
+    place: str,
+    token: str,
+    content: object,
+    line: int | None,
+    found: dict[str, Declaration],
+) -> None:
+    """Put the declaration of one symbol to those `found`."""
+    name = text.attempt(lambda: _canonical(text, place, token, line), "")
+    if name in found or name in RESERVED:
+        problem = "is declared twice" if name in found else "is a reserved word"
+        text.note(text.error(place, f"the symbol {name} {problem}", line))
+        if name in found:
+            found[name] = replace(found[name], broken=True)
+            return
+    if not name or name in RESERVED:
+        text.doubtful.update((token, *token.split()))
+        return
+    noted = text.noted
+    declared = text.attempt(
+        lambda: _declaration(Fields(text, place, content, FIELDS, line), name), None
+    )
+    if declared is None:
+        text.doubtful.add(name)
+        declared = Declaration(SymbolEntry(name, "", "free"), place, line, None, None, None)
+    found[name] = replace(declared, broken=text.noted > noted)
 
 
 def _canonical(text: FileText, place: str, token: str, line: int | None) -> str:
@@ -78,7 +106,8 @@ def _canonical(text: FileText, place: str, token: str, line: int | None) -> str:
 
 
 def _declaration(fields: Fields, name: str) -> Declaration:
-    meaning = fields.required_text("meaning")
+    text = fields.text
+    meaning = text.attempt(lambda: fields.required_text("meaning"), "")
     roles = [role for role in ("quantity", "definition", "undefined") if fields.has(role)]
     if len(roles) > 1:
         raise fields.fail("", f"both {roles[0]} and {roles[1]}: a symbol is one thing")
@@ -101,13 +130,13 @@ def _declaration(fields: Fields, name: str) -> Declaration:
     if arguments and role != "definition":
         raise fields.fail("arguments", "only a definition can have arguments")
     if role == "free" and unit_text is None:
-        raise fields.fail("unit", "a free symbol needs a unit, `1` if it has none")
+        text.note(fields.fail("unit", "a free symbol needs a unit, `1` if it has none"))
     entry = SymbolEntry(
         latex=name,
         meaning=meaning,
         role=role,
         quantity=quantity,
-        unit=_unit(fields, unit_text, quantity),
+        unit=text.attempt(lambda: _unit(fields, unit_text, quantity), None),
         arguments=tuple(
             _canonical(fields.text, f"{fields.where}.arguments", argument, fields.line)
             for argument in arguments

@@ -3,9 +3,14 @@
 from __future__ import annotations
 
 from bisect import bisect_left
+from collections.abc import Callable
+from typing import Any, TypeVar
 
 from gainproof.verify.judge.reader.errors import ReaderError
 
+MOST_FOUND = 200
+"""Errors of one file after which no more are looked for."""
+Made = TypeVar("Made")
 _HEADERS = ("[[claims]]", "[settings", "[symbols", "[source]")
 
 
@@ -14,8 +19,12 @@ class ClaimFileError(ValueError):
 
     `path` names the file, `where` the table and field (`claims.table1-2.latex`), `line` and
     `column` count from 1 and are None where TOML does not tell them; `token` and `nearest` are
-    those of a formula's error.
+    those of a formula's error. `others` are the further errors of the file. One that `follows` may
+    be no more than what another error leads to, and is not told.
     """
+
+    others: tuple[ClaimFileError, ...] = ()
+    follows = False
 
     def __init__(
         self,
@@ -39,15 +48,42 @@ class ClaimFileError(ValueError):
             place += f", line {line}" + (f", column {column}" if column is not None else "")
         super().__init__(f"{place}: {where}: {problem}" if where else f"{place}: {problem}")
 
+    def to_json(self) -> dict[str, Any]:
+        """As plain data: `file`, `line` and `column` from 1 or None, `where`, `message`, `text`,
+        which is all of this in words, with a mark under the place in a formula, and of a formula
+        the `token` at which the reader stopped, with the declared names `nearest` to it.
+        """
+        return {
+            "file": self.path,
+            "line": self.line,
+            "column": self.column,
+            "where": self.where,
+            "message": self.problem.partition("\n")[0],
+            "text": str(self),
+            "token": self.token,
+            "nearest": list(self.nearest),
+        }
+
+
+class TooManyError(Exception):
+    """So many errors were found that reading ends."""
+
 
 class FileText:
     """The text of a claim file, which knows the lines that `tomllib` forgets, and what its source
     means by `\\log` (see `SourceRecord`).
+
+    It gathers the errors that are `found`, so that what stands beside one is read too: `noted`
+    counts them all. In `doubtful` are names whose declaration could not be understood: what is
+    wrong with a formula that holds one may follow from that.
     """
 
     def __init__(self, path: str, text: str, logarithm: int | None = None) -> None:
         self.path = path
         self.logarithm = logarithm
+        self.found: list[ClaimFileError] = []
+        self.noted = 0
+        self.doubtful: set[str] = set()
         self._lines = text.split("\n")
         # looked up once for every symbol and claim, hence indexed once
         self._keys: dict[str, list[int]] = {}
@@ -55,6 +91,46 @@ class FileText:
             key = line.partition("=")[0].strip()
             bare = key[1:-1] if key[:1] in ("'", '"') and key[-1:] == key[:1] else key
             self._keys.setdefault(bare, []).append(number)
+
+    def note(self, error: ClaimFileError) -> None:
+        """Keep an error, to go on behind it. Raises TooManyError."""
+        self.noted += 1
+        if not (error.follows and self.found):  # one without a cause that is told is told itself
+            self.found.append(error)
+        if len(self.found) >= MOST_FOUND:
+            raise TooManyError
+
+    def attempt(self, make: Callable[[], Made], otherwise: Made) -> Made:
+        """What `make` gives, or `otherwise` where it finds an error, which is noted."""
+        try:
+            return make()
+        except ClaimFileError as error:
+            self.note(error)
+            return otherwise
+
+    def unsaid(self, make: Callable[[], Made]) -> Made | None:
+        """What `make` gives, or None where it finds an error, of which nothing is said."""
+        noted, found = self.noted, len(self.found)
+        made = self.attempt(make, None)
+        good = self.noted == noted
+        self.noted = noted
+        del self.found[found:]
+        return made if good else None
+
+    def refusal(self) -> ClaimFileError:
+        """The first error that was found, with the others, in the order of the file."""
+        first, *others = self.in_order()
+        first.others = tuple(others)
+        return first
+
+    def in_order(self) -> list[ClaimFileError]:
+        """The errors that were found by their lines, those without one last."""
+        return sorted(self.found, key=lambda error: (error.line is None, error.line or 0))
+
+    def doubted(self, error: ClaimFileError, text: str) -> ClaimFileError:
+        """The error, which follows where the text holds a doubtful name."""
+        error.follows = any(name in text for name in self.doubtful)
+        return error
 
     def line_of_key(self, key: str, start: int = 1) -> int | None:
         """The first line from `start` on that begins with the key, bare or quoted."""
@@ -113,6 +189,11 @@ class FileText:
         self, where: str, value: str, error: ReaderError, line: int | None
     ) -> ClaimFileError:
         """A reader's error moved to its place in the file, if the formula stands there."""
+        return self.doubted(self._moved(where, value, error, line), value)
+
+    def _moved(
+        self, where: str, value: str, error: ReaderError, line: int | None
+    ) -> ClaimFileError:
         place = self.place_of(value, line) if line is not None else None
         if place is None:
             shown = f"in the formula, {error}"

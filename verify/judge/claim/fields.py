@@ -6,7 +6,7 @@ import difflib
 from collections.abc import Mapping, Sequence
 from typing import Any
 
-from gainproof.verify.judge.claim.errors import FileText
+from gainproof.verify.judge.claim.errors import ClaimFileError, FileText
 
 MOST_TEXT = 4000
 UNSAID = "TODO"
@@ -16,8 +16,8 @@ SIMILARITY = 0.6
 
 
 class Fields:
-    """One table with fields of the names `known`; another name is refused at once, so that a
-    misspelt key is reported rather than the one it was meant to be.
+    """One table with fields of the names `known`; another name is an error that is noted first, so
+    that a misspelt key is reported before the one it was meant to be.
 
     `where` names the table in messages, `line` is its place in the file if known.
     """
@@ -36,16 +36,21 @@ class Fields:
         self.where = where
         self.line = line
         self._table = table
+        self._misspelt: set[str] = set()
         for field in table:
             if field not in known:
                 shown = field[:80]
-                raise self.fail(shown, f"this field is not known{nearest_hint(shown, known)}")
+                hint = nearest_hint(shown, known)
+                self._misspelt.update(hint.split()[-1:])
+                text.note(self.fail(shown, f"this field is not known{hint}"))
 
-    def fail(self, field: str, problem: str) -> Exception:
-        """The error to raise about `field`."""
+    def fail(self, field: str, problem: str) -> ClaimFileError:
+        """The error to raise about `field`; that it is missing follows from a misspelt name."""
         where = f"{self.where}.{field}" if field else self.where
         line = self.text.line_in_table(field, self.line) or self.line
-        return self.text.error(where, problem, line)
+        error = self.text.error(where, problem, line)
+        error.follows = field in self._misspelt
+        return error
 
     def has(self, field: str) -> bool:
         """Whether the field is there."""
@@ -126,7 +131,7 @@ class Fields:
             raise self.fail(field, f"still marked {UNSAID}: say it here")
         return tuple(value)
 
-    def _missing(self, field: str) -> Exception:
+    def _missing(self, field: str) -> ClaimFileError:
         return self.fail(field, "this field is missing")
 
 

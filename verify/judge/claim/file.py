@@ -10,6 +10,7 @@ from __future__ import annotations
 
 import tomllib
 from collections.abc import Mapping, Sequence
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -19,7 +20,12 @@ from gainproof.verify.judge.claim.characters import (
     refuse_escapes,
 )
 from gainproof.verify.judge.claim.declarations import read_declarations
-from gainproof.verify.judge.claim.errors import ClaimFileError, FileText
+from gainproof.verify.judge.claim.errors import (
+    MOST_FOUND,
+    ClaimFileError,
+    FileText,
+    TooManyError,
+)
 from gainproof.verify.judge.claim.fields import Fields
 from gainproof.verify.judge.claim.list import read_claims
 from gainproof.verify.judge.claim.record import (
@@ -92,10 +98,18 @@ def read_claim_file(path: str | Path) -> ClaimFile:
 
 
 def read_claim_text(
-    text: str, path: str = "claims", models: Sequence[str] | None = None
+    text: str,
+    path: str = "claims",
+    models: Sequence[str] | None = None,
+    *,
+    keep_going: bool = False,
 ) -> ClaimFile:
     """The claim file with this text; `path` is used in messages only. With `models`, the names of
     the catalogue, a setting may name no other.
+
+    Raises ClaimFileError for the first error, with all others that were found. With `keep_going`
+    that is so only if there is no claim that can be judged; else the errors are in the file, and
+    what they are about is not.
     """
     if len(text) > MOST_BYTES:
         raise ClaimFileError(path, "", f"more than {MOST_BYTES} characters")
@@ -105,21 +119,44 @@ def read_claim_text(
     file_text = FileText(path, text)
     parsed = _parse(text, path)
     refuse_escapes(parsed, path)
-    document = Fields(file_text, "file", parsed, TABLES)
+    claim_file = None
+    try:
+        claim_file = _claim_file(file_text, parsed, models)
+    except ClaimFileError as error:
+        file_text.found.append(error)
+    except TooManyError:
+        problem = f"after {MOST_FOUND} errors no more are looked for"
+        file_text.found.append(ClaimFileError(path, "", problem))
+    if claim_file is None or (file_text.found and not (keep_going and claim_file.claims)):
+        raise file_text.refusal()
+    return replace(claim_file, errors=tuple(file_text.in_order()))
+
+
+def _claim_file(
+    text: FileText, parsed: Mapping[str, Any], models: Sequence[str] | None
+) -> ClaimFile | None:
+    """The file, or None without a source. Errors are noted as far as others can be found."""
+    document = Fields(text, "file", parsed, TABLES)
     version = document.required_text("format")
     if version != FORMAT:
         raise document.fail("format", f"wanted {FORMAT!r}, but it is {version[:80]!r}")
-    source = _source(file_text, document.take("source"))
-    file_text = FileText(path, text, source.logarithm)
-    start = file_text.line_of_table("symbols") or 1
-    declared = read_declarations(file_text, "symbols", document.take("symbols") or {}, start)
-    symbols = complete_symbols(file_text, declared)
-    fault = shared_fault(symbols)
+    if text.found:
+        return None
+    source = _source(text, document.take("source"))
+    text.logarithm = source.logarithm if source else None
+    start = text.line_of_table("symbols") or 1
+    declared = read_declarations(text, "symbols", document.take("symbols") or {}, start)
+    symbols = complete_symbols(text, declared)
+    fault = shared_fault(symbols.sound)
     if fault is not None:
-        raise symbol_error(file_text, "symbols", fault)
-    settings = read_settings(file_text, document.take("settings"), symbols, models)
-    claims = read_claims(file_text, document.take("claims"), settings)
-    return ClaimFile(path, source, symbols, settings, claims)
+        text.note(symbol_error(text, "symbols", fault))
+        symbols = replace(symbols, unsound=frozenset(symbols.symbols))
+    settings = read_settings(text, document.take("settings"), symbols, models)
+    claims, unread = read_claims(text, document.take("claims"), settings)
+    judged = {name: one.judged for name, one in settings.items() if one and one.judged}
+    if source is None:
+        return None
+    return ClaimFile(text.path, source, symbols.sound, judged, claims, unread=unread)
 
 
 def _parse(text: str, path: str) -> Mapping[str, Any]:
@@ -146,18 +183,26 @@ def _not_toml(path: str, text: str, problem: str) -> ClaimFileError:
     return ClaimFileError(path, "", f"not TOML: {what}{hint}", int(line), int(column))
 
 
-def _source(text: FileText, table: object) -> SourceRecord:
+def _source(text: FileText, table: object) -> SourceRecord | None:
+    """The record, or None where it has errors, which are noted."""
     if table is None:
-        raise text.error("source", "this table is missing")
+        text.note(text.error("source", "this table is missing"))
+        return None
+    noted = text.noted
     fields = Fields(text, "source", table, SOURCE_FIELDS, text.line_of_table("source"))
-    authors = fields.texts("authors", MOST_AUTHORS)
+
+    def required(field: str) -> str:
+        return text.attempt(lambda: fields.required_text(field), "")
+
+    some: tuple[str, ...] = ("",)
+    authors = text.attempt(lambda: fields.texts("authors", MOST_AUTHORS), some)
     if not authors:
-        raise fields.fail("authors", "at least one author is wanted")
-    return SourceRecord(
-        key=fields.required_text("key"),
-        title=fields.required_text("title"),
+        text.note(fields.fail("authors", "at least one author is wanted"))
+    record = SourceRecord(
+        key=required("key"),
+        title=required("title"),
         authors=authors,
-        publication=fields.required_text("publication"),
+        publication=required("publication"),
         year=fields.whole_number("year", 1, 9999),
         url=fields.text_or_none("url"),
         doi=fields.text_or_none("doi"),
@@ -166,3 +211,4 @@ def _source(text: FileText, table: object) -> SourceRecord:
         note=fields.text_or_none("note"),
         logarithm=fields.whole_number("logarithm", 2, GREATEST_BASE),
     )
+    return record if text.noted == noted else None

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
+from gainproof.verify.judge.claim.errors import ClaimFileError
 from gainproof.verify.judge.claim.fields import Fields, nearest_hint
 from gainproof.verify.judge.claim.record import SymbolEntry
 from gainproof.verify.judge.formula import Formula, Graph, Relation
@@ -68,9 +69,10 @@ def token_in(fields: Fields, field: str, token: str, symbols: Symbols) -> str:
         raise fields.fail(field, f"not a symbol: {error.problem}") from error
     if name not in symbols:
         hint = nearest_hint(name, list(symbols))
-        raise fields.fail(field, f"the symbol {name} is not declared{hint}")
+        missing = fields.fail(field, f"the symbol {name} is not declared{hint}")
+        raise fields.text.doubted(missing, name)
     return name
 
 
-def _moved(fields: Fields, field: str, text: str, error: ReaderError) -> Exception:
+def _moved(fields: Fields, field: str, text: str, error: ReaderError) -> ClaimFileError:
     return fields.text.formula_error(f"{fields.where}.{field}", text, error, fields.line)

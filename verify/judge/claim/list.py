@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from functools import partial
 
 from gainproof.verify.judge.claim.domains import contradiction, relations_of
 from gainproof.verify.judge.claim.errors import FileText
@@ -15,17 +16,20 @@ from gainproof.verify.judge.claim.formulas import (
 )
 from gainproof.verify.judge.claim.kinds import OWN_FIELDS, WITHOUT_FORMULA, with_own_fields
 from gainproof.verify.judge.claim.record import Claim, Setting
-from gainproof.verify.judge.claim.vocabulary import CLAIM_KINDS
+from gainproof.verify.judge.claim.settings import ReadSetting
+from gainproof.verify.judge.claim.vocabulary import CLAIM_KINDS, ORIGINS
 from gainproof.verify.judge.dimensions.declared import domain_fault
 from gainproof.verify.judge.formula import Formula
 from gainproof.verify.judge.matrices import claim_fields
-from gainproof.verify.judge.matrices.letter import MatrixClaim, MatrixSetting
+from gainproof.verify.judge.matrices.letter import MatrixClaim
 from gainproof.verify.judge.reader.latex import reading_to_latex
 from gainproof.verify.judge.reader.words import BRANCHES
 
 MOST_CLAIMS = 2000
 MOST_GIVEN = 20
 MOST_IDENTIFIER = 80
+UNDECIDABLE = "remark"
+FOR_READERS = ("quoted", "origin")
 FIELDS = (
     "id",
     "place",
@@ -38,7 +42,7 @@ FIELDS = (
     "domain",
     "given",
     "held",
-    "quoted",
+    *FOR_READERS,
     "note",
     *claim_fields.FIELDS,
     *dict.fromkeys(name for names in OWN_FIELDS.values() for name in names),
@@ -47,27 +51,77 @@ FIELDS = (
 
 
 def read_claims(
-    text: FileText, table: object, settings: Mapping[str, Setting]
-) -> tuple[Claim, ...]:
-    """All claims; `table` is what TOML made of `[[claims]]`."""
+    text: FileText, table: object, settings: Mapping[str, ReadSetting | None]
+) -> tuple[tuple[Claim, ...], tuple[str, ...]]:
+    """All claims that can be judged, and the ids of the others; `table` is what TOML made of
+    `[[claims]]`. Errors are noted.
+    """
     if not isinstance(table, Sequence) or isinstance(table, str) or not table:
         raise text.error("claims", "at least one table [[claims]] is wanted")
     if len(table) > MOST_CLAIMS:
         raise text.error("claims", f"{len(table)} claims, but at most {MOST_CLAIMS} are read")
+    reading = {name: one.setting if one else None for name, one in settings.items()}
+    judging = {name: one.judged if one else None for name, one in settings.items()}
     claims: list[Claim] = []
+    unread: list[str] = []
     lines: dict[str, int] = {}
     start = 1
     for number, content in enumerate(table, start=1):
-        identifier = _identifier(text, number, content)
+        identifier = text.attempt(partial(_identifier, text, number, content), "")
         line = text.line_of_identifier(identifier, start) or start
-        if identifier in lines:
-            problem = f"this id is already that of the claim of line {lines[identifier]}"
-            raise text.error(f"claims.{identifier}.id", problem, line)
+        if not identifier or identifier in lines:
+            if identifier:
+                problem = f"this id is already that of the claim of line {lines[identifier]}"
+                text.note(text.error(f"claims.{identifier}.id", problem, line))
+            continue
         lines[identifier] = line
         start = line + 1
-        fields = Fields(text, f"claims.{identifier}", content, FIELDS, line)
-        claims.append(_claim(fields, settings, claims))
-    return tuple(claims)
+        claim = _read(text, content, identifier, line, reading, judging, claims, unread)
+        if claim is None:
+            unread.append(identifier)
+        else:
+            claims.append(claim)
+    return tuple(claims), tuple(unread)
+
+
+def _read(
+    text: FileText,
+    content: Mapping[str, object],
+    identifier: str,
+    line: int,
+    reading: Mapping[str, Setting | None],
+    judging: Mapping[str, Setting | None],
+    before: Sequence[Claim],
+    unread: Sequence[str],
+) -> Claim | None:
+    """One claim as it can be judged: read with all symbols of its setting first, so that its own
+    errors are noted, then in the setting of those without errors. None for one with errors, or that
+    rests on a symbol, setting or claim with some.
+    """
+    noted, name, using = text.noted, content.get("setting"), content.get("using")
+    fields = Fields(text, f"claims.{identifier}", content, FIELDS, line)
+    if isinstance(name, str) and name in reading and reading[name] is None:
+        return None
+    if isinstance(using, list) and any(other in unread for other in using):
+        return None
+    claim = text.attempt(partial(_claim, fields, reading, before), None)
+    if claim is None or text.noted > noted:
+        return None
+    setting = judging[claim.setting]
+    if setting is not reading[claim.setting]:
+        claim = text.unsaid(partial(_claim, fields, judging, before))
+    if setting is None or claim is None or claim.matrices is not None:
+        return claim
+    return text.attempt(partial(_checked, fields, claim, setting), None)
+
+
+def _checked(fields: Fields, claim: Claim, setting: Setting) -> Claim:
+    """The claim, whose domain is not empty and agrees in dimension."""
+    _check_domain(fields, claim, setting)
+    fault = domain_fault(claim, setting)
+    if fault is not None:
+        raise fields.fail("domain", f"dimensions: {fault}")
+    return claim
 
 
 def _identifier(text: FileText, number: int, content: object) -> str:
@@ -82,82 +136,103 @@ def _identifier(text: FileText, number: int, content: object) -> str:
     return identifier
 
 
-def _claim(fields: Fields, settings: Mapping[str, Setting], before: Sequence[Claim]) -> Claim:
+def _claim(
+    fields: Fields, settings: Mapping[str, Setting | None], before: Sequence[Claim]
+) -> Claim:
+    """The claim as its fields say it. Errors that leave others to be found are noted."""
+    text = fields.text
     identifier = fields.required_text("id")
-    kind = fields.choice("kind", CLAIM_KINDS)
+    kind = text.attempt(lambda: fields.choice("kind", CLAIM_KINDS), UNDECIDABLE)
+    place = text.attempt(lambda: fields.required_text("place"), "")
     setting = _setting(fields, settings)
     if setting.matrices is not None:
-        return _of_matrices(fields, identifier, kind, setting.name, setting.matrices, before)
+        return _of_matrices(fields, identifier, kind, place, setting, before)
     for name in claim_fields.FIELDS:
         if fields.has(name):
             raise fields.fail(name, f"claims of a setting of kind {setting.kind} do not take this")
     if kind in claim_fields.KINDS:
         raise fields.fail("kind", f"only settings of kind matrices have claims of kind {kind}")
+    symbols, noted = setting.symbols, text.noted
     domain = fields.text_or_none("domain")
-    fields.text_or_none("quoted")  # for readers of the file; only its form is checked
+    _for_readers(fields)
     words = fields.text_or_none("text")
-    latex, plain, formula = _formula(fields, kind, setting)
-    if formula is None and words is None and kind in ("determines", "remark"):
+    none: tuple[str, str | None, Formula | None] = ("", None, None)
+    latex, plain, formula = text.attempt(lambda: _formula(fields, kind, setting), none)
+    needs_words = kind in ("determines", UNDECIDABLE) and text.noted == noted
+    if formula is None and words is None and needs_words:
         raise fields.fail("text", "this field is missing: a claim in words is paraphrased here")
     claim = Claim(
         id=identifier,
-        place=fields.required_text("place"),
+        place=place,
         kind=kind,
         setting=setting.name,
         latex=latex,
         plain=plain,
         formula=formula,
-        domain=conditions_of(fields, "domain", domain, setting.symbols),
-        given=tuple(
-            formula_of(fields, "given", given, setting.symbols)
-            for given in fields.texts("given", MOST_GIVEN)
+        domain=text.attempt(lambda: conditions_of(fields, "domain", domain, symbols), ()),
+        given=text.attempt(
+            lambda: tuple(
+                formula_of(fields, "given", given, symbols)
+                for given in fields.texts("given", MOST_GIVEN)
+            ),
+            (),
         ),
-        held=tuple(
-            token_in(fields, "held", token, setting.symbols)
-            for token in fields.texts("held", MOST_GIVEN)
+        held=text.attempt(
+            lambda: tuple(
+                token_in(fields, "held", token, symbols)
+                for token in fields.texts("held", MOST_GIVEN)
+            ),
+            (),
         ),
         text=words,
         note=fields.text_or_none("note"),
         line=fields.line or 1,
     )
-    _check_domain(fields, claim, setting)
-    fault = domain_fault(claim, setting)
-    if fault is not None:
-        raise fields.fail("domain", f"dimensions: {fault}")
-    return with_own_fields(claim, fields, setting.symbols)
+    return claim if text.noted > noted else with_own_fields(claim, fields, symbols)
+
+
+def _for_readers(fields: Fields) -> None:
+    """Fields that no verdict depends on; only their form is checked."""
+    fields.text_or_none("quoted")
+    if fields.has("origin"):
+        fields.choice("origin", ORIGINS)
 
 
 def _of_matrices(
     fields: Fields,
     identifier: str,
     kind: str,
-    name: str,
-    setting: MatrixSetting,
+    place: str,
+    setting: Setting,
     before: Sequence[Claim],
 ) -> Claim:
     """A claim of a setting of matrices, which has a reader of its own."""
-    allowed = ("id", "place", "kind", "setting", "latex", "text", "given", "quoted", "note")
+    letters = setting.matrices
+    assert letters is not None
+    allowed = ("id", "place", "kind", "setting", "latex", "text", "given", *FOR_READERS, "note")
     for field in fields.given():
         if field not in (*allowed, *claim_fields.FIELDS):
             raise fields.fail(field, "claims of a setting of matrices do not take this field")
-    fields.text_or_none("quoted")
+    _for_readers(fields)
     is_remark = kind == "remark"
     latex = (fields.text_or_none("latex") or "") if is_remark else fields.required_text("latex")
     words = fields.required_text("text") if is_remark and not latex else fields.text_or_none("text")
     earlier: dict[str, MatrixClaim] = {
-        claim.id: claim.matrices for claim in before if claim.setting == name and claim.matrices
+        claim.id: claim.matrices
+        for claim in before
+        if claim.setting == setting.name and claim.matrices
     }
     return Claim(
         id=identifier,
-        place=fields.required_text("place"),
+        place=place,
         kind=kind,
-        setting=name,
+        setting=setting.name,
         latex=latex,
         formula=None,
         text=words,
         note=fields.text_or_none("note"),
         line=fields.line or 1,
-        matrices=claim_fields.read_matrix_claim(fields, identifier, kind, latex, setting, earlier),
+        matrices=claim_fields.read_matrix_claim(fields, identifier, kind, latex, letters, earlier),
     )
 
 
@@ -186,12 +261,13 @@ def _check_domain(fields: Fields, claim: Claim, setting: Setting) -> None:
         raise fields.fail(field, f"the domain is empty: {fault}")
 
 
-def _setting(fields: Fields, settings: Mapping[str, Setting]) -> Setting:
+def _setting(fields: Fields, settings: Mapping[str, Setting | None]) -> Setting:
     name = fields.required_text("setting")
-    if name not in settings:
+    setting = settings.get(name)
+    if setting is None:
         hint = nearest_hint(name, list(settings))
         raise fields.fail("setting", f"there is no setting {name[:80]!r}{hint}")
-    return settings[name]
+    return setting
 
 
 def _formula(fields: Fields, kind: str, setting: Setting) -> tuple[str, str | None, Formula | None]:

@@ -6,6 +6,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 from fractions import Fraction
 
+from gainproof.verify.judge.claim.errors import ClaimFileError
 from gainproof.verify.judge.formula import Formula, Graph, Reading, Relation
 from gainproof.verify.judge.matrices.letter import MatrixClaim, MatrixSetting
 
@@ -192,13 +193,17 @@ class Claim:
 
 @dataclass(frozen=True)
 class ClaimFile:
-    """A whole claim file, checked."""
+    """A whole claim file, checked. One that was read in spite of `errors` has only what is not
+    touched by them; the claims `unread` have errors, or rest on what has some.
+    """
 
     path: str
     source: SourceRecord
     symbols: Mapping[str, SymbolEntry]
     settings: Mapping[str, Setting]
     claims: tuple[Claim, ...]
+    errors: tuple[ClaimFileError, ...] = ()
+    unread: tuple[str, ...] = ()
 
 
 __all__ = [

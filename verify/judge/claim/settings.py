@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from functools import partial
 
 from gainproof.verify.judge.claim.declarations import read_declarations
 from gainproof.verify.judge.claim.domains import contradiction, relations_of
@@ -17,7 +19,7 @@ from gainproof.verify.judge.claim.models import (
     read_own_model,
 )
 from gainproof.verify.judge.claim.record import Formula, Setting, SymbolEntry
-from gainproof.verify.judge.claim.symbols import complete_symbols
+from gainproof.verify.judge.claim.symbols import SymbolTable, complete_symbols
 from gainproof.verify.judge.dimensions.declared import Fault, setting_fault
 from gainproof.verify.judge.matrices.declare import read_letters, read_sizes
 
@@ -60,56 +62,93 @@ FIELDS = (
 """Fields of a setting."""
 
 
+@dataclass(frozen=True)
+class ReadSetting:
+    """A setting with whose symbols claims are read, and the one in which they can be judged:
+    without the symbols that have errors, and None where without them it is none.
+    """
+
+    setting: Setting
+    judged: Setting | None
+
+
 def read_settings(
-    text: FileText,
-    table: object,
-    shared: Mapping[str, SymbolEntry],
-    models: Sequence[str] | None = None,
-) -> dict[str, Setting]:
-    """All settings by name; `shared` are the symbols of the file's own table, `models` the names
-    of the catalogue, if they are known.
+    text: FileText, table: object, shared: SymbolTable, models: Sequence[str] | None = None
+) -> dict[str, ReadSetting | None]:
+    """All settings by name, None for one that cannot be read; `shared` are the symbols of the
+    file's own table, `models` the names of the catalogue, if they are known. Errors are noted.
     """
     if not isinstance(table, Mapping) or not table:
         raise text.error("settings", "at least one table [settings.NAME] is wanted")
     if len(table) > MOST_SETTINGS:
         raise text.error("settings", f"more than {MOST_SETTINGS} settings")
-    return {name: _setting(text, name, content, shared, models) for name, content in table.items()}
+    found: dict[str, ReadSetting | None] = {}
+    for name, content in table.items():
+        read = partial(_setting, text, name, content, shared, models)
+        found[name] = text.attempt(read, None)
+    return found
 
 
 def _setting(
     text: FileText,
     name: str,
     content: object,
-    shared: Mapping[str, SymbolEntry],
+    shared: SymbolTable,
     models: Sequence[str] | None,
-) -> Setting:
+) -> ReadSetting | None:
     where = f"settings.{name[:80]}"
+    noted = text.noted
     fields = Fields(text, where, content, FIELDS, text.line_of_table(where))
-    kind = fields.choice("kind", SETTING_KINDS)
-    title = fields.required_text("title")
-    model = fields.text_or_none("model")
-    degree = fields.whole_number("degree", 0, MOST_DEGREE)
-    note = fields.text_or_none("note")
+    kind = text.attempt(lambda: fields.choice("kind", SETTING_KINDS), "")
+    if not kind and fields.has("sizes"):
+        return None
+    title = text.attempt(lambda: fields.required_text("title"), "")
+    model = text.attempt(lambda: fields.text_or_none("model"), None)
+    degree = text.attempt(lambda: fields.whole_number("degree", 0, MOST_DEGREE), None)
+    note = text.attempt(lambda: fields.text_or_none("note"), None)
     own_symbols = fields.take("symbols")
     if kind == "matrices":
-        return _of_matrices(fields, name, title, note)
-    if fields.has("sizes"):
-        raise fields.fail("sizes", f"a setting of kind {kind} does not take this field")
-    _check_kind(fields, kind, model, degree)
-    if models is not None and model not in (None, "search", *models):
-        hint = nearest_hint(str(model), models) or f"; known are {', '.join(models)}"
-        raise fields.fail("model", f"no model is called {str(model)[:80]!r}{hint}")
+        of_matrices = _of_matrices(fields, name, title, note)
+        return ReadSetting(of_matrices, of_matrices if text.noted == noted else None)
+    if text.noted == noted:
+        text.attempt(lambda: _check_kind(fields, kind, model, degree, models), None)
+    errors = text.noted - noted
     symbols = _symbols(text, where, own_symbols, shared)
+    noted = text.noted
+
+    def built(symbols: Mapping[str, SymbolEntry]) -> Setting:
+        return _built(fields, name, kind, title, model, degree, note, symbols)
+
+    def checked(setting: Setting) -> Setting:
+        _check(fields, setting, shared.sound)
+        return setting
+
+    bare = Setting(name=name, kind=kind or "algebra", title=title, symbols=symbols.symbols)
+    setting = bare if errors else text.attempt(lambda: built(symbols.symbols), bare)
+    if errors or text.noted > noted:
+        return ReadSetting(setting, None)
+    if symbols.unsound:
+        return ReadSetting(setting, text.unsaid(lambda: checked(built(symbols.sound))))
+    return ReadSetting(setting, text.attempt(lambda: checked(setting), None))
+
+
+def _built(
+    fields: Fields,
+    name: str,
+    kind: str,
+    title: str,
+    model: str | None,
+    degree: int | None,
+    note: str | None,
+    symbols: Mapping[str, SymbolEntry],
+) -> Setting:
+    """The setting with these symbols, before it is checked that they agree."""
     is_free = kind == "fixed_gain"
     own_model = None if is_free else read_own_model(fields, symbols)
     gain_matrices = read_gain_matrices(fields, symbols) if is_free else {}
     states = fields.whole_number("states", 1, MOST_STATES)
     _check_noise_size(fields, states, gain_matrices)
-    fault = contradiction(relations_of(symbols, symbols), symbols)
-    if fault is not None:
-        raise fields.fail("", f"the domains of its symbols contradict one another: {fault}")
-    _check_conventions(fields, symbols)
-    setting = Setting(
+    return Setting(
         name=name,
         kind=kind,
         title=title,
@@ -124,8 +163,16 @@ def _setting(
         matrices=None,
         **_conventions(fields, symbols),
     )
+
+
+def _check(fields: Fields, setting: Setting, shared: Mapping[str, SymbolEntry]) -> None:
+    """Domains, conventions and dimensions agree."""
+    symbols = setting.symbols
+    fault = contradiction(relations_of(symbols, symbols), symbols)
+    if fault is not None:
+        raise fields.fail("", f"the domains of its symbols contradict one another: {fault}")
+    _check_conventions(fields, symbols)
     _check_dimensions(fields, setting, shared)
-    return setting
 
 
 def _check_dimensions(fields: Fields, setting: Setting, shared: Mapping[str, SymbolEntry]) -> None:
@@ -201,7 +248,14 @@ def _check_kind(
     kind: str,
     model: str | None,
     degree: int | None,
+    models: Sequence[str] | None,
 ) -> None:
+    """The fields that say which filter it is are those of the kind; a model is one of `models`."""
+    if fields.has("sizes"):
+        raise fields.fail("sizes", f"a setting of kind {kind} does not take this field")
+    if models is not None and model not in (None, "search", *models):
+        hint = nearest_hint(str(model), models) or f"; known are {', '.join(models)}"
+        raise fields.fail("model", f"no model is called {str(model)[:80]!r}{hint}")
     given = any(fields.has(name) for name in MATRICES)
     if kind == "fixed_gain":
         _check_free(fields, model, degree)
@@ -260,11 +314,9 @@ def _filters(fields: Fields, symbols: Mapping[str, SymbolEntry]) -> dict[str, tu
     return found
 
 
-def _symbols(
-    text: FileText, where: str, table: object, shared: Mapping[str, SymbolEntry]
-) -> dict[str, SymbolEntry]:
+def _symbols(text: FileText, where: str, table: object, shared: SymbolTable) -> SymbolTable:
     place = f"{where}.symbols"
     if table is None:
-        return dict(shared)
+        return shared
     own = read_declarations(text, place, table, text.line_of_table(place) or 1)
     return complete_symbols(text, own, shared)

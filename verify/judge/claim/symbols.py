@@ -3,8 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import replace
-from types import MappingProxyType
+from dataclasses import dataclass, field, replace
 
 from gainproof.verify.judge.claim.circles import MOST_DEEP, find_circle, find_deepest
 from gainproof.verify.judge.claim.declarations import Declaration
@@ -15,46 +14,102 @@ from gainproof.verify.judge.reader.errors import ReaderError
 from gainproof.verify.judge.reader.reader import read_conditions, read_expression, read_formula
 
 
+@dataclass(frozen=True)
+class SymbolTable:
+    """All symbols; the `unsound` are those with errors, and those that rest on such."""
+
+    symbols: Mapping[str, SymbolEntry] = field(default_factory=dict)
+    unsound: frozenset[str] = frozenset()
+
+    @property
+    def sound(self) -> dict[str, SymbolEntry]:
+        """Those that can be judged with."""
+        return {name: one for name, one in self.symbols.items() if name not in self.unsound}
+
+
+NO_SYMBOLS = SymbolTable()
+
+
 def complete_symbols(
-    text: FileText,
-    declarations: Mapping[str, Declaration],
-    shared: Mapping[str, SymbolEntry] = MappingProxyType({}),
-) -> dict[str, SymbolEntry]:
-    """The `shared` entries and those declared; definitions and domains may use all of them."""
+    text: FileText, declarations: Mapping[str, Declaration], shared: SymbolTable = NO_SYMBOLS
+) -> SymbolTable:
+    """The `shared` entries and those declared; definitions and domains may use all of them. Errors
+    are noted.
+    """
+    bare = {**shared.symbols, **{name: item.entry for name, item in declarations.items()}}
+    complete = dict(shared.symbols)
+    unsound = set(shared.unsound)
     for name, declaration in declarations.items():
-        if name in shared:
-            problem = (
-                f"{name} shadows the symbol of the same name in [symbols]: "
-                "declare it in each setting that uses it, and not there"
-            )
-            raise text.error(declaration.where, problem, declaration.line)
-    bare = {**shared, **{name: item.entry for name, item in declarations.items()}}
-    complete = dict(shared)
-    for name, declaration in declarations.items():
-        entry = declaration.entry
-        for argument in entry.arguments:
-            if argument not in bare:
-                problem = f"the argument {argument} is not declared"
-                raise text.error(declaration.where, problem, declaration.line)
-        if len(set(entry.arguments)) != len(entry.arguments):
-            raise text.error(declaration.where, "an argument appears twice", declaration.line)
-        complete[name] = replace(
-            entry,
-            definition=_definition(text, declaration, bare),
-            domain=_domain(text, declaration, bare),
-            variance=_variance(text, declaration, bare),
-        )
-    circle = find_circle(complete)
-    if circle:
+        noted = text.noted
+        complete[name] = _completed(text, declaration, bare, name in shared.symbols)
+        if declaration.broken or text.noted > noted:
+            unsound.add(name)
+    while circle := find_circle(complete):
         where = declarations[circle[0]]
         problem = f"definitions go in a circle: {' -> '.join(circle)}"
-        raise text.error(where.where, problem, where.line)
+        text.note(text.error(where.where, problem, where.line))
+        complete |= {one: replace(complete[one], definition=None) for one in circle}
+        unsound.update(circle)
     name, deep = find_deepest(complete)
     if deep > MOST_DEEP:
         where = declarations[name]
         problem = f"{deep} definitions are inside one another, but at most {MOST_DEEP} are read"
         raise text.error(where.where, problem, where.line)
-    return complete
+    return SymbolTable(complete, _resting_on(complete, unsound) if unsound else frozenset())
+
+
+def _completed(
+    text: FileText, declaration: Declaration, bare: Mapping[str, SymbolEntry], is_shared: bool
+) -> SymbolEntry:
+    """The entry with the formulas in it. Errors are noted."""
+    entry, name = declaration.entry, declaration.entry.latex
+    problems = []
+    for one in entry.arguments:
+        if one not in bare:
+            problem = f"the argument {one} is not declared"
+            text.note(text.doubted(text.error(declaration.where, problem, declaration.line), one))
+            return entry
+    if len(set(entry.arguments)) != len(entry.arguments):
+        problems.append("an argument appears twice")
+    if is_shared:
+        problems.append(
+            f"{name} shadows the symbol of the same name in [symbols]: "
+            "declare it in each setting that uses it, and not there"
+        )
+    for problem in problems:
+        text.note(text.error(declaration.where, problem, declaration.line))
+    if problems:
+        return entry
+    return replace(
+        entry,
+        definition=text.attempt(lambda: _definition(text, declaration, bare), None),
+        domain=text.attempt(lambda: _domain(text, declaration, bare), ()),
+        variance=text.attempt(lambda: _variance(text, declaration, bare), None),
+    )
+
+
+def _resting_on(symbols: Mapping[str, SymbolEntry], names: set[str]) -> frozenset[str]:
+    """The names, and all symbols whose declaration mentions one of them, over any number of
+    others.
+    """
+    mentioned = {name: _mentioned(entry) for name, entry in symbols.items()}
+    found, before = set(names), 0
+    while len(found) > before:
+        before = len(found)
+        found |= {name for name, others in mentioned.items() if others & found}
+    return frozenset(found)
+
+
+def _mentioned(entry: SymbolEntry) -> set[str]:
+    """Names in the formulas of a declaration."""
+    relations = list(entry.domain)
+    for reading in entry.definition.readings if entry.definition else ():
+        relations += [*reading.relations, *reading.conditions]
+    graphs = [side for relation in relations for side in (relation.left, relation.right)]
+    graphs += [entry.variance] if entry.variance else []
+    nodes = [node for graph in graphs for node in graph["nodes"]]
+    words = {part for node in nodes for part in node if isinstance(part, str)}
+    return (words | set(entry.arguments)) - {entry.latex}
 
 
 def _definition(

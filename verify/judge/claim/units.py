@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from fractions import Fraction
 
 from gainproof.verify.judge.claim.record import Unit
@@ -27,21 +28,46 @@ KNOWN = {
     "V": _WATT / _BASES["A"],
 }
 """All that may be written; none is a multiple of another, so that numbers mean what they say."""
+INSTEAD = {
+    **dict.fromkeys(("deg", "degree", "degrees", "°"), "rad; 1 deg is pi/180 rad"),
+    **dict.fromkeys(("min", "minute"), "s; 1 min is 60 s"),
+    **dict.fromkeys(("h", "hour"), "s; 1 h is 3600 s"),
+    "ms": "s; 1 ms is 1/1000 s",
+    "us": "s; 1 us is 1/1000000 s",
+    "km": "m; 1 km is 1000 m",
+    "cm": "m; 1 cm is 1/100 m",
+    "mm": "m; 1 mm is 1/1000 m",
+    "ft": "m; 1 ft is 0.3048 m",
+    "g": "kg for a mass, 1 g being 1/1000 kg; m s^-2 for an acceleration, 1 g being 9.80665 m s^-2",
+    "kHz": "Hz; 1 kHz is 1000 Hz",
+    "MHz": "Hz; 1 MHz is 1000000 Hz",
+    "GHz": "Hz; 1 GHz is 1000000000 Hz",
+    "dB": "1 and the formula with its logarithm; a decibel is 10 times one to the base 10",
+    "sec": "s",
+    "%": "1",
+}
+"""What to write for a unit that is a multiple of another: formulas hold in base units."""
+_BARE_FRACTION = re.compile(r"\^(-?\d{1,3}/(?!1(?:$|[ /]))\d{1,3})(?=$|[ /])")
+"""A fractional power without brackets: after a slash no unit begins with a digit but 1."""
+_SLASH = re.compile(r"/(?![^(]*\))")
+"""A slash outside of brackets."""
 _MOST_FACTORS = 8
 _MOST_POWER = 64
+_MOST_TEXT = 200
 
 
 def read_unit(text: str) -> Unit:
     """The unit that `text` names. ValueError says what is wrong.
 
-    Factors are those of `KNOWN`, each with an optional power such as `^-2` or `^(1/2)`,
+    Factors are those of `KNOWN`, each with an optional power such as `^-2`, `^(1/2)` or `^-1/2`,
     separated by blanks; what follows a slash is divided by, up to the end.
     """
-    above, slash, below = text.partition("/") if "(" not in text else (text, "", "")
-    if slash and not below.strip():
+    if len(text) > _MOST_TEXT:
+        raise ValueError(f"a unit of {len(text)} characters, but at most {_MOST_TEXT} are read")
+    above, *below = _SLASH.split(_BARE_FRACTION.sub(r"^(\1)", text), maxsplit=1)
+    if below and not below[0].strip():
         raise ValueError(f"{text!r} ends with a slash")
-    top, bottom = _powers(above, text), _powers(below, text) if slash else Unit()
-    return top / bottom
+    return _powers(above, text) / (_powers(below[0], text) if below else Unit())
 
 
 def _powers(part: str, text: str) -> Unit:
@@ -53,7 +79,8 @@ def _powers(part: str, text: str) -> Unit:
         base, hat, power_text = factor.partition("^")
         power = _power(power_text, text) if hat else Fraction(1)
         if base not in KNOWN:
-            raise ValueError(f"{base!r} is no unit: known are {', '.join(KNOWN)}")
+            instead = f"write {INSTEAD[base]}" if base in INSTEAD else ""
+            raise ValueError(f"{base!r} is no unit: {instead or 'known are ' + ', '.join(KNOWN)}")
         found *= KNOWN[base] ** power
     return found
 

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
+
 CLAIM_KINDS = (
     "identity",
     "inequality",
@@ -62,3 +64,17 @@ they do, only where they do, nowhere where they do.
 
 LOCATIONS = ("inside the unit circle", "left half plane", "real", "complex", "equal")
 """Where the roots of a claim of kind `location` lie; `equal`: all in one place."""
+
+ORIGINS = ("printed", "words", "reconstructed", "ours")
+"""Where a claim comes from: what it says is printed in the source as a formula; the source has
+words, which are read as it; the formula of the source is lost or not legible, and this one is made
+in its place; the source does not say it, but other claims rest on it or it goes further.
+"""
+
+
+def usual_origin(claim: Mapping[str, object]) -> str:
+    """The origin of a claim that does not say it, by its fields: one with `text`, or without a
+    formula, is read out of words; one with an excerpt was seen.
+    """
+    has_formula = "latex" in claim or "plain" in claim
+    return "printed" if has_formula and ("text" not in claim or "quoted" in claim) else "words"

@@ -34,10 +34,13 @@ def claim_readings(claim: Claim, setting: Setting) -> tuple[tuple[Reading, ...],
 
 
 def fitting_readings(formula: Formula, setting: Setting) -> tuple[tuple[Reading, ...], str | None]:
-    """The readings of a formula whose dimensions agree; if there is none, what is wrong."""
+    """The readings of a formula whose dimensions agree; if there is none, what is wrong with each:
+    of `4 a/b c` its author may have meant either.
+    """
     faults = [reading_fault(reading, setting) for reading in formula.readings]
     fitting = tuple(r for r, fault in zip(formula.readings, faults, strict=True) if fault is None)
-    return fitting, None if fitting else f"dimensions: {faults[0]}"
+    wrong = "; read otherwise, ".join(dict.fromkeys(fault for fault in faults if fault))
+    return fitting, None if fitting else f"dimensions: {wrong}"
 
 
 def _faults(claim: Claim, setting: Setting) -> Iterator[str]:

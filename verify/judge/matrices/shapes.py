@@ -97,7 +97,12 @@ class Shapes:
                 continue
             if total is not None and total[1] != shape[0]:
                 if (ONE, ONE) in (total, shape):
-                    raise UnsaidShapeError("a matrix of one row and column is no number here")
+                    larger = shape if total == (ONE, ONE) else total
+                    raise UnsaidShapeError(
+                        "a matrix of one row and column stands beside one of shape "
+                        f"{self.said(larger)}: of numbers before a matrix of any size only those "
+                        "in digits, such as 2, are within reach"
+                    )
                 shown = f"{self.said(total)} by one of shape {self.said(shape)}"
                 raise ShapeFault(
                     f"a matrix of shape {shown} is multiplied: {shown_columns(self, total, shape)}"

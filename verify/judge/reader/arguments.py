@@ -1,7 +1,7 @@
 """What a named function without brackets acts on, and from which side a variable comes.
 
 `\\sin 2\\theta \\cos\\theta` is read; `\\sin \\omega t` is refused: whether t stands under the
-sine, only its author knows.
+sine, only its author knows. The message has both forms with brackets.
 """
 
 from __future__ import annotations
@@ -35,6 +35,9 @@ _UNCLEAR_AFTER = frozenset(
     )
 )
 
+_FACTORS = _ARGUMENTS | {"NUMBER", "FUNCTION", "OPEN"}
+_BETWEEN_FACTORS = frozenset(("DOT", "DOT_BEFORE_BIG", "SLASH"))
+
 
 def settle_arguments(text: str, tokens: Sequence[FormulaToken]) -> list[FormulaToken]:
     """The tokens again, the argument of each named function between `ARGUMENT_OPEN` and
@@ -50,9 +53,11 @@ def settle_arguments(text: str, tokens: Sequence[FormulaToken]) -> list[FormulaT
             continue
         end = _argument_end(tokens, start, ends)
         if end == start:
-            raise ReaderError(f"{token.value} of what?", text, token.end, token.value)
+            raise ReaderError(_without_argument(text, tokens, number, ends), text, token.end)
         if _is_unclear(tokens, end):
-            problem = f"what {token.value} acts on is not clear: write brackets"
+            forms = " or ".join(_forms(text, tokens, number, end, ends))
+            name = text[token.start : token.end]
+            problem = f"what {name} acts on is not clear: write {forms}"
             raise ReaderError(problem, text, tokens[end].start, tokens[end].value)
         opens.setdefault(start, []).append("ARGUMENT_OPEN")
         opens.setdefault(end, []).insert(0, "ARGUMENT_CLOSE")
@@ -73,6 +78,54 @@ def _is_unclear(tokens: Sequence[FormulaToken], end: int) -> bool:
     dotted = tokens[end].kind in ("DOT", "DOT_BEFORE_BIG")
     before_function = [token.kind for token in tokens[end + 1 : end + 2]] == ["NAMED"]
     return tokens[end].kind in _UNCLEAR_AFTER or (dotted and not before_function)
+
+
+def _without_argument(
+    text: str, tokens: Sequence[FormulaToken], number: int, ends: dict[int, int]
+) -> str:
+    """What to say of a function that is followed by nothing that can be its argument; another
+    function can, but only in brackets.
+    """
+    name = text[tokens[number].start : tokens[number].end]
+    inner = _after_power(tokens, number + 1, ends)
+    if inner >= len(tokens) or tokens[inner].kind != "NAMED":
+        return f"{name} of what?"
+    start = _after_power(tokens, inner + 1, ends)
+    end = _factors_end(tokens, start, ends) if start < len(tokens) else start
+    if end == start:
+        return f"{name} of what?"
+    return f"{name} of another function: write {_bracketed(text, tokens, number, inner, end)}"
+
+
+def _forms(
+    text: str, tokens: Sequence[FormulaToken], number: int, end: int, ends: dict[int, int]
+) -> list[str]:
+    """The function with all that may be its argument in brackets, and with no more than what has
+    to be.
+    """
+    start = _after_power(tokens, number + 1, ends)
+    last = _factors_end(tokens, start, ends)
+    wide = _bracketed(text, tokens, number, start, last) if last > end else ""
+    narrow = _bracketed(text, tokens, number, start, end)
+    rest = text[tokens[end - 1].end : tokens[max(last, end + 1) - 1].end]
+    return [form for form in (wide, narrow + rest) if form]
+
+
+def _bracketed(text: str, tokens: Sequence[FormulaToken], number: int, start: int, end: int) -> str:
+    """The function from its name on, the tokens from `start` to before `end` in brackets."""
+    before = text[tokens[number].start : tokens[start - 1].end]
+    return f"{before}({text[tokens[start].start : tokens[end - 1].end]})"
+
+
+def _factors_end(tokens: Sequence[FormulaToken], start: int, ends: dict[int, int]) -> int:
+    """The number after the factors from `start` on, up to a sum, a relation or a function."""
+    number = start
+    while number < len(tokens):
+        begin = number + (number > start and tokens[number].kind in _BETWEEN_FACTORS)
+        if begin >= len(tokens) or tokens[begin].kind not in _FACTORS:
+            break
+        number = _after_power(tokens, _after_one(tokens, begin, ends), ends)
+    return number
 
 
 def _ends(tokens: Sequence[FormulaToken]) -> dict[int, int]:

@@ -3,11 +3,13 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from fractions import Fraction
 
 from gainproof.verify.judge.reader.alphabet import DIGITS, is_letter, skip_space
 from gainproof.verify.judge.reader.errors import ReaderError, nearest_names
 from gainproof.verify.judge.reader.line_end import LineEnds
-from gainproof.verify.judge.reader.scan import scan_number
+from gainproof.verify.judge.reader.printed import decimal
+from gainproof.verify.judge.reader.scan import MOST_SHOWN, scan_number
 from gainproof.verify.judge.reader.special import circle_number, declared_kind, special_name
 from gainproof.verify.judge.reader.tokens import MARKS, FormulaToken
 from gainproof.verify.judge.reader.vocabulary import Vocabulary
@@ -28,6 +30,12 @@ _MARKS = {mark: token for mark, token in MARKS.items() if mark not in ("{", "}",
     "*": ("DOT", "*"),
     ";": ("LINE", ";"),
 }
+_BY_ENTRIES = (".*", "./", ".^")
+_OF_CODE = {"fabs": "abs", "fabsf": "abs", "sqrtf": "sqrt", "M_PI": "pi"}
+"""Names of source code, and what they are called here."""
+_POWERS = ("pow", "powf")
+_MOST_EXPONENT = 20
+"""Beyond this a number with an exponent is not written out in a message."""
 _INFINITY = ("infinity", "inf", "oo")
 _RELATION_WORDS = {"propto": ("RELATION", "propto"), "approx": ("RELATION", "approx")}
 
@@ -59,6 +67,9 @@ class _PlainLexer:
                 self._add("DOTS", "...", start + 3)
             elif character in ".,;" and (end := self.line_ends.end_at(start)) is not None:
                 self.position = end
+            elif text[start : start + 2] in _BY_ENTRIES:
+                mark = text[start : start + 2]
+                raise self._error(f"{mark} is a sign of source code: write {mark[1]}", mark)
             elif character in DIGITS or character == ".":
                 self._add(*scan_number(text, start, single=False))
             elif is_letter(character):
@@ -103,9 +114,27 @@ class _PlainLexer:
         elif word in PLAIN_FORMS or word == "sqrt" or function_of(word) is not None:
             raise self._error(f"{word} needs brackets: {word}(...)", word)
         else:
-            known = [*self.vocabulary.plain_names, *PLAIN_FORMS, *FUNCTION_WORDS]
-            problem = f"the symbol {word[:40]} is not declared"
-            raise self._error(problem, word[:40], nearest_names(word, known))
+            raise self._undeclared(word, end)
+
+    def _undeclared(self, word: str, end: int) -> ReaderError:
+        """The error for a word that nobody declared; what comes from source code is told how to be
+        written.
+        """
+        shown = word[:MOST_SHOWN]
+        before = self.tokens[-1] if self.tokens else None
+        if before is not None and before.kind == "NUMBER" and before.end == self.position:
+            written = _number_of_code(before.value, word, self.text[end:])
+            if written:
+                problem = f"a number as in source code: write {written}"
+                self.position = before.start
+                return self._error(problem, before.value)
+        if word in _POWERS:
+            return self._error(f"{word} is not read: write {_power(self.text, end)}", word)
+        if word in _OF_CODE:
+            return self._error(f"{word} is not read: write {_OF_CODE[word]}", word)
+        known = [*self.vocabulary.plain_names, *PLAIN_FORMS, *FUNCTION_WORDS]
+        problem = f"the symbol {shown} is not declared"
+        return self._error(problem, shown, nearest_names(word, known))
 
     def _declared(self) -> tuple[str, int]:
         """The declared name that begins here, as long as possible, and the end; without one the end
@@ -171,6 +200,43 @@ class _PlainLexer:
         self._add("MINUS", "-", digits)
         self._add(*scan_number(self.text, digits, single=False))
         self._add("RIGHT_BRACE", "}", self.position)
+
+
+def _number_of_code(digits: str, word: str, following: str) -> str:
+    """How the number is written that has these digits, then the undeclared `word`: `1.0f`,
+    `3.3e-1`; empty if it is none.
+    """
+    if word in ("f", "F"):
+        return digits
+    sign = following[:1] if word in ("e", "E") and following[:1] in ("+", "-") else ""
+    power = following[1:] if sign else word[1:]
+    power = power[: len(power) - len(power.lstrip("0123456789"))]
+    if word[0] not in "eE" or not power or (not sign and power != word[1:]):
+        return ""
+    exponent = f"{sign.rstrip('+')}{power[:MOST_SHOWN]}"
+    small = len(power) <= 2 and abs(int(exponent)) <= _MOST_EXPONENT
+    written = decimal(Fraction(digits) * Fraction(10) ** int(exponent)) if small else None
+    return written or f"{digits}*10^{f'({exponent})' if sign == '-' else exponent}"
+
+
+def _power(text: str, start: int) -> str:
+    """`x**n` for what stands in the brackets at `start`, if it is two arguments."""
+    inner: list[str] = [""]
+    depth = 0
+    for character in text[skip_space(text, start) :]:
+        depth += (character == "(") - (character == ")")
+        if depth == 0:
+            break
+        if character == "," and depth == 1:
+            inner.append("")
+        else:
+            inner[-1] += character
+    inner[0] = inner[0].removeprefix("(")
+    parts = [part.strip() for part in inner]
+    if depth or len(parts) != 2 or not all(0 < len(part) <= MOST_SHOWN for part in parts):
+        return "x**n"
+    base, exponent = (part if all(map(_is_inner, part)) else f"({part})" for part in parts)
+    return f"{base}**{exponent}"
 
 
 def _is_inner(character: str) -> bool:

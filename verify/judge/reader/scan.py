@@ -12,6 +12,8 @@ from gainproof.verify.judge.reader.line_end import ends_line
 from gainproof.verify.judge.reader.tokens import COMMANDS, MARKS, FormulaToken
 from gainproof.verify.judge.reader.words import JOINING_WORDS
 
+MOST_SHOWN = 40
+"""Characters of a number or word that a message repeats."""
 _BARS = frozenset(("|", "\\mid", "\\vert", "\\rvert"))
 
 
@@ -37,10 +39,13 @@ def scan_number(text: str, start: int, single: bool) -> Scanned:
     value = text[start:end]
     if not value or value.count(".") > 1 or value[0] == "." or value[-1] == ".":
         problem = "a number needs digits on both sides of its one point"
-        raise ReaderError(problem, text, start, value[:40])
+        whole, point, decimals = value.partition(".")
+        if point and (whole or decimals) and "." not in decimals and len(value) <= MOST_SHOWN:
+            problem += f": write {whole or '0'}{point + decimals if decimals else ''}"
+        raise ReaderError(problem, text, start, value[:MOST_SHOWN])
     if len(value) > MOST_DIGITS:
         problem = f"a number of {len(value)} digits, but at most {MOST_DIGITS} are read"
-        raise ReaderError(problem, text, start, value[:40])
+        raise ReaderError(problem, text, start, value[:MOST_SHOWN])
     return Scanned("NUMBER", value, end)
 
 

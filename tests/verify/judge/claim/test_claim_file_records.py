@@ -149,6 +149,11 @@ def test_file_on_disk(tmp_path: Path) -> None:
         ("m/s rad", "1", "-1"),
         ("rad/s^2", "0", "-2"),
         ("m s^(-1/2)", "1", "-1/2"),
+        ("s^-1/2", "0", "-1/2"),
+        ("m/s^1/2", "1", "-1/2"),
+        ("m^3/2/s^1/2 rad", "3/2", "-1/2"),
+        ("m/s^(3/2)", "1", "-3/2"),
+        ("m^2/1 s", "2", "-1"),
     ],
 )
 def test_units(text: str, metre: str, second: str) -> None:
@@ -175,12 +180,31 @@ def test_units_by_other_names(text: str, other: str) -> None:
 
 @pytest.mark.parametrize(
     "text",
-    ["", " ", "km", "dB", "m/", "/s", "m^", "m^x", "m^1/2", "m^(1/0)", "m^99", "m**2", "m " * 9],
+    ["", " ", "km", "dB", "m/", "/s", "m^", "m^x", "m/2", "m^(1/0)", "m^99", "m**2", "m " * 9],
 )
 def test_no_units(text: str) -> None:
     with pytest.raises(ValueError, match=r".") as caught:
         read_unit(text)
     assert type(caught.value) is ValueError
+
+
+@pytest.mark.parametrize(
+    ("text", "instead"),
+    [
+        ("deg", r"rad; 1 deg is pi/180 rad"),
+        ("deg^2", r"rad; 1 deg is pi/180 rad"),
+        ("m/ms", r"s; 1 ms is 1/1000 s"),
+        ("km/h", r"m; 1 km is 1000 m"),
+    ],
+)
+def test_a_multiple_of_a_unit_is_told_with_its_factor(text: str, instead: str) -> None:
+    with pytest.raises(ValueError, match=f"is no unit: write {instead}"):
+        read_unit(text)
+
+
+def test_a_long_unit_is_refused_before_it_is_looked_at() -> None:
+    with pytest.raises(ValueError, match="4000 characters"):
+        read_unit("m^1/" * 1000)
 
 
 def test_units_of_quantities() -> None:

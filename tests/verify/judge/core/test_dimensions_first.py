@@ -2,9 +2,13 @@
 
 from __future__ import annotations
 
+from pathlib import Path
+
 import pytest
 
-from gainproof.verify.judge.claim.file import read_claim_text
+import gainproof.verify
+from gainproof.verify.judge.claim.file import read_claim_file, read_claim_text
+from gainproof.verify.judge.dimensions.claim import claim_readings
 from gainproof.verify.judge.judge import judge_file
 from gainproof.verify.judge.verdict import ClaimVerdict
 
@@ -74,3 +78,14 @@ def test_dimensions_choose_the_reading_of_a_slash() -> None:
     assert verdict.reading is not None
     # both readings are numbers here, and the second is the true one
     assert judged("identity", "b / b b = b^{-1} ").verdict == "proved"
+
+
+def test_a_formula_of_which_no_reading_fits_is_told_with_each() -> None:
+    """(m/(m/s)) s^2 is s^3, and m/((m/s) s^2) is s^-1."""
+    path = Path(gainproof.verify.__file__).parent / "claims" / "suzuki.toml"
+    file = read_claim_file(path)
+    faults = {
+        claim.id: claim_readings(claim, file.settings[claim.setting])[1] for claim in file.claims
+    }
+    assert str(faults["fig1-r"]).count("s^3") == str(faults["fig1-r"]).count("s^-1") == 1
+    assert "read otherwise" not in str(faults["15"])

@@ -194,3 +194,73 @@ def test_conditions_have_one_reading() -> None:
 def test_a_function_without_brackets_in_plain_text(word: str) -> None:
     with pytest.raises(ReaderError, match=rf"{word} needs brackets: {word}\(\.\.\.\)"):
         read_plain(f"a = {word} b", SYMBOLS)
+
+
+@pytest.mark.parametrize(
+    ("text", "forms"),
+    [
+        (r"a = \sin b c", r"\sin(b c) or \sin(b) c"),
+        (r"\cos 2 b c = a", r"\cos(2 b c) or \cos(2 b) c"),
+        (r"a = \sin^2 b c \cos k + 1", r"\sin^2(b c) or \sin^2(b) c"),
+        (r"a = \sin b \cdot c", r"\sin(b \cdot c) or \sin(b) \cdot c"),
+        (r"a = \ln b/c", r"\ln(b/c) or \ln(b)/c"),
+        (r"a = \exp b (c + 1)", r"\exp(b (c + 1)) or \exp(b) (c + 1)"),
+        (r"a = \tan 2 b \frac{c}{k} x", r"\tan(2 b \frac{c}{k} x) or \tan(2 b) \frac{c}{k} x"),
+    ],
+)
+def test_both_forms_with_brackets_are_printed_and_read(text: str, forms: str) -> None:
+    error = refusal(text)
+    assert error.problem.endswith(f"write {forms}")
+    graphs = []
+    unclear = text.partition("=")[2].strip() if text.startswith("a") else text.partition(" =")[0]
+    for form in forms.split(" or "):
+        end = unclear.find(" \\cos") if "\\cos k" in unclear else len(unclear)
+        written = text.replace(unclear[:end], form)
+        graphs.append(read_formula(written, SYMBOLS).readings[0].relations)
+    assert graphs[0] != graphs[1]
+
+
+@pytest.mark.parametrize(
+    ("text", "form"),
+    [
+        (r"a = \ln \sin b", r"\ln(\sin b)"),
+        (r"\ln \sin^2 b = a", r"\ln(\sin^2 b)"),
+        (r"a = \exp \max(b, c)", r"\exp(\max(b, c))"),
+    ],
+)
+def test_a_function_of_a_function_is_told_with_brackets(text: str, form: str) -> None:
+    assert refusal(text).problem.endswith(f"of another function: write {form}")
+
+
+@pytest.mark.parametrize(
+    ("text", "form"),
+    [
+        ("a = pow(b, 3)", "b**3"),
+        ("a = k * powf(b + 1, -2)", "(b + 1)**(-2)"),
+        ("a = pow(b)", "x**n"),
+        ("a = pow(b, 2", "x**n"),
+        ("a = 1./3", "1"),
+        ("a = .5*b", "0.5"),
+        ("a = 1.0f/3", "1.0"),
+        ("a = 2F*b", "2"),
+        ("a = 3.3e-1*b", "0.33"),
+        ("a = 1.5E+3", "1500"),
+        ("a = 1e6*b", "1000000"),
+        ("a = 2e-300", "2*10^(-300)"),
+        ("a = b.*c", "*"),
+        ("a = b./c", "/"),
+        ("a = b.^2", "^"),
+        ("a = fabs(b)", "abs"),
+        ("a = M_PI*b", "pi"),
+    ],
+)
+def test_what_stands_in_source_code_is_told_as_it_is_written_here(text: str, form: str) -> None:
+    with pytest.raises(ReaderError) as caught:
+        read_plain(text, SYMBOLS)
+    assert caught.value.problem.endswith(f": write {form}")
+
+
+@pytest.mark.parametrize("text", ["a = 2e", "a = 3f + 1e2", "a = pow(b)"])
+def test_declared_letters_behind_a_number_stay_what_they_are(text: str) -> None:
+    declared = {**SYMBOLS, **{name: Declared() for name in ("e", "f", "e2")}}
+    assert read_plain(text, {**declared, "pow": Declared(("x",))}).readings
