@@ -14,6 +14,7 @@ from gainproof.verify.judge.freed.atoms import MINUS, Atoms, Key, angle_terms, i
 from gainproof.verify.judge.freed.circle import VARIABLE
 from gainproof.verify.judge.freed.flattening import flattened
 from gainproof.verify.judge.freed.ranges import Positive
+from gainproof.verify.judge.freed.total import is_total
 
 MOST_MULTIPLE = 12
 MOST_POWER = 1000
@@ -89,11 +90,11 @@ def bound_names(statement: Statement) -> set[str]:
 
 
 def arguments(statement: Statement) -> list[Expr]:
-    """What functions are taken of: it must have a value, of which the new variables say nothing."""
+    """What functions are taken of and may lack a value: of that the new variables say nothing."""
     calls = [n for n in walk(*statement.exprs()) if n.kind == "call"]
     bound = bound_names(statement)
     found = [part for n in calls if n.name != "sum" for part in n.parts]
-    return [part for part in found if not symbols_of(part) & bound]
+    return [part for part in found if not symbols_of(part) & bound and not is_total(part)]
 
 
 def _refuse_conditions(statement: Statement) -> None:
