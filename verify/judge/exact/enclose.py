@@ -65,10 +65,17 @@ def _node(node: Expr, parts: list[Ball], values: Mapping[str, Fraction | Ball]) 
             return _power(parts[0], node.fraction)
         case "call" if node.name == "log" and parts[0] <= 0:
             raise NoValue("a logarithm of a number that is not positive")
+        case "call" if node.name == "power" and parts[0] < 0 and _is_broken(parts[1]):
+            raise NoValue("a power of a negative number whose exponent is not whole")
         case "call" if (known := ball_of(node.name, parts)) is not None:
             return known
         case _:
             raise Unresolved(str(node.value))
+
+
+def _is_broken(exponent: Ball) -> bool:
+    """Whether it is seen to be no whole number and, being exact, no fraction of odd divisor."""
+    return bool(exponent.is_exact() and not exponent.is_integer())
 
 
 def _inverse(x: Ball) -> Ball:
