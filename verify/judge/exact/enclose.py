@@ -61,6 +61,10 @@ def _node(node: Expr, parts: list[Ball], values: Mapping[str, Fraction | Ball]) 
             return -parts[0]
         case "div":
             return parts[0] * _inverse(parts[1])
+        case "pow" if _is_root_of_square(node) and parts[0].contains(0):
+            # whatever its ball says, the square is not below 0
+            root = flint.arb(0).union(parts[0].abs_upper().root(node.fraction.denominator))
+            return _power(root, Fraction(node.fraction.numerator))
         case "pow":
             return _power(parts[0], node.fraction)
         case "call" if node.name == "log" and parts[0] <= 0:
@@ -71,6 +75,13 @@ def _node(node: Expr, parts: list[Ball], values: Mapping[str, Fraction | Ball]) 
             return known
         case _:
             raise Unresolved(str(node.value))
+
+
+def _is_root_of_square(node: Expr) -> bool:
+    """Whether it is a positive power of an even power, |a| say."""
+    inner = node.parts[0]
+    even = inner.kind == "pow" and inner.fraction > 0 and inner.fraction.numerator % 2 == 0
+    return even and node.fraction > 0 and node.fraction.denominator > 1
 
 
 def _is_broken(exponent: Ball) -> bool:

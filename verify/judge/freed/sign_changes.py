@@ -26,7 +26,14 @@ from gainproof.verify.judge.exact.simple_points import simple_points
 from gainproof.verify.judge.exact.statement import Enclosure, Outcome, Rel, Statement, Witness
 from gainproof.verify.judge.freed.rewriting import bound_names
 from gainproof.verify.judge.freed.smooth import Boxes
-from gainproof.verify.judge.freed.special_points import STRICT, UNKNOWN, lacking, lacks, refuted
+from gainproof.verify.judge.freed.special_points import (
+    STRICT,
+    UNKNOWN,
+    factors,
+    lacking,
+    lacks,
+    refuted,
+)
 
 PRECISION = 128
 HALVINGS = 60
@@ -119,7 +126,7 @@ def fails_on_lines(statement: Statement, boxes: Boxes, labels: Mapping[str, str]
 def crossing(zero: Expr, statement: Statement, boxes: Boxes) -> Crossing | None:
     """Where an expression is shown to be 0 in the domain; None if no change of sign is found."""
     names = sorted(statement.symbols())
-    for part in _factors(zero):
+    for part in factors(zero):
         for base in islice(simple_points(names, boxes), BASES):
             for name in sorted(symbols_of(part)):
                 box = boxes.get(name, Box())
@@ -131,20 +138,6 @@ def crossing(zero: Expr, statement: Statement, boxes: Boxes) -> Crossing | None:
                     if found is not None and _has_values(found, zero, statement):
                         return found
     return None
-
-
-def _factors(expr: Expr) -> Iterator[Expr]:
-    """Parts of which each is 0 only where the whole is, wherever that has a value."""
-    match expr.kind:
-        case "mul":
-            for part in expr.parts:
-                yield from _factors(part)
-        case "neg" | "div":
-            yield from _factors(expr.parts[0])
-        case "pow" if expr.fraction > 0:
-            yield from _factors(expr.parts[0])
-        case _:
-            yield expr
 
 
 def _opposite(

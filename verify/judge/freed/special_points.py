@@ -65,16 +65,34 @@ class Lack:
 
 
 def lacks(expr: Expr) -> Iterator[Lack]:
-    """Divisors, arguments of logarithms, cosines below tangents."""
+    """Divisors, arguments of logarithms and cosines below tangents, factor by factor."""
     for node in walk(expr):
-        if node.kind == "div":
-            yield Lack(node.parts[1], "a divisor is zero")
-        elif node.kind == "pow" and node.fraction < 0:
-            yield Lack(node.parts[0], "a divisor is zero")
-        elif node.kind == "call" and node.name == "log":
-            yield Lack(node.parts[0], "a logarithm of a number that is not positive")
-        elif node.kind == "call" and node.name == "tan":
-            yield Lack(Expr("call", "cos", node.parts), "the tangent of a right angle")
+        match node.kind:
+            case "div":
+                zeros, reason = factors(node.parts[1]), "a divisor is zero"
+            case "pow" if node.fraction < 0:
+                zeros, reason = factors(node.parts[0]), "a divisor is zero"
+            case "call" if node.name == "log":
+                zeros = factors(node.parts[0])
+                reason = "a logarithm of a number that is not positive"
+            case "call" if node.name == "tan":
+                zeros, reason = [Expr("call", "cos", node.parts)], "the tangent of a right angle"
+            case _:
+                continue
+        yield from (Lack(zero, reason) for zero in zeros)
+
+
+def factors(expr: Expr) -> list[Expr]:
+    """Parts of each of which a zero is one of the whole, or leaves it without a value."""
+    match expr.kind:
+        case "mul":
+            return [each for part in expr.parts for each in factors(part)]
+        case "neg" | "div":
+            return factors(expr.parts[0])
+        case "pow" if expr.fraction > 0:
+            return factors(expr.parts[0])
+        case _:
+            return [expr]
 
 
 def lacking(statement: Statement, boxes: Boxes) -> Iterator[tuple[Rel, Lack]]:
