@@ -113,7 +113,7 @@ def _claim(shape: Shape, size: int, random: Random, has_value: bool) -> Function
     }
     for name in OTHERS if shape.setting != FILTER else ():
         domains[name] = random.choice((f"domain = '-2 < {name} < 2', ", ""))
-    free = ("v", "w") if shape.setting == FILTER else ("t",)
+    free: tuple[str, ...] = ("v", "w") if shape.setting == FILTER else ("t",)
     free += ("p_s", "p_k", "p_b") if shape.kind == "steady_state" else ()
     symbols = {
         name: f"{{ unit = '1', {domain}meaning = 'a number' }}"
