@@ -18,6 +18,7 @@ from gainproof.verify.judge.exact.expression import Expr, number, sqrt, symbol
 from gainproof.verify.judge.exact.statement import Rel, Statement
 from gainproof.verify.judge.freed.circle import PI
 from gainproof.verify.judge.freed.special_points import equal_sides, is_zero
+from gainproof.verify.judge.replay import replay
 
 with mpmath.workdps(90):
     LONG_E = mpmath.nstr(+mpmath.e, 80)
@@ -70,6 +71,8 @@ def test_a_special_point_is_found(
     check(found, "conditional")
     assert found.witness is not None
     assert found.witness["point"] == point
+    assert found.certificate
+    assert replay(found.certificate, "conditional") is None
 
 
 @pytest.mark.parametrize(
