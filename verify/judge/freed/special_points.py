@@ -9,7 +9,7 @@ from contextlib import suppress
 from dataclasses import dataclass
 from fractions import Fraction
 from functools import partial
-from itertools import product
+from itertools import islice, product
 from math import inf, prod
 
 from gainproof.verify.judge.exact.box import Box
@@ -30,6 +30,7 @@ from gainproof.verify.judge.exact.expression import (
 from gainproof.verify.judge.exact.expression_text import written
 from gainproof.verify.judge.exact.limits import Undecided
 from gainproof.verify.judge.exact.poly import Ball, rational
+from gainproof.verify.judge.exact.simple_points import simple_points
 from gainproof.verify.judge.exact.statement import Enclosure, Outcome, Rel, Statement, Witness
 from gainproof.verify.judge.exact.witness import inside
 from gainproof.verify.judge.freed.atoms import ANGLES
@@ -48,6 +49,8 @@ PRECISION = 192
 MOST_POINTS = 400
 """Of those of several symbols all are looked at; of more one symbol after the other is moved."""
 MOST_NUMBERS = 12
+MOST_BESIDE = 12
+"""Simple values of the symbols that take no part."""
 UNKNOWN = "not evaluated"
 STRICT = ("<", ">", "!=")
 
@@ -157,16 +160,11 @@ def refuted(witness: Witness, method: str) -> Outcome:
 
 def _zeros(expr: Expr, statement: Statement, boxes: Boxes) -> Iterator[Point]:
     """Special points of the domain at which an expression is 0, exactly."""
-    names = sorted(statement.symbols() - bound_names(statement))
     own = sorted(symbols_of(expr))
+    others = sorted(statement.symbols() - bound_names(statement) - {*own})
     numbers = _numbers(statement)
     choices = {
         n: _within(_candidates(n, statement, numbers, boxes), boxes.get(n, Box())) for n in own
-    }
-    others = {
-        n: _within((number(w) for w in (1, 2, 3)), boxes.get(n, Box()))
-        for n in names
-        if n not in own
     }
     if not all(choices.values()):
         return
@@ -174,21 +172,11 @@ def _zeros(expr: Expr, statement: Statement, boxes: Boxes) -> Iterator[Point]:
         here = dict(zip(own, values, strict=True))
         if not is_zero(substituted(expr, here)):
             continue
-        for point in _with_others(here, others, boxes):
+        for simple in islice(simple_points(others, boxes), MOST_BESIDE):
+            point = {**here, **{name: number(value) for name, value in simple.items()}}
             if all(_is_certain(rel, point) for rel in statement.domain):
                 yield point
                 break
-
-
-def _with_others(here: Point, others: Mapping[str, list[Expr]], boxes: Boxes) -> Iterator[Point]:
-    """With simple values of the symbols that take no part."""
-    if not others:
-        yield here
-        return
-    for wanted in (1, 2, 3, -1, Fraction(1, 2)):
-        values = {n: inside(boxes.get(n, Box()), wanted) for n in others}
-        if all(value is not None for value in values.values()):
-            yield {**here, **{n: number(v) for n, v in values.items() if v is not None}}
 
 
 def _candidates(

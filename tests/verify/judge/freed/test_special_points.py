@@ -47,6 +47,8 @@ FAILING = [
      "-1 < u < 1, 1 < a < 2", {"a/pi": "1/2", "u": "0"}),
     ("monotone", "about = ['\\frac{x (1 + \\cos a)}{1 + \\cos a}', 'x']\ntrend = 'increasing'",
      "-1 < x < 1, 3 < a < 4", {"a/pi": "1", "x": "0"}),
+    ("implication", r"v > w \Rightarrow v > w + \frac{0}{e^x - 3}", "x > 0",
+     {"v": "5", "w": "1", "x": "log(3)"}),
     # both sides of a strict relation are one number
     ("inequality", r"1 + \cos a > 0", "-4 < a < 4", {"a/pi": "1"}),
     ("inequality", r"\cos 2 t > -1", "0 < t < 3", {"t/pi": "1/2"}),
