@@ -43,8 +43,10 @@ class Finding:
     any_filter: bool = False
 
     def told_as(self, verdict: str, reason: str, domain: str | None = None) -> Finding:
-        """The same under another verdict; the certificate says what its own statement comes to."""
-        certificate = {**self.certificate, "decides": self.verdict}
+        """The same under another verdict; the certificate says what its own statement comes to,
+        unless it says so already.
+        """
+        certificate = {"decides": self.verdict, **self.certificate}
         return replace(self, verdict=verdict, reason=reason, domain=domain, certificate=certificate)
 
 

@@ -61,14 +61,32 @@ def _node(node: Expr, parts: list[Ball], values: Mapping[str, Fraction | Ball]) 
             return -parts[0]
         case "div":
             return parts[0] * _inverse(parts[1])
+        case "pow" if _is_root_of_square(node) and parts[0].contains(0):
+            # whatever its ball says, the square is not below 0
+            root = flint.arb(0).union(parts[0].abs_upper().root(node.fraction.denominator))
+            return _power(root, Fraction(node.fraction.numerator))
         case "pow":
             return _power(parts[0], node.fraction)
         case "call" if node.name == "log" and parts[0] <= 0:
             raise NoValue("a logarithm of a number that is not positive")
+        case "call" if node.name == "power" and parts[0] < 0 and _is_broken(parts[1]):
+            raise NoValue("a power of a negative number whose exponent is not whole")
         case "call" if (known := ball_of(node.name, parts)) is not None:
             return known
         case _:
             raise Unresolved(str(node.value))
+
+
+def _is_root_of_square(node: Expr) -> bool:
+    """Whether it is a positive power of an even power, |a| say."""
+    inner = node.parts[0]
+    even = inner.kind == "pow" and inner.fraction > 0 and inner.fraction.numerator % 2 == 0
+    return even and node.fraction > 0 and node.fraction.denominator > 1
+
+
+def _is_broken(exponent: Ball) -> bool:
+    """Whether it is seen to be no whole number and, being exact, no fraction of odd divisor."""
+    return bool(exponent.is_exact() and not exponent.is_integer())
 
 
 def _inverse(x: Ball) -> Ball:

@@ -115,7 +115,7 @@ def failure_where(
     point of the domain.
     """
     try:
-        point = {n: Fraction(other.point[labels.get(n, n)]) for n in statement.symbols()}
+        point = {n: Fraction(other.point[labels.get(n, n)]) for n in sorted(statement.symbols())}
     except (KeyError, ValueError):
         return None
     if not all(boxes.get(name, Box()).holds(value) for name, value in point.items()):

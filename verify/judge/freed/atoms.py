@@ -150,11 +150,6 @@ class Atoms:
         powers = [n for key, n in self.names.items() if key[:2] == ("power", MINUS)]
         return [Rel("=", power(symbol(each), 2), number(1)) for each in powers]
 
-    @property
-    def has_angles(self) -> bool:
-        """Whether an angle is among them."""
-        return any(kind == "angle" for kind, _, _ in self.names)
-
     def labels(self) -> dict[str, str]:
         """What each variable stands for, readable."""
         found = {}
@@ -180,7 +175,9 @@ class Atoms:
             )
         if node.name == "log" and not self.is_positive(node.parts[0]):
             raise Undecided("a logarithm of something that is not known to be positive")
-        if node.name not in ("log", "atan", "sum", "erf") or (_nested(node) and node.name != "sum"):
+        if node.name not in ("log", "atan", "sum", "erf") or (
+            _nested(node) and node.name not in ("sum", "log")
+        ):
             raise Undecided(f"the function {node.name} of this argument is not covered")
         plain = _with_plain_index(node)
         if node.name != "sum":

@@ -17,7 +17,7 @@ from gainproof.verify.judge.exact.points import (
     without_value,
 )
 from gainproof.verify.judge.exact.statement import Outcome, Statement
-from gainproof.verify.judge.freed.at_turns import without_value_at_turns
+from gainproof.verify.judge.freed import sign_changes, special_points
 from gainproof.verify.judge.freed.certificate import certificate_of
 from gainproof.verify.judge.freed.domain_words import domain_text
 from gainproof.verify.judge.freed.freely import (
@@ -35,10 +35,15 @@ from gainproof.verify.judge.freed.scaled import scaled
 from gainproof.verify.judge.freed.sizes import by_sizes
 from gainproof.verify.judge.freed.total import is_total
 from gainproof.verify.judge.freed.valued import valued
-from gainproof.verify.judge.freed.where_valued import but_where_it_has
+from gainproof.verify.judge.freed.where_valued import but_where_it_has, but_where_they_differ
 from gainproof.verify.judge.freed.whole_numbers import for_numbers, inductively
 from gainproof.verify.judge.freed.whole_turns import without_whole_turns
 from gainproof.verify.judge.hypothesis import settle
+
+NOWHERE = (special_points.without_value, sign_changes.without_value)
+"""Searches for a point of stated domains where a side has no value."""
+FURTHER = (sign_changes.fails_on_lines, special_points.equal_sides, sign_changes.equal_sides)
+"""Searches for a point at which a statement fails, where it is not proved."""
 
 
 def decided(
@@ -92,8 +97,14 @@ def _with_functions(
             reasons.append(str(reason))
     # without conditions slopes tell more of a strict relation that is an equality at a point
     exactly = bool(statement.domain)
-    if (nowhere := _without_value(statement, boxes, labels)) is not None:
-        return but_where_it_has(nowhere, statement, boxes, parameter, labels, decided)
+    nowhere = without_value(statement, boxes, labels)
+    for search in NOWHERE if as_others else ():
+        nowhere = nowhere or search(statement, boxes, labels)
+    if nowhere is not None and as_others:
+        as_it_stands = partial(decided, as_others=False)
+        return but_where_it_has(nowhere, statement, boxes, parameter, labels, decided, as_it_stands)
+    if nowhere is not None:
+        return nowhere
     points = try_points(statement, boxes, labels, exactly=exactly)
     if points is None and (turned := scaled(statement, boxes, labels)).words:
         points = try_points(turned.statement, turned.boxes, turned.labels)
@@ -110,6 +121,9 @@ def _with_functions(
         for witness in filter(None, (other.witness for other in tried)):
             if (fails := failure_where(witness, statement, boxes, labels)) is not None:
                 return fails
+        for search in FURTHER if as_others else ():
+            if (fails := search(statement, boxes, labels)) is not None:
+                return but_where_they_differ(fails, statement, boxes, parameter, labels, decided)
     if points is None:
         raise Undecided("; ".join(dict.fromkeys(r for r in reasons if r)))
     return points
@@ -137,14 +151,6 @@ def _in_other_variables(
                 certificate=certificate_of(statement, boxes, parameter, labels, found.certificate),
             )
     return None
-
-
-def _without_value(
-    statement: Statement, boxes: Mapping[str, Box], labels: Mapping[str, str]
-) -> Outcome | None:
-    """`refuted` where a side has no value at a point of a stated domain."""
-    found = without_value(statement, boxes, labels)
-    return found or without_value_at_turns(statement, boxes, labels)
 
 
 def _is_between_numbers(statement: Statement) -> bool:

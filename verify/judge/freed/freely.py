@@ -113,8 +113,10 @@ def refuse_without_value(
 def _holds(rel: Rel, statement: Statement, boxes: Mapping[str, Box], parameter: str | None) -> bool:
     """Whether it follows from the conditions without functions."""
     plain = [c for c in statement.domain if not has_functions(Statement((c,)))]
+    part = Statement((rel,), tuple(plain))
     try:
-        part = Statement((rel,), tuple(plain))
+        if has_functions(part):
+            return _settled(part, boxes, parameter, {}, stated=True)[1].verdict == "proved"
         outcome = settle(part, boxes, parameter, {}, only_proof=True)
     except Undecided:
         return False

@@ -14,6 +14,7 @@ from gainproof.verify.judge.freed.atoms import MINUS, Atoms, Key, angle_terms, i
 from gainproof.verify.judge.freed.circle import VARIABLE
 from gainproof.verify.judge.freed.flattening import flattened
 from gainproof.verify.judge.freed.ranges import Positive
+from gainproof.verify.judge.freed.total import is_total
 
 MOST_MULTIPLE = 12
 MOST_POWER = 1000
@@ -72,10 +73,10 @@ def freed(
     if VARIABLE.name in moved.symbols():
         moved = replace(moved, given=(*moved.given, *atoms.quarter_turns()))
     moved = replace(moved, given=(*moved.given, *atoms.signs()))
-    if atoms.has_angles:
-        _refuse_conditions(statement)
-    # what holds at all other angles holds at this one by continuity, but for strict relations
+    # what holds at all other angles holds at this one by continuity, but for strict relations, and
+    # where conditions may come to hold there
     strict = any(r.operator in ("<", ">", "!=") for r in statement.relations)
+    strict = strict or has_functions(Statement(statement.domain))
     exclusions, turns = tuple(atoms.exclusions.values()), tuple(atoms.whole_turns(unstated=strict))
     if strict and len(turns) > MOST_STRICT:
         raise Undecided(f"a strict relation between more than {MOST_STRICT} angles is not covered")
@@ -89,17 +90,11 @@ def bound_names(statement: Statement) -> set[str]:
 
 
 def arguments(statement: Statement) -> list[Expr]:
-    """What functions are taken of: it must have a value, of which the new variables say nothing."""
+    """What functions are taken of and may lack a value: of that the new variables say nothing."""
     calls = [n for n in walk(*statement.exprs()) if n.kind == "call"]
     bound = bound_names(statement)
     found = [part for n in calls if n.name != "sum" for part in n.parts]
-    return [part for part in found if not symbols_of(part) & bound]
-
-
-def _refuse_conditions(statement: Statement) -> None:
-    sides = [side for r in statement.conditions for side in (r.left, r.right)]
-    if any(node.kind == "call" for node in walk(*sides)):
-        raise Undecided("a condition on function values is not covered")
+    return [part for part in found if not symbols_of(part) & bound and not is_total(part)]
 
 
 def _free(node: Expr, atoms: Atoms) -> Expr:

@@ -2,15 +2,18 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
+from contextlib import suppress
 from dataclasses import replace
+from fractions import Fraction
 
 from gainproof.verify.judge.exact.box import Box
 from gainproof.verify.judge.exact.limits import Undecided
-from gainproof.verify.judge.exact.statement import Outcome, Statement
+from gainproof.verify.judge.exact.statement import Outcome, Rel, Statement
+from gainproof.verify.judge.freed.away import sides
 from gainproof.verify.judge.freed.certificate import Decides
 from gainproof.verify.judge.freed.freely import where_valued
-from gainproof.verify.judge.freed.scaled import scaled
+from gainproof.verify.judge.freed.scaled import Scaled, scaled
 from gainproof.verify.judge.freed.smooth import Boxes
 
 
@@ -21,6 +24,7 @@ def but_where_it_has(
     parameter: str | None,
     labels: Mapping[str, str],
     decides: Decides,
+    as_it_stands: Decides,
 ) -> Outcome:
     """`conditional` if the statement holds somewhere of all points where every part has a value,
     everywhere of these or not; else as it is.
@@ -29,27 +33,92 @@ def but_where_it_has(
         return nowhere
     turned = scaled(statement, boxes, labels)
     loose = {name: replace(box, stated=False) for name, box in turned.boxes.items()}
-    for where in (loose, *_with_open_ends(turned.statement, turned.boxes)):
-        try:
-            found = decides(turned.statement, where, parameter, turned.labels)
-        except Undecided:
-            continue
-        if found.verdict == "conditional" and where is loose:
+    with suppress(Undecided):
+        found = decides(turned.statement, loose, parameter, turned.labels)
+        if found.verdict == "conditional":
             return found
         if found.verdict == "proved":
-            held = where_valued(found.domain) if where is loose else found.domain
-            held = ", ".join([*turned.words, held])
-            held = held if held.startswith("where") else f"for {held}"
-            certificate = {**found.certificate, "decides": found.verdict}
-            return replace(
-                found,
-                verdict="conditional",
-                domain=held,
-                reason=f"fails {nowhere.witness.text() if nowhere.witness else ''}; holds {held}",
-                witness=nowhere.witness,
-                certificate=certificate,
-            )
+            return _on_a_part(nowhere, found, where_valued(found.domain), turned.words)
+    for parts in _without_points(turned, statement, boxes, labels, nowhere):
+        with suppress(Undecided):
+            # where a value is missing once more no further part is taken
+            proofs = [as_it_stands(each, where, parameter, names) for each, where, names in parts]
+            if all(found.verdict == "proved" for found in proofs):
+                held = " or ".join(found.domain for found in proofs)
+                return _on_a_part(nowhere, proofs[0], held, turned.words)
     return nowhere
+
+
+def _on_a_part(nowhere: Outcome, found: Outcome, held: str, words: Sequence[str]) -> Outcome:
+    """What fails at a point and is proved on a part of the domain."""
+    held = ", ".join([*words, held])
+    held = held if held.startswith("where") else f"for {held}"
+    return replace(
+        found,
+        verdict="conditional",
+        domain=held,
+        reason=f"fails {nowhere.witness.text() if nowhere.witness else ''}; holds {held}",
+        witness=nowhere.witness,
+        certificate={**found.certificate, "decides": found.verdict},
+    )
+
+
+Parts = list[tuple[Statement, Boxes, Mapping[str, str]]]
+
+
+def _without_points(
+    turned: Scaled, statement: Statement, boxes: Boxes, labels: Mapping[str, str], nowhere: Outcome
+) -> Iterator[Parts]:
+    """The domain without its ends, or in two parts without the point that was found."""
+    for where in _with_open_ends(turned.statement, turned.boxes):
+        yield [(turned.statement, where, turned.labels)]
+    opened = _opened(statement)
+    if opened != statement:
+        yield [(opened, boxes, labels)]
+    names = list(statement.symbols())
+    point = nowhere.witness.point if nowhere.witness else {}
+    if len(names) != 1 or statement.domain:
+        return
+    (name,) = names
+    with suppress(KeyError, ValueError):
+        at = Fraction(point[labels.get(name, name)])
+        beside = [side for _, side in sides(boxes.get(name, Box()), at)]
+        if len(beside) == 2:
+            yield [(statement, {name: side}, labels) for side in reversed(beside)]
+
+
+def _opened(statement: Statement) -> Statement:
+    """With strict relations as conditions."""
+
+    def each(rels: Sequence[Rel]) -> tuple[Rel, ...]:
+        strict = {"<=": "<", ">=": ">"}
+        return tuple(replace(rel, operator=strict.get(rel.operator, rel.operator)) for rel in rels)
+
+    return replace(statement, conditions=each(statement.conditions), given=each(statement.given))
+
+
+def but_where_they_differ(
+    equal: Outcome,
+    statement: Statement,
+    boxes: Boxes,
+    parameter: str | None,
+    labels: Mapping[str, str],
+    decides: Decides,
+) -> Outcome:
+    """`conditional` if a statement that fails where both sides are one number holds with <= and >=
+    in place of < and >; else as it is.
+    """
+    loose = {"<": "<=", ">": ">="}
+    rels = [replace(r, operator=loose.get(r.operator, r.operator)) for r in statement.relations]
+    if not equal.witness or not equal.witness.exact or tuple(rels) == statement.relations:
+        return equal
+    with suppress(Undecided):
+        found = decides(replace(statement, relations=tuple(rels)), boxes, parameter, labels)
+        if found.verdict == "proved":
+            held = found.domain.removeprefix("everywhere")
+            held = ", ".join([*([held] if held else []), "where both sides differ"])
+            return _on_a_part(equal, found, held, ())
+    return equal
 
 
 def _with_open_ends(statement: Statement, boxes: Boxes) -> Iterator[Boxes]:

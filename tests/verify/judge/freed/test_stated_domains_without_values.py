@@ -22,7 +22,7 @@ TRUE_ELSEWHERE = [
     ("identity", r"\frac{\sin\theta}{1 + \cos\theta} = \tan\frac{\theta}{2}", ALL, "1"),
     ("identity", r"\frac{1}{\cos\theta} = \sec\theta", r"0 \leq \theta < 2", "1/2"),
     ("identity", r"\frac{1}{\cos\theta} = \sec\theta", r"\theta > 2", "3/2"),
-    ("identity", r"\tan 2\theta = \frac{2\tan\theta}{1 - \tan^2\theta}", QUARTER, "1/2"),
+    ("identity", r"\tan 2\theta = \frac{2\tan\theta}{1 - \tan^2\theta}", QUARTER, "1/4"),
     ("identity", r"\tan 2\theta = \frac{2\tan\theta}{1 - \tan^2\theta}",
      r"0 < \theta < \pi/3", "1/4"),
     ("identity", DIFFERENCE, QUARTER, "1/4"),
