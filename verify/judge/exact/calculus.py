@@ -83,6 +83,8 @@ def _slope(node: Expr, inner: list[Expr | None], name: str) -> Expr | None:
         case "pow":
             exponent = node.fraction
             base = node.parts[0]
+            if exponent == 0:
+                return None  # x^0 is 1 for every x
             if exponent.denominator == 1 or exponent > 1:
                 # above 1 it has a value where the base is zero, too: that of x^(3/2) is 0 at x = 0
                 outer = mul(number(exponent), power(base, exponent - 1))
