@@ -17,6 +17,8 @@ from gainproof.verify.judge.exact.limits import Undecided
 from gainproof.verify.judge.exact.statement import Outcome, Rel, Statement
 from gainproof.verify.judge.freed.deciding import decided
 from gainproof.verify.judge.hypothesis import without_equations
+from gainproof.verify.judge.kinds.slopes import with_slopes
+from gainproof.verify.judge.meaning.derivatives import Slope
 from gainproof.verify.judge.meaning.domains import refuse_fractions
 from gainproof.verify.judge.scope import Scope
 from gainproof.verify.judge.setting.environment import SAMPLE, Environment
@@ -28,13 +30,16 @@ OTHER = {"=": "!=", "!=": "=", "<": ">=", "<=": ">", ">": "<=", ">=": "<"}
 
 @dataclass(frozen=True)
 class Frame:
-    """Domains of the base variables, further conditions, and names for messages."""
+    """Domains of the base variables, further conditions, names for messages, and the derivatives
+    in the formulas.
+    """
 
     boxes: Mapping[str, Box]
     conditions: tuple[Rel, ...]
     parameter: str | None
     labels: Mapping[str, str]
     environment: Environment
+    slopes: tuple[Slope, ...] = ()
 
     def decide(self, statement: Statement) -> Outcome:
         """The statement under the conditions of the frame. Raises Undecided."""
@@ -49,7 +54,11 @@ class Frame:
                 return own
         if statement.connective == "if":
             statement = without_equations(statement, self.boxes, self.parameter, self.labels)
-        return decided(statement, self.boxes, self.parameter, self.labels)
+
+        def alone(part: Statement, boxes: Mapping[str, Box]) -> Outcome:
+            return decided(part, boxes, self.parameter, self.labels)
+
+        return with_slopes(statement, self.slopes, self.boxes, alone, self.labels)
 
     def holds(self, *relations: Rel) -> bool:
         """Whether relations are proved on the whole domain; False also where nothing is known."""
@@ -110,7 +119,8 @@ def framed(
         # also of a symbol that the formula does not hold: a hypothesis fails everywhere
         raise Undecided(f"the domain of {scope.labels().get(empty[0], empty[0])} is empty")
     environment = scope.environment
-    frame = Frame(boxes, rest, environment.parameter, scope.labels(), environment)
+    labels, slopes = scope.labels(), tuple(scope.slopes)
+    frame = Frame(boxes, rest, environment.parameter, labels, environment, slopes)
     if scope.environment.assigned:
         frame = _without_implied(frame)
         _refuse_other_model(frame, scope)
