@@ -45,13 +45,19 @@ def freely(
 ) -> Outcome:
     turned = scaled(statement, boxes, labels)
     statement, boxes, labels = turned.statement, turned.boxes, turned.labels
-    moved, within = _from_zero(statement, boxes)
-    opened, outcome = _settled(moved, within, parameter, labels, stated=False)
+    asked, within = statement, boxes
+    try:
+        opened, outcome = _settled(asked, within, parameter, labels, stated=False)
+    except Undecided:
+        asked, within = _from_zero(statement, boxes)
+        if asked == statement:
+            raise
+        opened, outcome = _settled(asked, within, parameter, labels, stated=False)
     exclusions = opened.exclusions
     if not all(box.stated for box in opened.boxes.values()):
-        everywhere = {n: replace(within.get(n, Box()), stated=True) for n in moved.symbols()}
+        everywhere = {n: replace(within.get(n, Box()), stated=True) for n in asked.symbols()}
         try:
-            _settled(moved, everywhere, parameter, labels, stated=True)
+            _settled(asked, everywhere, parameter, labels, stated=True)
         except Undecided:
             refuse_without_value(statement, boxes, parameter, labels)
             exclusions = (*exclusions, VALUED)
@@ -72,17 +78,19 @@ def _from_zero(
     known = {n: boxes[n] for n in names if n in boxes}
     starts = {n: ceil(b.lower) for n, b in known.items() if b.integer and b.lower is not None}
     starts = {n: first for n, first in starts.items() if first > 0}
-    put_in = {n: symbol(n) + first for n, first in starts.items()}
+    # no symbol of a source is called so, and it reads as what it is
+    counted = {n: f"{n} - {first}" for n, first in starts.items()}
+    put_in = {n: symbol(counted[n]) + first for n, first in starts.items()}
     within = {
-        n: replace(
-            known[n],
-            lower=b.lower - starts[n],
-            upper=None if b.upper is None else b.upper - starts[n],
+        counted[n]: replace(
+            box, lower=box.lower - first, upper=None if box.upper is None else box.upper - first
         )
-        for n, b in known.items()
-        if n in starts and b.lower is not None
+        for n, first in starts.items()
+        for box in [known[n]]
+        if box.lower is not None
     }
-    return statement.mapped(lambda e: substituted(e, put_in)), {**boxes, **within}
+    kept = {n: box for n, box in boxes.items() if n not in counted}
+    return statement.mapped(lambda e: substituted(e, put_in)), {**kept, **within}
 
 
 def _settled(

@@ -15,6 +15,7 @@ from gainproof.verify.judge.exact.expression import number, symbols_of
 from gainproof.verify.judge.exact.free_names import free_name
 from gainproof.verify.judge.exact.limits import Undecided
 from gainproof.verify.judge.exact.statement import Outcome, Rel, Statement
+from gainproof.verify.judge.freed.certificate import certificate_of
 from gainproof.verify.judge.freed.deciding import decided
 from gainproof.verify.judge.hypothesis import without_equations
 from gainproof.verify.judge.kinds.slopes import with_slopes
@@ -56,7 +57,12 @@ class Frame:
             statement = without_equations(statement, self.boxes, self.parameter, self.labels)
 
         def alone(part: Statement, boxes: Mapping[str, Box]) -> Outcome:
-            return decided(part, boxes, self.parameter, self.labels)
+            found = decided(part, boxes, self.parameter, self.labels)
+            if found.witness is None or found.certificate:
+                return found
+            # seen at a point alone: what is said there has to be known for going through it again
+            certificate = certificate_of(part, boxes, self.parameter, self.labels)
+            return replace(found, certificate=certificate)
 
         return with_slopes(statement, self.slopes, self.boxes, alone, self.labels)
 

@@ -134,7 +134,7 @@ def _root_of_zero(node: Expr, parts: tuple[Expr, ...]) -> Expr | None:
 
 def _anew(slope: Slope) -> Slope:
     """The same with the rules applied to what the function is now that symbols were put in."""
-    function = rebuilt(slope.function, _root_of_zero)
+    function = rebuilt(powers_put_in(slope.function, {}), _root_of_zero)
     formal = substituted(differentiated(function, VARIABLE.name), {VARIABLE.name: slope.place})
     return Slope(function, slope.place, formal)
 
@@ -188,7 +188,7 @@ class _Place:
         kept = symbols_of(substituted(self.zero, self.put_in))
         given = (Rel("=", self.zero, number(0)),) if kept else ()
         whole = replace(statement, given=(*statement.given, *given))
-        return whole.mapped(lambda e: substituted(e, self.put_in))
+        return whole.mapped(lambda e: powers_put_in(e, self.put_in))
 
 
 @dataclass(frozen=True)
@@ -201,7 +201,7 @@ class _Derivatives:
         """The verdict, by the true slopes at so many places. Raises Undecided."""
         statement = self._at_numbers(statement, boxes)
         slopes = _standing(self.slopes, *statement.exprs())
-        if not slopes:
+        if not any(_may_lack(slope) for slope in slopes):
             return self.decide(statement, boxes)
         found = self._by_rules(statement, boxes)
         if isinstance(found, Outcome) and _needs_no_more(found, statement, slopes):
@@ -240,10 +240,16 @@ class _Derivatives:
         needed: list[Expr] = []
         for slope in _standing(self.slopes, *statement.exprs()):
             below = walk(slope.function)
-            has_roots = any(n.kind == "pow" and n.fraction.denominator > 1 for n in below)
-            if symbols_of(slope.place) or not has_roots:
+            roots = [n.fraction for n in below if n.kind == "pow" and n.fraction.denominator > 1]
+            if symbols_of(slope.place) or not roots:
                 continue
-            found = slope_at(slope.function, slope.place, _Known(statement, boxes, self.decide))
+            try:
+                found = slope_at(slope.function, slope.place, _Known(statement, boxes, self.decide))
+            except Undecided:
+                # the rules give 0 for a power above 1 of what is 0, with values beside it or not
+                if max(roots) > 1 or _has_no_value(slope.formal, {}):
+                    raise
+                continue
             if found is not None:
                 put_in[slope.formal] = found
                 needed += self._functions_at(slope.place)
@@ -339,18 +345,31 @@ class _Derivatives:
         if at.witness is None:
             return at
         witness = replace(at.witness, point={**place.point, **at.witness.point})
+        if apart.verdict != "proved":
+            reason = f"fails {witness.text()}; where it may hold is not determined"
+            verdict = "refuted"
+            return replace(
+                at,
+                verdict=verdict,
+                domain="",
+                reason=reason,
+                witness=witness,
+                certificate=_decided_as(at),
+            )
         return replace(
             apart,
             verdict="conditional",
             reason=f"fails {witness.text()}; holds {apart.domain}",
             witness=witness,
-            certificate={**apart.certificate, "decides": apart.verdict},
+            certificate=_decided_as(apart),
         )
 
     def _there(
         self, statement: Statement, boxes: Boxes, place: _Place, places: int
     ) -> Outcome | None:
-        """The verdict at a place; None if the conditions say nothing there. Raises Undecided."""
+        """The verdict at a place; None if nothing is said there, since a condition has no value or
+        no domain is stated. Raises Undecided.
+        """
         names = symbols_of(place.zero)
         stated = any(boxes[n].stated for n in names if n in boxes)
         others = {
@@ -369,7 +388,7 @@ class _Derivatives:
                 true[each.formal] = kept[-1].formal
                 continue
             slope = slope_at(moved.function, moved.place, known)
-            if slope is None and _holds(statement.domain, each):
+            if slope is None and (not stated or _holds(statement.domain, each)):
                 return None
             true[each.formal] = number(1) / number(0) if slope is None else slope
         functions = (
@@ -429,6 +448,36 @@ def _needs_no_more(found: Outcome, statement: Statement, slopes: list[Slope]) ->
     return found.verdict != "proved" or not (strict or statement.connective != "if" or beside)
 
 
+def _may_lack(slope: Slope) -> bool:
+    """Whether the rules divide by anything that the function itself does not ask to be nonzero, or
+    lower an exponent that is a symbol.
+    """
+    function = substituted(slope.function, {VARIABLE.name: slope.place})
+    if any(n.kind == "call" and n.name == "power" for n in walk(slope.formal)):
+        return True
+    return not _divisors(slope.formal) <= _divisors(function)
+
+
+def _divisors(expr: Expr) -> set[Expr]:
+    """The factors that must not be zero, at a glance; numbers are left out."""
+    pending: list[Expr] = []
+    for node in walk(expr):
+        if node.kind == "div":
+            pending.append(node.parts[1])
+        elif (node.kind == "pow" and node.fraction < 0) or (
+            node.kind == "call" and node.name == "log"
+        ):
+            pending.append(node.parts[0])
+    found = set()
+    while pending:
+        node = pending.pop()
+        if node.kind in ("mul", "div", "neg", "pow") and node.value != 0:
+            pending += node.parts
+        elif constant_value(node) in (None, 0):
+            found.add(node)
+    return found
+
+
 def _standing(slopes: Iterable[Slope], *exprs: Expr) -> list[Slope]:
     """The derivatives that stand in expressions."""
     nodes = set(walk(*exprs))
@@ -455,6 +504,11 @@ def _side(expr: Expr, point: Mapping[str, Fraction]) -> Enclosure:
         return Enclosure("", "", str(reason))
     except Unresolved:
         return Enclosure("", "", UNKNOWN)
+
+
+def _decided_as(found: Outcome) -> dict[str, object]:
+    """The certificate of what is told as another verdict."""
+    return {**found.certificate, "decides": found.verdict}
 
 
 def _parts(found: Outcome, title: str) -> dict[str, object]:
