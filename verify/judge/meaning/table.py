@@ -30,6 +30,7 @@ from gainproof.verify.judge.meaning.evaluation import evaluated, number_of
 from gainproof.verify.judge.meaning.expansion import always_defined
 from gainproof.verify.judge.meaning.expectation import expectation_of
 from gainproof.verify.judge.meaning.integrals import integral_of
+from gainproof.verify.judge.meaning.names import Marks
 from gainproof.verify.judge.meaning.noises import holds_noise, noises_in, refuse_bound
 from gainproof.verify.judge.meaning.reach import names_in
 from gainproof.verify.judge.meaning.sequences import indexed
@@ -107,10 +108,18 @@ class Table(Symbols):
         self._count += 1
         return symbol(f"bound {token} {self._count}")
 
-    def _marks(self) -> tuple[int, int, int, int]:
+    def marks_alone(self, body: Expr) -> Marks | None:
+        """How much is collected before a body of free symbols alone; None for any other, of which
+        something may be known before.
+        """
+        entries = [self.setting.symbols.get(token) for token in names_in(body)]
+        is_free = all(entry is None or entry.role == "free" for entry in entries)
+        return self._marks() if is_free else None
+
+    def _marks(self) -> Marks:
         return len(self.needed), len(self.required), len(self.whole), len(self.slopes)
 
-    def _put_in(self, values: Mapping[str, Expr], marks: tuple[int, int, int, int]) -> None:
+    def _put_in(self, values: Mapping[str, Expr], marks: Marks) -> None:
         """Bound names replaced in what was collected since the marks."""
         needed, required, whole, slopes = marks
         self.slopes[slopes:] = [slope.put_in(values) for slope in self.slopes[slopes:]]
@@ -121,15 +130,17 @@ class Table(Symbols):
         ]
         self.whole[whole:] = [substituted(e, values) for e in self.whole[whole:]]
 
-    def require_at(self, token: str, values: Mapping[str, Expr]) -> None:
-        """Notes that sums and integrals must have values where a symbol is replaced, too: their
-        closed forms have values beyond, as that of a geometric series at 2.
+    def require_at(self, token: str, values: Mapping[str, Expr], since: Marks | None) -> None:
+        """Notes that sums and integrals must have values where a symbol is replaced: their closed
+        forms have values beyond, as that of a geometric series at 2. There alone, if it is known
+        since when they were collected.
         """
-        marks = self._marks()
-        self.needed += self.needed
-        self.required += self.required
-        self.whole += self.whole
-        self.slopes += self.slopes
+        marks = self._marks() if since is None else since
+        if since is None:
+            self.needed += self.needed
+            self.required += self.required
+            self.whole += self.whole
+            self.slopes += self.slopes
         self._put_in(values, marks)
         # what does not hold the symbol stays as it is, and is asked once
         _without_repeated(self.needed, marks[0])

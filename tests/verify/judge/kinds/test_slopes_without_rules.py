@@ -15,7 +15,7 @@ from small_claims import check, judged
 
 INSIDE, END = "-1 < y < 1", r"0 \leq y < 1"
 TWO = f"{INSIDE}, -1 < x < 1"
-SIZE = r"\left|y\right|"
+SIZE, ROOT = r"\left|y\right|", r"\sqrt{y}"
 
 
 def slope(of: str, by: str = "y") -> str:
@@ -23,9 +23,14 @@ def slope(of: str, by: str = "y") -> str:
     return rf"\frac{{\partial}}{{\partial {by}}} ({of})"
 
 
+def at(of: str, place: str) -> str:
+    """The derivative at a place."""
+    return rf"\left. {slope(of)} \right|_{{y={place}}}"
+
+
 def at_zero(of: str) -> str:
     """The derivative at 0."""
-    return rf"\left. {slope(of)} \right|_{{y=0}}"
+    return at(of, "0")
 
 
 CASES = [
@@ -45,6 +50,12 @@ CASES = [
     (slope(slope(r"\sqrt{y^4+y^6}")) + r"\leq 30", INSIDE, "inequality", "proved"),
     (slope(r"\sqrt{(y^2-2)^4 + (y^2-2)^6}") + r"\leq 100", "1 < y < 2", "inequality", "proved"),
     (slope(rf"{SIZE} - {SIZE}") + "= 0", INSIDE, "identity", "proved"),
+    # what is asked for at a point has to have a value there, and not all over the domain
+    (at(ROOT, "1/4") + "= 1", INSIDE, "identity", "proved"),
+    (at(ROOT, "1/4") + "= 2", INSIDE, "identity", "refuted"),
+    (at(ROOT, "-1/4") + "= 1", INSIDE, "identity", "refuted"),
+    (r"\left. \sum_{j=0}^{\infty} y^j \right|_{y=1/2} = 2", "0 < y < 3", "identity", "proved"),
+    (r"\left. \sum_{j=0}^{\infty} y^j \right|_{y=2} = -1", "0 < y < 3", "identity", "undecided"),
     # in several symbols: on a line, at a point, on two lines
     (
         r"\sqrt{x^2+y^2}" + slope(r"\sqrt{x^2 y^4+y^6}") + "= 2 x^2 y + 3 y^3",
