@@ -37,17 +37,13 @@ from gainproof.verify.judge.exact.limits import DEFAULT_LIMITS, Undecided
 from gainproof.verify.judge.exact.points import NOT_RESOLVED as UNKNOWN
 from gainproof.verify.judge.exact.statement import Enclosure, Outcome, Rel, Statement, Witness
 from gainproof.verify.judge.exact.survey import Work, survey
-from gainproof.verify.judge.exact.tidy import tidied
 from gainproof.verify.judge.exact.truth import NO_VALUE
 from gainproof.verify.judge.meaning.derivatives import VARIABLE, Slope
 from gainproof.verify.judge.meaning.sums import powers_put_in
-from gainproof.verify.judge.series.of_expression import expanded
-from gainproof.verify.judge.series.series import Series, leading
+from gainproof.verify.judge.series.slope import slope_at, without_roots_of_zero
 
 Boxes = Mapping[str, Box]
 Decide = Callable[[Statement, Boxes], Outcome]
-STEP = symbol("step along a derivative")
-DEPTHS = (Fraction(3), Fraction(8), Fraction(16))
 MOST_PLACES = 4
 BITS = 128
 NO_SLOPE = "there is no derivative"
@@ -101,73 +97,11 @@ class _Known:
         return found.verdict == "proved"
 
 
-def slope_at(function: Expr, place: Expr, known: _Known) -> Expr | None:
-    """The derivative of a function in VARIABLE at a place; None if it has none there. At an end of
-    the domain of the function it is that from one side. Raises Undecided.
-    """
-    function = rebuilt(function, _root_of_zero)
-    found: list[tuple[Expr, Expr]] = []
-    for side in (1, -1):
-        moved = substituted(function, {VARIABLE.name: place + number(side) * STEP})
-        if not _lacks_values(moved, known):
-            start, slope = _beginning(moved, known)
-            if start is None or slope is None:
-                return None
-            found.append((start, number(side) * slope))
-    if not found:
-        return None
-    (start, slope), *others = found
-    if any(
-        not known.is_zero(a - b)
-        for pair in others
-        for a, b in zip((start, slope), pair, strict=True)
-    ):
-        return None
-    return slope
-
-
-def _root_of_zero(node: Expr, parts: tuple[Expr, ...]) -> Expr | None:
-    """Zero for a root of what is zero everywhere, of which an expansion knows no sign."""
-    is_root = node.kind == "pow" and node.fraction > 0 and node.fraction.denominator > 1
-    return number(0) if is_root and tidied(parts[0]) == number(0) else None
-
-
 def _anew(slope: Slope) -> Slope:
     """The same with the rules applied to what the function is now that symbols were put in."""
-    function = rebuilt(powers_put_in(slope.function, {}), _root_of_zero)
+    function = without_roots_of_zero(powers_put_in(slope.function, {}))
     formal = substituted(differentiated(function, VARIABLE.name), {VARIABLE.name: slope.place})
     return Slope(function, slope.place, formal)
-
-
-def _beginning(moved: Expr, known: _Known) -> tuple[Expr | None, Expr | None]:
-    """The constant and the linear coefficient for a small positive step; None for what is infinite.
-    Raises Undecided.
-    """
-    for depth in DEPTHS:
-        series = expanded(moved, STEP.name, known, depth)
-        if series.order <= 1:
-            continue
-        small = {e: c for e, c in series.terms.items() if e < 1 and e != 0}
-        if leading(Series(small), known) is not None:
-            return None, None
-        zero = number(0)
-        return series.terms.get(Fraction(0), zero), series.terms.get(Fraction(1), zero)
-    raise Undecided("an expansion that cancels to the order reached")
-
-
-def _lacks_values(moved: Expr, known: _Known) -> bool:
-    """Whether an even root or a logarithm of a negative number is taken for all small steps."""
-    for node in walk(moved):
-        is_root = node.kind == "pow" and node.fraction.denominator % 2 == 0
-        if not (is_root or (node.kind == "call" and node.name == "log")):
-            continue
-        try:
-            first = leading(expanded(node.parts[0], STEP.name, known, DEPTHS[0]), known)
-        except Undecided:
-            continue
-        if first is not None and known.is_positive(-first[1]):
-            return True
-    return False
 
 
 @dataclass(frozen=True)
@@ -244,7 +178,12 @@ class _Derivatives:
             if symbols_of(slope.place) or not roots:
                 continue
             try:
-                found = slope_at(slope.function, slope.place, _Known(statement, boxes, self.decide))
+                found = slope_at(
+                    slope.function,
+                    VARIABLE.name,
+                    slope.place,
+                    _Known(statement, boxes, self.decide),
+                )
             except Undecided:
                 # the rules give 0 for a power above 1 of what is 0, with values beside it or not
                 if max(roots) > 1 or _has_no_value(slope.formal, {}):
@@ -317,13 +256,15 @@ class _Derivatives:
         values = {name: value.fraction for name, value in point.put_in.items()}
         if not values:
             known = _Known(point.within(Statement(())), boxes, self.decide)
-            return slope_at(slope.function, slope.place, known) is None
+            return slope_at(slope.function, VARIABLE.name, slope.place, known) is None
         if not _has_no_value(slope.formal, values):
             return False
         function, place = (powers_put_in(e, point.put_in) for e in (slope.function, slope.place))
         if symbols_of(place) or not symbols_of(function) <= {VARIABLE.name}:
             raise Undecided("a derivative of what holds symbols without a value")
-        return slope_at(function, place, _Known(Statement(()), {}, self.decide)) is None
+        return (
+            slope_at(function, VARIABLE.name, place, _Known(Statement(()), {}, self.decide)) is None
+        )
 
     def _split(self, statement: Statement, boxes: Boxes, place: _Place, places: int) -> Outcome:
         """The statement apart from a place, and there with the true slopes. Raises Undecided."""
@@ -387,7 +328,7 @@ class _Derivatives:
                 kept.append(_anew(moved))
                 true[each.formal] = kept[-1].formal
                 continue
-            slope = slope_at(moved.function, moved.place, known)
+            slope = slope_at(moved.function, VARIABLE.name, moved.place, known)
             if slope is None and (not stated or _holds(statement.domain, each)):
                 return None
             true[each.formal] = number(1) / number(0) if slope is None else slope
