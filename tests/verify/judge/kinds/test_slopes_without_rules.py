@@ -102,6 +102,9 @@ CASES = [
     (slope(rf"\frac{{y^3}}{{{SIZE}}}") + r"\leq 3", INSIDE, "inequality", "conditional"),
     (at_zero(rf"\frac{{y^3}}{{{SIZE}}}") + "= 0", INSIDE, "identity", "refuted"),
     (slope(r"\sqrt{y-1} \sqrt{1-y}") + "= 0", r"0 \leq y < 2", "identity", "refuted"),
+    (at_zero(rf"\frac{{y^3}}{{{SIZE}}}") + "= 0.0", "", "value", "refuted"),
+    (at_zero(r"\sqrt{y^4+y^6}") + "= 0.0", "", "value", "proved"),
+    (at_zero(SIZE) + "= 0.0", "", "value", "refuted"),
     # slopes on both sides of an arrow
     (slope("(y^2)^{3/4}") + r"\geq 0 \iff y \geq 0", INSIDE, "equivalence", "proved"),
     (slope("(y^2)^{3/4}") + r"> 0 \iff y > 0", INSIDE, "equivalence", "proved"),
