@@ -35,7 +35,14 @@ from gainproof.verify.judge.exact.expression import (
 )
 from gainproof.verify.judge.exact.limits import DEFAULT_LIMITS, Undecided
 from gainproof.verify.judge.exact.points import NOT_RESOLVED as UNKNOWN
-from gainproof.verify.judge.exact.statement import Enclosure, Outcome, Rel, Statement, Witness
+from gainproof.verify.judge.exact.statement import (
+    Enclosure,
+    Outcome,
+    Rel,
+    Statement,
+    Witness,
+    unstated,
+)
 from gainproof.verify.judge.exact.survey import Work, survey
 from gainproof.verify.judge.exact.truth import NO_VALUE
 from gainproof.verify.judge.meaning.derivatives import VARIABLE, Slope
@@ -231,7 +238,8 @@ class _Derivatives:
         name, *others = asked.symbols()
         asked = asked.mapped(roots_made_prime)
         if not others and not any(n.kind == "call" for n in walk(*asked.exprs())):
-            work = Work(asked, {name: boxes[name]}, name, self.labels, DEFAULT_LIMITS)
+            box = boxes.get(name, unstated())
+            work = Work(asked, {name: box}, name, self.labels, DEFAULT_LIMITS)
             for each in survey(work):
                 if each.truth == NO_VALUE and each.place.at is not None:
                     known = enumerate(each.place.at.coefficients)
@@ -268,7 +276,8 @@ class _Derivatives:
 
     def _split(self, statement: Statement, boxes: Boxes, place: _Place, places: int) -> Outcome:
         """The statement apart from a place, and there with the true slopes. Raises Undecided."""
-        single = all(boxes[n].lower == boxes[n].upper is not None for n in place.put_in)
+        fixed = [boxes.get(name, unstated()) for name in place.put_in]
+        single = all(box.lower == box.upper is not None for box in fixed)
         at = self._there(statement, boxes, place, places)
         if single and place.put_in and at is not None:
             return at
@@ -277,6 +286,7 @@ class _Derivatives:
         if at is None or apart.verdict in ("refuted", "conditional"):
             return apart
         if at.verdict == "proved":
+            # what is told of the one place and of all others, each with its own certificate
             return replace(
                 apart,
                 domain=self._domain(statement, boxes) or f"{apart.domain}, and {place.text}",
@@ -288,15 +298,8 @@ class _Derivatives:
         witness = replace(at.witness, point={**place.point, **at.witness.point})
         if apart.verdict != "proved":
             reason = f"fails {witness.text()}; where it may hold is not determined"
-            verdict = "refuted"
-            return replace(
-                at,
-                verdict=verdict,
-                domain="",
-                reason=reason,
-                witness=witness,
-                certificate=_decided_as(at),
-            )
+            told = replace(at, verdict="refuted", domain="", certificate=_decided_as(at))
+            return replace(told, reason=reason, witness=witness)
         return replace(
             apart,
             verdict="conditional",
