@@ -86,10 +86,10 @@ def checked(claim: Plain) -> tuple[bool, str]:
         count = sum(len(proof["statements"]) for proof in proofs)
         said = f"{count} statement{'' if count == 1 else 's'}"
         return True, f"again by the checker of certificates: {said} accepted"
-    if "statement" not in (claim["evidence"]["certificate"] or {}):
-        return True, NOT_AGAIN if claim["verdict"] in DECIDED else ""
-    from gainproof.verify.judge.replay import replay_json
+    from gainproof.verify.judge.replay import replay_json, statements_of
 
+    if not statements_of(claim["evidence"]["certificate"] or {}):
+        return True, NOT_AGAIN if claim["verdict"] in DECIDED else ""
     reason = replay_json(claim)
     if reason is not None:
         return False, f"REJECTED when replayed: {reason}"

@@ -6,8 +6,10 @@
 Each claim that the snapshots of verdicts have as proved is changed in N ways, a fifth of them near
 misses, each false by an evaluator that shares nothing with the judge; the judge must accept none,
 under the convention under which the original is proved; and the originals must be true by that
-evaluator. Each is written in other ways too, which should still be proved. A campaign that was
-interrupted goes on as long as judge and claims are the same. Status 1 for a false accept.
+evaluator. The certificate of each verdict on a mutant is replayed and must come to that verdict.
+Each is written in other ways too, which should still be proved. A campaign that was interrupted
+goes on as long as judge and claims are the same. Status 1 for a false accept, or for a verdict that
+comes out otherwise.
 """
 
 from __future__ import annotations

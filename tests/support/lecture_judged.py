@@ -1,5 +1,5 @@
-"""The lecture's claims judged as `gainproof check` does it, once in a session, or by
-`gainproof run` before it: the user's cache holds what this code makes of this text.
+"""Claims of the lecture and of other sources judged as `gainproof check` does it, once in a
+session, or by `gainproof run` before it: the user's cache holds what this code makes of them.
 """
 
 from __future__ import annotations
@@ -16,12 +16,17 @@ from gainproof.workshop import open_workshop
 LECTURE = "kosuge-slides"
 
 
-@cache
 def lecture_claims() -> list[dict[str, Any]]:
     """Each claim with its verdict and evidence, as plain data; nobody changes it."""
+    return claims_of(LECTURE)
+
+
+@cache
+def claims_of(source: str) -> list[dict[str, Any]]:
+    """The same for a claim file of gainproof by its key."""
     if "PYTEST_XDIST_WORKER" in os.environ:
         prepare_all()
     shop = with_the_users(open_workshop(quiet=True))
-    (judged,) = judgements.judge([judgements.find(LECTURE)], shop)
+    (judged,) = judgements.judge([judgements.find(source)], shop)
     claims: list[dict[str, Any]] = judged["claims"]
     return claims

@@ -68,12 +68,13 @@ def _proofs(certificate: Certificate) -> list[tuple[str, Certificate]]:
 
 def _decided(certificate: Certificate) -> list[str]:
     """The relations in base variables."""
-    if "statement" not in certificate:
+    # over a chart a relation fills pages with variables that no source has
+    if "statement" not in certificate or certificate.get("engine") == "chart":
         return []
     statement, boxes, _, labels = statement_from(certificate["statement"])
     names = {name: symbol(labels.get(name, name)) for name in boxes}
     statement = statement.mapped(lambda e: readable(substituted(e, names)))
-    relations = [*statement.relations, *statement.conditions]
+    relations = [*statement.relations, *statement.conditions, *statement.given]
     quantities = certificate.get("quantities", {})
     meanings = {
         readable(substituted(read_graph(graph), names)): token
@@ -83,11 +84,13 @@ def _decided(certificate: Certificate) -> list[str]:
     shared, texts = written(*sides, names=meanings)
     pairs = zip(texts[::2], texts[1::2], strict=True)
     shown = [_relation(a, r.operator, b) for r, (a, b) in zip(relations, pairs, strict=True)]
-    count = len(statement.relations)
+    count, end = len(statement.relations), len(shown) - len(statement.given)
     lines = list(dict.fromkeys(shown[:count]))
     if statement.conditions:
         word = "exactly where" if statement.connective == "iff" else "where"
-        lines += [word, *dict.fromkeys(shown[count:])]
+        lines += [word, *dict.fromkeys(shown[count:end])]
+    if statement.given:
+        lines += ["under the condition", *dict.fromkeys(shown[end:])]
     if shared:
         lines += ["with", *[line for line in shared if line not in shown]]
     domains = [box.text(labels.get(name, name)) for name, box in boxes.items()]

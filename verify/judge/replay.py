@@ -15,7 +15,10 @@ from gainproof.verify.judge.exact.certificate import statement_from
 from gainproof.verify.judge.exact.decision import decide
 from gainproof.verify.judge.exact.formal import decide_formally
 from gainproof.verify.judge.exact.limits import Malformed, Undecided
+from gainproof.verify.judge.exact.points import is_seen
+from gainproof.verify.judge.exact.statement import NEGATED, Rel, Statement
 from gainproof.verify.judge.freed.deciding import decided
+from gainproof.verify.judge.setting.chart_decision import INSIDE, Plane
 
 FIELDS = (
     "tower",
@@ -34,15 +37,27 @@ def replay(certificate: Mapping[str, Any], verdict: str) -> str | None:
     """None if the certificate leads to the verdict again, else what differs. Never raises.
 
     What is refuted or conditional may rest on a part of the claim, or on one convention: then the
-    certificate says what that part comes to. A proof rests on its own statement alone.
+    certificate says what that part comes to. A proof rests on its own statement alone, or on
+    several that it names, each of which has to be proved unless it says what it comes to.
     """
+    if "statement" not in certificate:
+        parts = statements_of(certificate)
+        found = {name: replay(p, p.get("decides", "proved")) for name, p in parts.items()}
+        wrong = [f"{name}: {reason}" for name, reason in found.items() if reason is not None]
+        return wrong[0] if wrong else None if parts else "cannot be replayed: no statement"
     wanted = verdict if verdict == "proved" else certificate.get("decides", verdict)
     try:
         statement, boxes, parameter, labels = statement_from(certificate["statement"])
+        if certificate.get("engine") == "balls":
+            came = _by_balls(statement)
+            return None if came == wanted else f"wanted {wanted}, got {came}"
         if certificate.get("engine") == "cells":
             outcome = decide_in_cells(statement, boxes, labels)
         elif certificate.get("engine") == "formal":
             outcome = decide_formally(statement, boxes, labels)
+        elif certificate.get("engine") == "chart":
+            plane = Plane(tuple(certificate["names"]), INSIDE[certificate["signs"]])
+            outcome = plane.decide(statement, boxes, labels)
         elif certificate.get("engine") == "functions":
             outcome = decided(statement, boxes, parameter, labels)
         else:
@@ -57,9 +72,28 @@ def replay(certificate: Mapping[str, Any], verdict: str) -> str | None:
     return None
 
 
+def _by_balls(statement: Statement) -> str:
+    """What balls show of inequalities between numbers."""
+    if all(is_seen(rel) for rel in statement.relations):
+        return "proved"
+    opposite = (Rel(NEGATED[r.operator], r.left, r.right) for r in statement.relations)
+    return "refuted" if any(map(is_seen, opposite)) else "undecided"
+
+
+def statements_of(certificate: Mapping[str, Any]) -> dict[str, Mapping[str, Any]]:
+    """The parts of a certificate that hold a statement, by name; "" for the whole."""
+    if "statement" in certificate:
+        return {"": certificate}
+    return {
+        name: part
+        for name, part in certificate.items()
+        if isinstance(part, Mapping) and "statement" in part
+    }
+
+
 def replay_json(claim: Mapping[str, Any]) -> str | None:
     """The same for a claim of `check --json`; None also where there is nothing to replay."""
     certificate = claim["evidence"]["certificate"]
-    if not certificate or "statement" not in certificate:
+    if not certificate or not statements_of(certificate):
         return None
     return replay(certificate, claim["verdict"])

@@ -11,7 +11,7 @@ from typing import Any
 from claim_campaign.broken import mutants
 from claim_campaign.falsehood import is_false
 from claim_campaign.point import NotCovered
-from claim_campaign.proved import UnderConvention
+from claim_campaign.proved import AGAIN, UnderConvention
 from claim_campaign.rewritten import rewrites
 from claim_campaign.subject import Subject
 from gainproof.verify.judge.choice import choose
@@ -103,7 +103,9 @@ def _said(trial: Trial, what: str) -> Record:
         return {"verdict": "undecided", "reason": trial.failure or "", "units": False}
     (finding,) = trial.findings.values()
     by_units = finding.method == "dimensions"
-    return {"verdict": finding.verdict, "reason": finding.reason, "units": by_units}
+    again = finding.certificate.get("replayed")
+    said = {"verdict": finding.verdict, "reason": finding.reason, "units": by_units}
+    return said if again is None else said | {"replayed": again}
 
 
 def report(records: Mapping[str, Record]) -> str:
@@ -113,6 +115,8 @@ def report(records: Mapping[str, Record]) -> str:
     refused = [m for _, m in broken if m["verdict"] in REFUSED]
     accepted = [(name, m) for name, m in broken if m["verdict"] == "proved"]
     open_ones = [(name, m) for name, m in broken if m["verdict"] not in (*REFUSED, "proved")]
+    again = [(name, m) for name, m in broken if "replayed" in m]
+    elsewhere = [(name, m) for name, m in again if m["replayed"] != AGAIN]
     proved = [r for _, r in other if r["verdict"] == "proved"]
     left_out: Counter[str] = Counter()
     for record in records.values():
@@ -128,12 +132,14 @@ def report(records: Mapping[str, Record]) -> str:
         f"refused: {len(refused)}, of them {units} by their units alone",
         f"false accepts: {len(accepted)}",
         f"neither: {len(open_ones)}",
+        f"replayed from their certificates: {len(again)}, to another verdict {len(elsewhere)}",
         f"rewritten: {len(other)}, still proved {len(proved)}",
         *(f"left out, {reason}: {number}" for reason, number in sorted(left_out.items())),
         *(f"no mutant of {name}" for name in none),
     ]
     lines += [f"  FALSE {name}" for name in doubted]
     lines += [f"  ACCEPTED {name}: {m['name']}" for name, m in accepted]
+    lines += [f"  REPLAYED {name}: {m['name']}: {m['replayed']}" for name, m in elsewhere]
     lines += [f"  {m['verdict']} {name}: {m['name']}: {m['reason'][:120]}" for name, m in open_ones]
     lines += [
         f"  rewritten, {r['verdict']} {name}: {r['name']}: {r['reason'][:160]}"
@@ -144,6 +150,10 @@ def report(records: Mapping[str, Record]) -> str:
 
 
 def accepted(records: Mapping[str, Record]) -> int:
-    """How many false mutants were proved, and claims that are false."""
-    wrong: int = sum(m["verdict"] == "proved" for r in records.values() for m in r["mutants"])
+    """How many false mutants were proved, verdicts came out otherwise when replayed, and claims are
+    false.
+    """
+    broken = [m for record in records.values() for m in record["mutants"]]
+    wrong: int = sum(m["verdict"] == "proved" for m in broken)
+    wrong += sum(m.get("replayed", AGAIN) != AGAIN for m in broken)
     return wrong + sum(bool(record["doubt"]) for record in records.values())

@@ -45,11 +45,12 @@ def substituted(expr: Expr, values: Mapping[str, Expr]) -> Expr:
 def differentiated(expr: Expr, name: str) -> Expr:
     """Partial derivative with respect to a symbol. Raises Undecided for unknown functions.
 
-    It may lack a value where the function has a derivative, as that of |x| - |x| does at 0.
+    It may lack a value where the function has a derivative, as that of |x| - |x| does at 0, and it
+    may have one beyond the domain of the function.
     """
     # None: the derivative is zero because the symbol does not occur
     slope: dict[bytes, Expr | None] = {}
-    expr = _sizes_in_one_power(expr)
+    expr = _powers_in_one(expr)
     for node in walk(expr):
         slope[node.key] = _slope(node, [slope[p.key] for p in node.parts], name)
     found = slope[expr.key]
@@ -83,6 +84,8 @@ def _slope(node: Expr, inner: list[Expr | None], name: str) -> Expr | None:
         case "pow":
             exponent = node.fraction
             base = node.parts[0]
+            if exponent == 0:
+                return None  # x^0 is 1 for every x
             if exponent.denominator == 1 or exponent > 1:
                 # above 1 it has a value where the base is zero, too: that of x^(3/2) is 0 at x = 0
                 outer = mul(number(exponent), power(base, exponent - 1))
@@ -97,8 +100,8 @@ def _slope(node: Expr, inner: list[Expr | None], name: str) -> Expr | None:
 
 
 def _times_own_size(node: Expr, inner: list[Expr | None]) -> Expr | None:
-    """The derivative of u^m |u| times the rest: (m + 1) u^(m-1) |u| u' times the rest, and so on.
-    The product rule has no value where u = 0, where u |u| has a slope. None for other products.
+    """The derivative of u^m |u|^n times the rest: (m + n) u^(m-1) |u|^n u' times the rest, and so
+    on. The product rule has no value where u = 0, where u |u| has a slope. None for other products.
     """
     for place, size in enumerate(node.parts):
         u = _inside_size(size)
@@ -108,7 +111,8 @@ def _times_own_size(node: Expr, inner: list[Expr | None]) -> Expr | None:
         m = node.parts[twin].fraction if node.parts[twin] != u else Fraction(1)
         rest = [k for k in range(len(node.parts)) if k not in (place, twin)]
         others = [node.parts[k] for k in rest]
-        terms = [mul(number((m + 1) / m), size, _known(inner[twin]), *others)]
+        times = number((m + 2 * size.fraction) / m)
+        terms = [mul(times, size, _known(inner[twin]), *others)]
         for k in rest:
             if inner[k] is not None:
                 kept = [p for n, p in enumerate(node.parts) if n != k]
@@ -125,24 +129,64 @@ def _powers_of(u: Expr, parts: tuple[Expr, ...]) -> Iterator[int]:
             yield place
 
 
-def _sizes_in_one_power(expr: Expr) -> Expr:
-    """|u|^n with a whole n >= 2 as (u^2)^(n/2), whose slope has a value where u = 0."""
+def _powers_in_one(expr: Expr) -> Expr:
+    """Powers of powers as one, and products of powers of one base, whose slope may have a value
+    where the base is zero: y^2 for (y^4)^(1/2), (u^2)^(n/2) for |u|^n, x^(3/2) for x x^(1/2).
+    """
 
     def change(node: Expr, parts: tuple[Expr, ...]) -> Expr | None:
-        is_whole = node.kind == "pow" and node.fraction.denominator == 1
-        if not is_whole or node.fraction < 2 or _inside_size(parts[0]) is None:
+        if node.kind == "mul":
+            return _of_one_base(parts)
+        if node.kind != "pow" or node.fraction <= 0 or parts[0].kind != "pow":
             return None
-        return power(parts[0].parts[0], node.fraction / 2)
+        u, inner = parts[0].parts[0], parts[0].fraction
+        total = inner * node.fraction
+        if node.fraction.denominator == 1:
+            # |u|^n with a whole n >= 2
+            is_size = node.fraction > 1 and _inside_size(parts[0]) is not None
+            return power(u, total) if is_size else None
+        if inner.denominator != 1 or inner < 2:
+            return None
+        odd = inner.numerator % 2 or node.fraction.denominator % 2
+        if odd or (total.denominator == 1 and total % 2 == 0):
+            # a root of even order of an odd power asks for u >= 0, and that of u^total still does
+            return u if total == 1 else power(u, total)
+        return None if inner == 2 else power(power(u, 2), total / 2)
 
     return rebuilt(expr, change)
 
 
+def _of_one_base(factors: tuple[Expr, ...]) -> Expr | None:
+    """A product with the roots of a base and its other powers as one, if that asks for the same
+    sign of the base; None if there is nothing to bring together.
+    """
+    for root in factors:
+        if root.kind != "pow" or root.fraction <= 0 or root.fraction.denominator == 1:
+            continue
+        base = root.parts[0]
+        exponents = {k: _exponent(f, base) for k, f in enumerate(factors)}
+        own = {k: e for k, e in exponents.items() if e is not None and e > 0}
+        total = sum(own.values(), Fraction(0))
+        even = any(e.denominator % 2 == 0 for e in own.values())
+        if len(own) > 1 and (total.denominator % 2 == 0 or not even):
+            rest = [f for k, f in enumerate(factors) if k not in own]
+            return mul(base if total == 1 else power(base, total), *rest)
+    return None
+
+
+def _exponent(factor: Expr, base: Expr) -> Fraction | None:
+    """Of a power of the base; None for anything else."""
+    if factor == base:
+        return Fraction(1)
+    return factor.fraction if factor.kind == "pow" and factor.parts[0] == base else None
+
+
 def _inside_size(expr: Expr) -> Expr | None:
-    """What the absolute value is of, which is written as the root of its square; else None."""
-    if expr.kind != "pow" or expr.fraction != Fraction(1, 2) or expr.parts[0].kind != "pow":
+    """Of u where it is a power of |u|, written as a root of a power of u^2; else None."""
+    if expr.kind != "pow" or expr.fraction <= 0 or expr.fraction.denominator % 2:
         return None
     square = expr.parts[0]
-    return square.parts[0] if square.fraction == 2 else None
+    return square.parts[0] if square.kind == "pow" and square.fraction == 2 else None
 
 
 def _known(d: Expr | None) -> Expr:

@@ -57,7 +57,9 @@ def slope_of(node: Expr, inner: list[Expr | None]) -> Expr | None:
         base, exponent = node.parts
         terms = []
         if inner[0] is not None:
-            terms.append(mul(node, div(exponent, base), inner[0]))
+            # m x^(m - 1) has a value at x = 0 for m >= 1, which m x^m/x has not
+            lowered = Expr("call", "power", (base, add(exponent, number(-1))))
+            terms.append(mul(exponent, lowered, inner[0]))
         if inner[1] is not None:
             terms.append(mul(node, _one("log", base), inner[1]))
         return add(*terms)

@@ -5,9 +5,11 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import replace
 from itertools import combinations
+from math import ceil
 
 from gainproof.verify.judge.exact.box import Box
-from gainproof.verify.judge.exact.expression import Expr, number, walk
+from gainproof.verify.judge.exact.calculus import substituted
+from gainproof.verify.judge.exact.expression import Expr, number, symbol, symbols_of, walk
 from gainproof.verify.judge.exact.limits import Undecided
 from gainproof.verify.judge.exact.points import (
     try_points,
@@ -16,7 +18,13 @@ from gainproof.verify.judge.exact.statement import Outcome, Rel, Statement
 from gainproof.verify.judge.freed.circle import LABEL, PI, VARIABLE, as_variable, pi_box
 from gainproof.verify.judge.freed.domain_words import domain_text
 from gainproof.verify.judge.freed.numbers import at_number, first_numbers
-from gainproof.verify.judge.freed.rewriting import Freed, arguments, freed, has_functions
+from gainproof.verify.judge.freed.rewriting import (
+    Freed,
+    arguments,
+    bound_names,
+    freed,
+    has_functions,
+)
 from gainproof.verify.judge.freed.scaled import scaled
 from gainproof.verify.judge.hypothesis import settle
 
@@ -37,12 +45,19 @@ def freely(
 ) -> Outcome:
     turned = scaled(statement, boxes, labels)
     statement, boxes, labels = turned.statement, turned.boxes, turned.labels
-    opened, outcome = _settled(statement, boxes, parameter, labels, stated=False)
+    asked, within = statement, boxes
+    try:
+        opened, outcome = _settled(asked, within, parameter, labels, stated=False)
+    except Undecided:
+        asked, within = _from_zero(statement, boxes)
+        if asked == statement:
+            raise
+        opened, outcome = _settled(asked, within, parameter, labels, stated=False)
     exclusions = opened.exclusions
     if not all(box.stated for box in opened.boxes.values()):
-        everywhere = {n: replace(boxes.get(n, Box()), stated=True) for n in statement.symbols()}
+        everywhere = {n: replace(within.get(n, Box()), stated=True) for n in asked.symbols()}
         try:
-            _settled(statement, everywhere, parameter, labels, stated=True)
+            _settled(asked, everywhere, parameter, labels, stated=True)
         except Undecided:
             refuse_without_value(statement, boxes, parameter, labels)
             exclusions = (*exclusions, VALUED)
@@ -50,6 +65,32 @@ def freely(
     return replace(
         outcome, method=f"{FREED}; {outcome.method}", domain=domain.removeprefix("everywhere, ")
     )
+
+
+def _from_zero(
+    statement: Statement, boxes: Mapping[str, Box]
+) -> tuple[Statement, Mapping[str, Box]]:
+    """Whole exponents counted from the first that they may be, with their domains: where n >= 2,
+    x^(n - 1) is x times x^(n - 2), and written as x^n/x it would lack its value at x = 0.
+    """
+    powers = [n for n in walk(*statement.exprs()) if n.kind == "call" and n.name == "power"]
+    names = symbols_of(*[p.parts[1] for p in powers]) - bound_names(statement)
+    known = {n: boxes[n] for n in names if n in boxes}
+    starts = {n: ceil(b.lower) for n, b in known.items() if b.integer and b.lower is not None}
+    starts = {n: first for n, first in starts.items() if first > 0}
+    # no symbol of a source is called so, and it reads as what it is
+    counted = {n: f"{n} - {first}" for n, first in starts.items()}
+    put_in = {n: symbol(counted[n]) + first for n, first in starts.items()}
+    within = {
+        counted[n]: replace(
+            box, lower=box.lower - first, upper=None if box.upper is None else box.upper - first
+        )
+        for n, first in starts.items()
+        for box in [known[n]]
+        if box.lower is not None
+    }
+    kept = {n: box for n, box in boxes.items() if n not in counted}
+    return statement.mapped(lambda e: substituted(e, put_in)), {**kept, **within}
 
 
 def _settled(

@@ -54,5 +54,7 @@ def for_numbers(
             point = {labels.get(name, name): str(value), **found.witness.point}
             witness: Witness = replace(found.witness, point=point)
             reason = f"fails {witness.text()}; where it may hold is not determined"
-            return replace(found, verdict="refuted", domain="", reason=reason, witness=witness)
+            certificate = {**found.certificate, "decides": found.verdict}
+            refuted = replace(found, verdict="refuted", certificate=certificate, witness=witness)
+            return replace(refuted, domain="", reason=reason)
     raise Undecided("")

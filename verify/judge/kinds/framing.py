@@ -15,9 +15,12 @@ from gainproof.verify.judge.exact.expression import number, symbols_of
 from gainproof.verify.judge.exact.free_names import free_name
 from gainproof.verify.judge.exact.limits import Undecided
 from gainproof.verify.judge.exact.statement import Enclosure, Outcome, Rel, Statement
+from gainproof.verify.judge.freed.certificate import certificate_of
 from gainproof.verify.judge.freed.deciding import decided
 from gainproof.verify.judge.freed.total import is_total
 from gainproof.verify.judge.hypothesis import without_equations
+from gainproof.verify.judge.kinds.slopes import with_slopes
+from gainproof.verify.judge.meaning.derivatives import Slope
 from gainproof.verify.judge.meaning.domains import refuse_fractions
 from gainproof.verify.judge.scope import Scope
 from gainproof.verify.judge.setting.environment import SAMPLE, Environment
@@ -30,13 +33,16 @@ OTHER = {"=": "!=", "!=": "=", "<": ">=", "<=": ">", ">": "<=", ">=": "<"}
 
 @dataclass(frozen=True)
 class Frame:
-    """Domains of the base variables, further conditions, and names for messages."""
+    """Domains of the base variables, further conditions, names for messages, and the derivatives
+    in the formulas.
+    """
 
     boxes: Mapping[str, Box]
     conditions: tuple[Rel, ...]
     parameter: str | None
     labels: Mapping[str, str]
     environment: Environment
+    slopes: tuple[Slope, ...] = ()
 
     def decide(self, statement: Statement) -> Outcome:
         """The statement under the conditions of the frame. Raises Undecided."""
@@ -51,7 +57,16 @@ class Frame:
                 return own
         if statement.connective == "if":
             statement = without_equations(statement, self.boxes, self.parameter, self.labels)
-        return decided(statement, self.boxes, self.parameter, self.labels)
+
+        def alone(part: Statement, boxes: Mapping[str, Box]) -> Outcome:
+            found = decided(part, boxes, self.parameter, self.labels)
+            if found.witness is None or found.certificate:
+                return found
+            # seen at a point alone: what is said there has to be known for going through it again
+            certificate = certificate_of(part, boxes, self.parameter, self.labels)
+            return replace(found, certificate=certificate)
+
+        return with_slopes(statement, self.slopes, self.boxes, alone, self.labels)
 
     def holds(self, *relations: Rel) -> bool:
         """Whether relations are proved on the whole domain; False also where nothing is known."""
@@ -133,7 +148,8 @@ def framed(
         # also of a symbol that the formula does not hold: a hypothesis fails everywhere
         raise Undecided(f"the domain of {scope.labels().get(empty[0], empty[0])} is empty")
     environment = scope.environment
-    frame = Frame(boxes, rest, environment.parameter, scope.labels(), environment)
+    labels, slopes = scope.labels(), tuple(scope.slopes)
+    frame = Frame(boxes, rest, environment.parameter, labels, environment, slopes)
     if scope.environment.assigned:
         frame = _without_implied(frame)
         _refuse_other_model(frame, scope)

@@ -44,7 +44,8 @@ def judge_monotone(claim: Claim, reading: Reading, scope: Scope) -> Finding:
     if variable.kind == "symbol" and scope.boxes().get(variable.name, Box()).integer:
         return _from_sample_to_sample(claim, subject, variable, operator, scope, stated)
     slope = number_of(scope.derivative(subject, claim.about[1], scope.root))
-    frame = framed(claim, scope, stated)
+    # where the rules give no slope is looked at here: the subject has a value there
+    frame = replace(framed(claim, scope, stated), slopes=())
     if not scope.environment.is_coordinate(variable):
         variable = tidied(variable)
     names = symbols_of(variable)

@@ -11,10 +11,12 @@ from fractions import Fraction
 import flint
 
 from gainproof.verify.judge.claim.record import Claim
+from gainproof.verify.judge.exact.calculus import substituted
+from gainproof.verify.judge.exact.certificate import statement_data
 from gainproof.verify.judge.exact.constant_value import constant_value
 from gainproof.verify.judge.exact.enclose import NoValue, Unresolved, enclosed
 from gainproof.verify.judge.exact.enclosure import enclosure, is_long
-from gainproof.verify.judge.exact.expression import Expr, symbols_of
+from gainproof.verify.judge.exact.expression import Expr, number, symbols_of
 from gainproof.verify.judge.exact.limits import Undecided
 from gainproof.verify.judge.exact.poly import rational
 from gainproof.verify.judge.exact.statement import Rel, Statement, Witness
@@ -28,6 +30,7 @@ from gainproof.verify.judge.scope import Scope
 from gainproof.verify.judge.verdict import Finding, finding_of, of_parts
 
 PRECISION = 512
+METHOD = "a ball round the value"
 
 
 def judge_value(claim: Claim, reading: Reading, scope: Scope) -> Finding:
@@ -135,15 +138,17 @@ def _by_ball(
         below = flint.arb(rational(shown.high)) - ball
     value = enclosure(ball, 15)
     where = {frame.labels.get(n, n): str(v) for n, v in used.items()}
+    at = substituted(exact, {n: number(v) for n, v in used.items()})
+    asked = statement_data(Statement(shown.bounds(at)), {}, None, {})
+    certificate = {"checked": "replayed", "engine": "balls", "statement": asked}
     if above > 0 and below > 0:
-        certificate = {"point": where, "value": value.to_json(), "interval": shown.text()}
+        certificate |= {"point": where, "value": value.to_json(), "interval": shown.text()}
         reason = f"the exact value {value.midpoint} lies in the interval of the digits shown"
-        return Finding("proved", reason, _text(where), "a ball round the value", None, certificate)
+        return Finding("proved", reason, _text(where), METHOD, None, certificate)
     if above < 0 or below < 0:
         witness = Witness(where, "approx", value, shown.ball(), note=shown.note())
-        return Finding(
-            "refuted", f"fails {witness.text()}", "nowhere", "a ball round the value", witness
-        )
+        reason = f"fails {witness.text()}"
+        return Finding("refuted", reason, "nowhere", METHOD, witness, certificate)
     return None
 
 

@@ -9,12 +9,36 @@ else that fixes the index.
 from __future__ import annotations
 
 from collections.abc import Mapping
+from dataclasses import dataclass
 
 from gainproof.verify.judge.exact.calculus import differentiated, substituted
-from gainproof.verify.judge.exact.expression import Expr, add, neg, number, symbols_of
+from gainproof.verify.judge.exact.expression import Expr, add, neg, number, symbol, symbols_of
 from gainproof.verify.judge.exact.limits import Undecided
 from gainproof.verify.judge.exact.tidy import tidied
 from gainproof.verify.judge.setting.environment import Environment
+
+VARIABLE = symbol("variable of a derivative")
+"""No base variable is called like that."""
+
+
+@dataclass(frozen=True)
+class Slope:
+    """A derivative as it stands in a statement: `formal`, by the rules, is the slope of `function`
+    in VARIABLE at `place`, and may lack a value where the function has a slope.
+    """
+
+    function: Expr
+    place: Expr
+    formal: Expr
+
+    def put_in(self, values: Mapping[str, Expr]) -> Slope:
+        """The same with symbols replaced."""
+        return Slope(*[substituted(e, values) for e in (self.function, self.place, self.formal)])
+
+
+def slope_of(function: Expr, along: Expr, formal: Expr) -> Slope:
+    """The derivative of a function with respect to a symbol."""
+    return Slope(substituted(function, {along.name: VARIABLE}), along, formal)
 
 
 def rate_of_parameter(held: Mapping[str, Expr], environment: Environment, name: str) -> Expr:

@@ -20,7 +20,7 @@ from gainproof.verify.judge.exact.functions import is_known
 from gainproof.verify.judge.exact.limits import DEFAULT_LIMITS, Undecided
 from gainproof.verify.judge.meaning.bindings import Bindings
 from gainproof.verify.judge.meaning.elementary import elementary
-from gainproof.verify.judge.meaning.names import Names
+from gainproof.verify.judge.meaning.names import Marks, Names
 from gainproof.verify.judge.meaning.square import determinant, inverse, raised, trace
 from gainproof.verify.judge.meaning.value import (
     Value,
@@ -83,7 +83,11 @@ def _value(node: Expr, names: Names, bindings: Bindings) -> Value:
         case "at":
             names.refuse_free_index(node.parts[0], node.name)
             _refuse_hidden(node, names, bindings)
-            return _at(part(0), node.name, part(1), names, bindings)
+            since = names.marks_alone(node.parts[0])
+            # of free symbols alone nothing is kept for other parts of the formula
+            inner = bindings if since is None else bindings.having({})
+            body = evaluated(node.parts[0], names, inner)
+            return _at(body, node.name, part(1), names, bindings, since)
         case "matrix":
             columns = int(node.name.split()[1])
             entries = [evaluated(p, names, bindings) for p in node.parts]
@@ -109,7 +113,9 @@ def _power(base: Value, node: Expr) -> Value:
     return raised(base, int(node.fraction))
 
 
-def _at(value: Value, token: str, place: Value, names: Names, bindings: Bindings) -> Value:
+def _at(
+    value: Value, token: str, place: Value, names: Names, bindings: Bindings, since: Marks | None
+) -> Value:
     target = names.symbol(token, bindings)
     names.refuse_own_terms(value, token)
     replaced = entries(target)
@@ -122,7 +128,7 @@ def _at(value: Value, token: str, place: Value, names: Names, bindings: Bindings
     elif shape(target) != shape(place):
         raise Undecided(f"{shape_text(place)} in place of {token}, {shape_text(target)}")
     put_in = {old.name: new for old, new in zip(replaced, entries(place), strict=True)}
-    names.require_at(token, put_in)
+    names.require_at(token, put_in, since)
     return mapped(value, lambda entry: substituted(entry, put_in))
 
 

@@ -9,6 +9,9 @@ from gainproof.verify.judge.exact.expression import Expr
 from gainproof.verify.judge.meaning.bindings import Bindings
 from gainproof.verify.judge.meaning.value import Value
 
+Marks = tuple[int, int, int, int]
+"""How many expressions that need values, requirements, whole numbers and slopes are collected."""
+
 
 class Names(Protocol):
     """What an evaluation asks of the table of symbols."""
@@ -41,8 +44,14 @@ class Names(Protocol):
         """Raises Undecided if the token is a term of a sequence in the value."""
         ...
 
-    def require_at(self, token: str, values: Mapping[str, Expr]) -> None:
-        """Notes that sums and integrals must have values where a symbol is replaced, too."""
+    def marks_alone(self, body: Expr) -> Marks | None:
+        """How much is collected before a body of free symbols alone; None for any other."""
+        ...
+
+    def require_at(self, token: str, values: Mapping[str, Expr], since: Marks | None) -> None:
+        """Notes that sums, integrals and derivatives must have values where a symbol is replaced;
+        there alone, if it is known since when they were collected.
+        """
         ...
 
     def bound(

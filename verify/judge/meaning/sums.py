@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
-from gainproof.verify.judge.exact.calculus import substituted
+from collections.abc import Mapping
+
+from gainproof.verify.judge.exact.calculus import rebuilt, substituted
 from gainproof.verify.judge.exact.constant_value import constant_value
 from gainproof.verify.judge.exact.expression import (
     Expr,
@@ -15,8 +17,10 @@ from gainproof.verify.judge.exact.expression import (
     symbols_of,
     walk,
 )
+from gainproof.verify.judge.exact.expression_text import TERM
 from gainproof.verify.judge.exact.limits import Undecided
 from gainproof.verify.judge.exact.statement import Rel
+from gainproof.verify.judge.meaning.evaluation import general_power
 from gainproof.verify.judge.meaning.expansion import coefficients, products
 from gainproof.verify.judge.setting.growing_memory import power_sum
 
@@ -24,6 +28,8 @@ MOST_TERMS = 200
 MOST_POLYNOMIAL = 12
 MOST_SHIFT = 6
 INFINITE = symbol("infinity")
+ENTIRE = ("exp", "sin", "cos", "atan", "erf")
+"""Functions that have a value everywhere."""
 EULERIAN = ((1,), (0, 1), (0, 1, 1), (0, 1, 4, 1))
 """Sum of j^m c^j over j >= 0 is this polynomial of c over (1 - c)^(m + 1)."""
 
@@ -39,7 +45,7 @@ def sum_of(summand: Expr, index: str, low: Expr, high: Expr) -> tuple[Expr, tupl
         return _endless(summand, index, low)
     first, last = constant_value(low), constant_value(high)
     if first is not None and last is not None:
-        terms = [substituted(summand, {index: n}) for n in range_of(low, high)]
+        terms = [powers_put_in(summand, {index: n}) for n in range_of(low, high)]
         return (add(*terms) if terms else number(0)), ()
     ordered = (Rel(">=", high - low, number(-1)), Rel(">=", _apart(high)[0] - low, number(-1)))
     known = coefficients(summand, index)
@@ -55,14 +61,39 @@ def _kept(summand: Expr, index: str, low: Expr, high: Expr) -> Expr:
     """A sum up to k + c as the one up to k, with the terms between added or taken away.
 
     So that sums with neighbouring bounds share one call. The bounds must be in order for both.
+    What is taken away has to have a value: of x^(k - 1 - j) up to k - 1 the next term is 1/x.
     """
     upper, offset = _apart(high)
+    if offset < 0 and not _goes_on(summand, index):
+        upper, offset = high, 0
     whole = Expr("call", "sum", (summand, symbol(index), low, upper))
     steps = range(1, offset + 1) if offset > 0 else range(offset + 1, 1)
     between = [substituted(summand, {index: upper + j if j else upper}) for j in steps]
     if not between:
         return whole
     return add(whole, *between) if offset > 0 else add(whole, *[neg(t) for t in between])
+
+
+def _goes_on(summand: Expr, index: str) -> bool:
+    """Whether the terms that follow have values where those before them have, at a glance: the
+    index stands in no divisor, root or logarithm, and no exponent falls with it.
+    """
+    for node in walk(summand):
+        if index not in symbols_of(node) or node.kind in ("symbol", "add", "mul", "neg"):
+            continue
+        if node.kind == "call" and node.name == "power":
+            known = coefficients(node.parts[1], index)
+            slope = None if known is None else constant_value(known.get(1, number(0)))
+            line = known is not None and set(known) <= {0, 1}
+            if not line or slope is None or slope < 0 or index in symbols_of(node.parts[0]):
+                return False
+        elif (node.kind == "div" and index not in symbols_of(node.parts[1])) or (
+            node.kind == "pow" and node.fraction > 0 and node.fraction.denominator == 1
+        ):
+            continue
+        elif node.kind != "call" or not (node.name.startswith(TERM) or node.name in ENTIRE):
+            return False
+    return True
 
 
 def _apart(high: Expr) -> tuple[Expr, int]:
@@ -89,6 +120,15 @@ def range_of(low: Expr, high: Expr) -> list[Expr]:
     return [number(n) for n in range(int(first), int(last) + 1)]
 
 
+def powers_put_in(expr: Expr, values: Mapping[str, Expr]) -> Expr:
+    """Symbols replaced by expressions, and algebraic powers where an exponent is a number then."""
+
+    def change(node: Expr, parts: tuple[Expr, ...]) -> Expr | None:
+        return general_power(*parts) if node.kind == "call" and node.name == "power" else None
+
+    return rebuilt(substituted(expr, values), change)
+
+
 def _power_sum(m: int, upper: Expr) -> Expr:
     """Sum of j^m for j = 0..upper, a polynomial that is 0 for upper = -1."""
     terms = [
@@ -109,9 +149,9 @@ def _endless(summand: Expr, index: str, low: Expr) -> tuple[Expr, tuple[Rel, ...
             if index not in symbols_of(factor):
                 outside.append(factor)
             elif factor.kind == "call" and factor.name == "power":
-                base, constant, slope = _geometric(factor, index)
-                outside.append(constant)
-                ratio.append(power(base, slope))
+                first, slope = _geometric(factor, index, low)
+                outside.append(first)
+                ratio.append(power(factor.parts[0], slope))
             else:
                 inside.append(factor)
         if not ratio:
@@ -123,7 +163,6 @@ def _endless(summand: Expr, index: str, low: Expr) -> tuple[Expr, tuple[Rel, ...
         known = coefficients(shifted, index)
         if known is None or max(known) >= len(EULERIAN):
             raise Undecided("a geometric series with such a factor")
-        start = Expr("call", "power", (c, low)) if constant_value(low) is None else _raised(c, low)
         for m, coefficient in known.items():
             top = add(
                 *[
@@ -133,19 +172,14 @@ def _endless(summand: Expr, index: str, low: Expr) -> tuple[Expr, tuple[Rel, ...
                 ]
             )
             whole = top / power(1 - c, m + 1)
-            terms.append(mul(coefficient, *outside, start, whole))
+            terms.append(mul(coefficient, *outside, whole))
     return add(*terms), tuple(needed)
 
 
-def _raised(c: Expr, low: Expr) -> Expr:
-    value = constant_value(low)
-    if value is None or value.denominator != 1:
-        raise Undecided("a sum whose bounds are not whole numbers")
-    return power(c, value) if value else number(1)
-
-
-def _geometric(factor: Expr, index: str) -> tuple[Expr, Expr, int]:
-    """base^(a + b index): base, base^a and b."""
+def _geometric(factor: Expr, index: str, low: Expr) -> tuple[Expr, int]:
+    """base^(a + b index) at the first index, and b. In one power: base^a alone may be a quotient,
+    where the first term of x^(j - 1) from 1 on is x^0.
+    """
     base, exponent = factor.parts
     known = coefficients(exponent, index)
     if index in symbols_of(base) or known is None or not set(known) <= {0, 1}:
@@ -153,10 +187,8 @@ def _geometric(factor: Expr, index: str) -> tuple[Expr, Expr, int]:
     slope = constant_value(known.get(1, number(0)))
     if slope is None or slope.denominator != 1:
         raise Undecided("a geometric series whose exponent is not a whole multiple of its index")
-    rest = known.get(0)
-    if rest is None:
-        return base, number(1), int(slope)
-    value = constant_value(rest)
+    first = known.get(0, number(0)) + number(slope) * low
+    value = constant_value(first)
     if value is None:
-        return base, Expr("call", "power", (base, rest)), int(slope)
-    return base, power(base, value), int(slope)
+        return Expr("call", "power", (base, first)), int(slope)
+    return (power(base, value) if value else number(1)), int(slope)

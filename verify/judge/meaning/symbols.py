@@ -14,7 +14,7 @@ from gainproof.verify.judge.exact.limits import Undecided
 from gainproof.verify.judge.exact.statement import Rel
 from gainproof.verify.judge.formula import Formula, Graph, Relation
 from gainproof.verify.judge.meaning.bindings import Bindings
-from gainproof.verify.judge.meaning.derivatives import rate_of_parameter
+from gainproof.verify.judge.meaning.derivatives import Slope, rate_of_parameter
 from gainproof.verify.judge.meaning.domains import entry_names
 from gainproof.verify.judge.meaning.pair import Pair, pair_of
 from gainproof.verify.judge.meaning.reach import Reach
@@ -42,9 +42,10 @@ class Symbols(ABC):
     the environment in the parameters themselves, where this one is a chart of them.
 
     `needed` collects what was differentiated: a derivative has a value only where its function has
-    one. `required` collects what sums and integrals rest on: bounds in order, convergence; `whole`
-    what must be a whole number. `supposed` is that symbols declared to be variances are at least 0.
-    `bound_domains` are the domains of bound names that occur in these.
+    one; `slopes` the derivatives themselves. `required` collects what sums and integrals rest on:
+    bounds in order, convergence; `whole` what must be a whole number. `supposed` is that symbols
+    declared to be variances are at least 0. `bound_domains` are the domains of bound names that
+    occur in these.
     """
 
     setting: Setting
@@ -53,6 +54,7 @@ class Symbols(ABC):
     held: tuple[str, ...] = ()
     plain: Environment | None = None
     needed: list[Expr] = field(default_factory=list)
+    slopes: list[Slope] = field(default_factory=list)
     required: list[Rel] = field(default_factory=list)
     whole: list[Expr] = field(default_factory=list)
     supposed: list[Rel] = field(default_factory=list)

@@ -23,12 +23,14 @@ from gainproof.verify.judge.meaning.bindings import Bindings
 from gainproof.verify.judge.meaning.derivatives import (
     along_pair,
     partial_derivative,
+    slope_of,
     total_derivative,
 )
 from gainproof.verify.judge.meaning.evaluation import evaluated, number_of
 from gainproof.verify.judge.meaning.expansion import always_defined
 from gainproof.verify.judge.meaning.expectation import expectation_of
 from gainproof.verify.judge.meaning.integrals import integral_of
+from gainproof.verify.judge.meaning.names import Marks
 from gainproof.verify.judge.meaning.noises import holds_noise, noises_in, refuse_bound
 from gainproof.verify.judge.meaning.reach import names_in
 from gainproof.verify.judge.meaning.sequences import indexed
@@ -85,7 +87,7 @@ class Table(Symbols):
                 inner[token], given[fresh.name] = fresh, value
             else:
                 inner[token] = value
-        marks = len(self.needed), len(self.required), len(self.whole)
+        marks = self._marks()
         body = self.defining(name, entry.definition).right
         for token in entry.arguments:
             self.reach.refuse_free_index(read_tree(body), token)
@@ -106,9 +108,21 @@ class Table(Symbols):
         self._count += 1
         return symbol(f"bound {token} {self._count}")
 
-    def _put_in(self, values: Mapping[str, Expr], marks: tuple[int, int, int]) -> None:
+    def marks_alone(self, body: Expr) -> Marks | None:
+        """How much is collected before a body of free symbols alone; None for any other, of which
+        something may be known before.
+        """
+        entries = [self.setting.symbols.get(token) for token in names_in(body)]
+        is_free = all(entry is None or entry.role == "free" for entry in entries)
+        return self._marks() if is_free else None
+
+    def _marks(self) -> Marks:
+        return len(self.needed), len(self.required), len(self.whole), len(self.slopes)
+
+    def _put_in(self, values: Mapping[str, Expr], marks: Marks) -> None:
         """Bound names replaced in what was collected since the marks."""
-        needed, required, whole = marks
+        needed, required, whole, slopes = marks
+        self.slopes[slopes:] = [slope.put_in(values) for slope in self.slopes[slopes:]]
         self.needed[needed:] = [substituted(e, values) for e in self.needed[needed:]]
         self.required[required:] = [
             Rel(r.operator, substituted(r.left, values), substituted(r.right, values))
@@ -116,21 +130,25 @@ class Table(Symbols):
         ]
         self.whole[whole:] = [substituted(e, values) for e in self.whole[whole:]]
 
-    def require_at(self, token: str, values: Mapping[str, Expr]) -> None:
-        """Notes that sums and integrals must have values where a symbol is replaced, too: their
-        closed forms have values beyond, as that of a geometric series at 2.
+    def require_at(self, token: str, values: Mapping[str, Expr], since: Marks | None) -> None:
+        """Notes that sums and integrals must have values where a symbol is replaced: their closed
+        forms have values beyond, as that of a geometric series at 2. There alone, if it is known
+        since when they were collected.
         """
-        marks = len(self.needed), len(self.required), len(self.whole)
-        self.needed += self.needed
-        self.required += self.required
-        self.whole += self.whole
+        marks = self._marks() if since is None else since
+        if since is None:
+            self.needed += self.needed
+            self.required += self.required
+            self.whole += self.whole
+            self.slopes += self.slopes
         self._put_in(values, marks)
         # what does not hold the symbol stays as it is, and is asked once
         _without_repeated(self.needed, marks[0])
         _without_repeated(self.required, marks[1])
         _without_repeated(self.whole, marks[2])
+        _without_repeated(self.slopes, marks[3])
         self._refuse_noise(symbol(free_name(token)), *values.values())
-        if max(len(self.needed), len(self.required), len(self.whole)) > MOST_CALLS:
+        if max(self._marks()) > MOST_CALLS:
             raise Undecided("a formula with too many sums in which a symbol is replaced")
         if self.setting.symbols[token].integer:
             self.whole += values.values()
@@ -219,7 +237,14 @@ class Table(Symbols):
         if token == environment.intensity and token not in bindings.names:
             below = differentiated(target, own)
             return mapped(value, lambda entry: differentiated(entry, own) / below)
-        return mapped(value, lambda entry: partial_derivative(entry, target, token, environment))
+
+        def partial(entry: Expr) -> Expr:
+            found = partial_derivative(entry, target, token, environment)
+            if target.kind == "symbol" and not environment.is_coordinate(target):
+                self.slopes.append(slope_of(entry, target, found))
+            return found
+
+        return mapped(value, partial)
 
     def _rates(self, token: str, *of: Expr) -> tuple[str | None, Mapping[str, Expr]]:
         """How two parameters change with a symbol, and the base variable that it is, if they may

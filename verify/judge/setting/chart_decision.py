@@ -4,8 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass
+from types import MappingProxyType
 
 from gainproof.verify.judge.exact.box import Box
+from gainproof.verify.judge.exact.certificate import statement_data
 from gainproof.verify.judge.exact.limits import Undecided
 from gainproof.verify.judge.exact.poly import text
 from gainproof.verify.judge.exact.statement import ORDERS, Outcome, Rel, Statement
@@ -16,6 +18,7 @@ from gainproof.verify.judge.setting.chart_field import (
     SignInside,
     field_over,
 )
+from gainproof.verify.judge.setting.quadrant_chart import sign_on_quadrant
 from gainproof.verify.judge.setting.triangle import sign_on_triangle
 
 METHOD = "zero in a field of functions on a chart of all values of the two parameters"
@@ -30,6 +33,10 @@ ALLOWED: Mapping[str, tuple[int, ...]] = {
     "!=": (1, -1),
 }
 """For each relation the signs that the difference of its sides may have."""
+INSIDE: Mapping[str, SignInside] = MappingProxyType(
+    {"triangle": sign_on_triangle, "quadrant": sign_on_quadrant}
+)
+"""What is known of signs inside a chart, by its shape."""
 
 
 @dataclass(frozen=True)
@@ -61,7 +68,15 @@ class Plane:
         orders = any(rel.operator in ORDERS for rel in statement.relations)
         method = SIGNS if orders else METHOD
         domain = ", ".join(f"{labels.get(name, name)} > 0" for name in self.names)
-        certificate = {"chart": [LOW, HIGH], "roots": [text(p) for p in over.squares]}
+        own = {name: box for name, box in boxes.items() if name in statement.symbols()}
+        certificate = {
+            "chart": [LOW, HIGH],
+            "roots": [text(p) for p in over.squares],
+            "engine": "chart",
+            "names": list(self.names),
+            "signs": next(name for name, signs in INSIDE.items() if signs is self.sign_inside),
+            "statement": statement_data(statement, own, None, labels),
+        }
         if wrong:
             reason = "the sides differ on a dense set"
             if len(found) == 1 and found[0][1] == 0:

@@ -12,7 +12,7 @@ import catalogue_subjects
 import pytest
 from claim_campaign.broken import mutants
 from claim_campaign.falsehood import is_false
-from claim_campaign.proved import names_proved_before, subjects
+from claim_campaign.proved import AGAIN, names_proved_before, subjects
 from claim_campaign.run import accepted, report, run
 from claim_campaign.subject import Subject
 from one_of_each import cases
@@ -99,3 +99,14 @@ def test_a_false_accept_is_counted_and_named() -> None:
     assert accepted(records) == 2
     assert "ACCEPTED source 1: sign" in report(records)
     assert "FALSE source 2" in report(records)
+
+
+def test_a_verdict_that_comes_out_otherwise_is_counted_and_named() -> None:
+    good = {"name": "sign", "near": False, "verdict": "refuted", "reason": "", "units": False}
+    again = {**good, "replayed": AGAIN}
+    other = {**good, "name": "factor", "replayed": "wanted refuted, got conditional"}
+    blank = {"rewrites": [], "left out": {}, "doubt": False}
+    records = {"source 1": {**blank, "mutants": [good, again, other]}}
+    assert accepted(records) == 1
+    assert "replayed from their certificates: 2, to another verdict 1" in report(records)
+    assert "REPLAYED source 1: factor: wanted refuted" in report(records)

@@ -1,0 +1,112 @@
+"""`explain` goes through the certificate of every verdict again and comes to what `check` said:
+committed claims, claims drawn at random, and those that once came out otherwise.
+"""
+
+from __future__ import annotations
+
+from collections import Counter
+from typing import Any
+
+import pytest
+from drawn_claims import drawn_claims
+from lecture_judged import claims_of
+from one_of_each import cases
+from samples import samples
+from small_claims import judged
+
+from gainproof import places
+from gainproof.claim_proofs import DECIDED, NOT_AGAIN, checked
+
+SOURCES = ("kosuge-slides", "kosuge-doppler", "patent-4869403", "suzuki")
+"""Those that have refuted and conditional claims, and claims on every kind of setting."""
+
+
+@pytest.mark.parametrize(
+    "source",
+    cases(sorted(p.stem for p in places.claim_files()), lambda source: source in SOURCES),
+)
+def test_committed_claims(source: str) -> None:
+    claims = claims_of(source)
+    said = {claim["id"]: checked(claim) for claim in claims}
+    assert {name: words for name, (good, words) in said.items() if not good} == {}
+
+
+def test_hardly_any_committed_verdict_rests_on_what_is_not_kept() -> None:
+    decided = [c for c in claims_of(SOURCES[0]) if c["verdict"] in DECIDED]
+    again = [claim for claim in decided if checked(claim)[1] != NOT_AGAIN]
+    assert len(again) > 0.8 * len(decided)
+
+
+@pytest.mark.sampled
+def test_drawn_claims() -> None:
+    again: Counter[str] = Counter()
+    elsewhere: list[Any] = []
+    for drawn in drawn_claims(37, samples(80)):
+        claim = judged(drawn.kind, drawn.fields).to_json()
+        good, said = checked(claim)
+        if not good:
+            elsewhere.append((drawn, claim["verdict"], said))
+        elif claim["verdict"] in DECIDED:
+            again[claim["verdict"] if said != NOT_AGAIN else NOT_AGAIN] += 1
+    assert elsewhere == []
+    assert min(again[verdict] for verdict in DECIDED) >= samples(5), again
+    assert again[NOT_AGAIN] <= samples(4), again
+
+
+@pytest.mark.parametrize(
+    ("kind", "latex", "domain", "wanted"),
+    [
+        # refuted for one whole number, where it is true on a part
+        (
+            "identity",
+            r"\frac{d x^n}{dx} = n x^{n-1}",
+            r"0 \leq x < 2, n \geq 0",
+            "refuted",
+        ),
+        ("identity", r"x^n = x", r"x > 0, n \geq 1", "refuted"),
+        # seen at points alone
+        ("inequality", r"\sin x + \sin 2 x < 1", r"0 < x < 3", "refuted"),
+        ("inequality", r"e^x > x + 3/2", r"0 < x < 3", "refuted"),
+        # in two directions, and in places
+        ("equivalence", r"x y > 0 \iff y > 0", r"x > 0", "proved"),
+        (
+            "inequality",
+            r"\frac{d (y^2)^{3/4}}{dy} \leq 2",
+            r"-1 < y < 1",
+            "proved",
+        ),
+        (
+            "inequality",
+            r"\frac{d (y^2)^{3/4}}{dy} \neq 0",
+            r"-1 < y < 1",
+            "conditional",
+        ),
+        (
+            "inequality",
+            r"\frac{d \sqrt{y^2}}{dy} \leq 2",
+            r"-1 < y < 1",
+            "conditional",
+        ),
+    ],
+)
+def test_single_claims(kind: str, latex: str, domain: str, wanted: str) -> None:
+    claim = judged(kind, f"latex = '{latex}'\ndomain = '{domain}'").to_json()
+    assert claim["verdict"] == wanted, claim["reason"]
+    good, said = checked(claim)
+    assert good, said
+    assert said != NOT_AGAIN
+
+
+def test_an_altered_part_is_rejected() -> None:
+    fields = "latex = '\\frac{d (y^2)^{3/4}}{dy} \\leq 2'\ndomain = '-1 < y < 1'"
+    claim = judged("inequality", fields).to_json()
+    certificate = claim["evidence"]["certificate"]
+    assert set(certificate) >= {"elsewhere", "at y = 0"}
+    for name in ("elsewhere", "at y = 0"):
+        statement = certificate[name]["statement"]
+        turned = [{**rel, "operator": ">"} for rel in statement["relations"]]
+        part = {**certificate[name], "statement": {**statement, "relations": turned}}
+        altered = {**claim["evidence"], "certificate": {**certificate, name: part}}
+        good, said = checked({**claim, "evidence": altered})
+        assert not good
+        assert f"{name}: wanted proved" in said
