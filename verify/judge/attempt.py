@@ -27,6 +27,8 @@ def judge_claim(claim: Claim, setting: Setting, environment: Environment) -> Fin
     for label, attempt in _attempts(claim, setting, environment):
         finding = replace(_attempt(attempt), reading=label)
         finding = replace(finding, domain=_in_index(finding.domain, setting, environment))
+        if environment.conditions:
+            finding = _of_one_filter(finding, environment.parameter or "")
         told = {
             "established": [fact.sentence for fact in environment.facts],
             "cited": cited(claim, setting),
@@ -54,6 +56,19 @@ def _in_index(domain: str | None, setting: Setting, environment: Environment) ->
     told = f"{next(tokens, INDEX)} > 0"
     # a number that goes on is another one
     return re.sub(re.escape(whole) + r"(?![\d./^])", lambda _: told, domain)
+
+
+def _of_one_filter(finding: Finding, parameter: str) -> Finding:
+    """Without the parameter of a filter in numbers, which has one value and no name in a source."""
+    value = rf"{re.escape(parameter)} = [^,:;]*"
+    reason = re.sub(rf"at {value}:", "with", finding.reason)
+    reason = re.sub(rf"{value}, ", "", reason)
+    domain = finding.domain and (re.sub(rf"for {value}(, )?", "", finding.domain) or "everywhere")
+    witness = finding.witness
+    if witness is not None:
+        point = {name: shown for name, shown in witness.point.items() if name != parameter}
+        witness = replace(witness, point=point)
+    return replace(finding, reason=reason, domain=domain, witness=witness)
 
 
 def _attempts(

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from dataclasses import replace
 
 from gainproof.verify.judge.claim.declarations import read_declarations
 from gainproof.verify.judge.claim.domains import contradiction, relations_of
@@ -18,7 +19,7 @@ from gainproof.verify.judge.claim.models import (
 )
 from gainproof.verify.judge.claim.record import Formula, Setting, SymbolEntry
 from gainproof.verify.judge.claim.symbols import complete_symbols
-from gainproof.verify.judge.dimensions.declared import Fault, setting_fault
+from gainproof.verify.judge.dimensions.declared import Fault, says_units, setting_fault
 from gainproof.verify.judge.matrices.declare import read_letters, read_sizes
 
 MOST_SETTINGS = 100
@@ -124,6 +125,9 @@ def _setting(
         matrices=None,
         **_conventions(fields, symbols),
     )
+    if not says_units(setting):
+        free = {t: replace(e, unit=None) if e.quantity else e for t, e in symbols.items()}
+        setting = replace(setting, symbols=free)
     _check_dimensions(fields, setting, shared)
     return setting
 
