@@ -44,18 +44,30 @@ def derive_own_model(model: Model) -> Subject:
     return _two_states(model, scaled) if states == 2 else _three_states(model, scaled)
 
 
+def _is_as_written(scaled: ScaledModel) -> bool:
+    """Whether the strength that `scale` takes out is the product of quantities alone that the model
+    is written with: only then its index is that of the model.
+    """
+    return scaled.noise_ratio.as_coeff_Mul()[0] == 1
+
+
 def _both_measured(model: Model, scaled: ScaledModel) -> Subject:
     """A position and its rate by the method of the catalogue."""
     try:
-        return derive_position_velocity(model, ())
+        subject = derive_position_velocity(model, ())
+        number = scaled.noise_ratio.as_coeff_Mul()[0]
+        if number == 1:
+            return subject
+        reason = f"the matrix behind the strength has Q22 = {number}; take that number into the "
+        reason += "quantity of the strength"
     except ModelError as error:
         reason = str(error).removeprefix(f"model {model.name}: ")
     except (ValueError, TypeError, ArithmeticError):
         reason = f"it is {scaled.process_noise.tolist()}"
     raise ModelError(
         f"model {model.name}: of two states that are both measured, a position and its rate with a "
-        "process noise Q12 = Q22/2, Q11 from Q22/4 to below Q22/2, or Q11 = Q12 = 0 (in units "
-        f"T = 1) is in reach: {reason}"
+        "process noise Q12 = Q22/2, Q11 from Q22/4 to below Q22/2, or Q11 = Q12 = 0, with Q22 = 1 "
+        f"behind the strength (in units T = 1) is in reach: {reason}"
     )
 
 
@@ -64,7 +76,8 @@ def _two_states(model: Model, scaled: ScaledModel) -> Subject:
     require_first_measured(model, scaled)
     if scaled.transition == KINEMATIC and not model.parameters:
         with suppress(ModelError):
-            return derive_two_state(model, ())
+            if _is_as_written(scale(model)):
+                return derive_two_state(model, ())
     return derive_any_two_state(model)
 
 
@@ -75,8 +88,9 @@ def _three_states(model: Model, scaled: ScaledModel) -> Subject:
         # tried whole, evidence and bounds too: it refuses late, with errors of several kinds;
         # the other method names the reason
         with suppress(ValueError, ArithmeticError, TypeError):
-            subject = derive_three_state(model, ())
-            subject.certificate()
-            prove_all(subject.module.kernels)
-            return subject
+            if _is_as_written(scale(model)):
+                subject = derive_three_state(model, ())
+                subject.certificate()
+                prove_all(subject.module.kernels)
+                return subject
     return derive_any_three_state(model)
