@@ -31,16 +31,26 @@ def derive_own_model(model: Model) -> Subject:
     """
     require_written_well(model)
     require_names_of_their_own(model)
-    scaled = scale(model) if model.measurement.rows > 1 else scale_free(model)
-    require_steady_state(model, scaled)
     states, measured = model.transition.rows, model.measurement.rows
-    if (states, measured) == (2, 2):
-        return _both_measured(model, scaled)
-    if measured != 1 or states not in (2, 3):
+    if (states, measured) not in ((2, 1), (3, 1), (2, 2)):
         raise ModelError(
             f"model {model.name}: two or three states with one measured, or two with both "
-            f"measured, are wanted; {states} states and {measured} measurements came"
+            f"measured, are in reach; {states} states and {measured} measurements came"
+            + (
+                "; claim files take a single state"
+                if states == 1
+                else ": of several axes that share nothing each is a model of its own"
+            )
         )
+    if measured > 1 and model.parameters:
+        raise ModelError(
+            f"model {model.name}: with two measurements free numbers are out of reach, "
+            f"{', '.join(each.quantity.name for each in model.parameters)} came"
+        )
+    scaled = scale(model) if measured > 1 else scale_free(model)
+    require_steady_state(model, scaled)
+    if measured == 2:
+        return _both_measured(model, scaled)
     return _two_states(model, scaled) if states == 2 else _three_states(model, scaled)
 
 
