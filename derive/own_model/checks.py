@@ -17,6 +17,9 @@ from gainproof.derive.own_model.fields import MATRICES, require_fields, require_
 from gainproof.derive.own_model.undriven import undriven
 from gainproof.derive.quantity import SAMPLING_INTERVAL, Unit
 
+DIGITS = 300
+"""Certificates of models with more of them are far too long for the checker."""
+MOST = 10**DIGITS
 NAME = re.compile(r"[a-z][a-z0-9]*(-[a-z0-9]+)*")
 
 
@@ -72,6 +75,11 @@ def _require_rational(model: Model) -> None:
                 raise ModelError(
                     f"model {model.name}: {name} should hold rational numbers, {where} {found}; "
                     "write a quotient of whole numbers, or make it a parameter"
+                )
+            if any(max(abs(n.p), n.q) >= MOST for n in numbers):
+                raise ModelError(
+                    f"model {model.name}: {name} should hold numbers of at most {DIGITS} digits, "
+                    f"{where} a longer one; round it"
                 )
             bases = [p for p in roots if p.free_symbols & free or not p.exp.is_Rational]
             others = [

@@ -58,18 +58,19 @@ def _is_as_written(scaled: ScaledModel) -> bool:
     """Whether the strength that `scale` takes out is the product of quantities alone that the model
     is written with: only then its index is that of the model.
     """
-    return scaled.noise_ratio.as_coeff_Mul()[0] == 1
+    return bool(scaled.noise_ratio.as_coeff_Mul()[0] == 1)
 
 
 def _both_measured(model: Model, scaled: ScaledModel) -> Subject:
     """A position and its rate by the method of the catalogue."""
     try:
         subject = derive_position_velocity(model, ())
-        number = scaled.noise_ratio.as_coeff_Mul()[0]
-        if number == 1:
+        if _is_as_written(scaled):
             return subject
-        reason = f"the matrix behind the strength has Q22 = {number}; take that number into the "
-        reason += "quantity of the strength"
+        reason = (
+            f"the matrix behind the strength has Q22 = {scaled.noise_ratio.as_coeff_Mul()[0]}; "
+            "take that number into the quantity of the strength"
+        )
     except ModelError as error:
         reason = str(error).removeprefix(f"model {model.name}: ")
     except (ValueError, TypeError, ArithmeticError):

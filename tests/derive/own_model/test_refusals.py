@@ -243,6 +243,10 @@ REFUSED: list[tuple[Model, str]] = [
             (sp.Max(R, 1), r"Max\(1, r\)"),
         )
     ),
+    (
+        own_model([[1, 1], [0, sp.Rational(1, 10**5000)]], LAST),
+        "transition should hold numbers of at most 300 digits, its entry 2,2 holds a longer one",
+    ),
     (own_model([[1, sp.I], [0, 1]], LAST), "should hold rational numbers, its entry 1,2 holds"),
     (
         own_model(KINEMATIC, LAST, transition=_matrix([1, sp.oo], [0, 1])),
