@@ -1,4 +1,4 @@
-"""Many models of one's own with odd entries: python tests/campaigns/models.py FIRST LAST.
+"""Many models of one's own with odd entries: python tests/campaigns/models.py [--first N] [--count N].
 
 Each is derived in a process of its own, whose time is limited. What is neither derived nor refused
 by name is listed by its seed, and the status is then 1.
@@ -6,11 +6,13 @@ by name is listed by its seed, and the status is then 1.
 
 from __future__ import annotations
 
+import argparse
 import subprocess
 import sys
 from collections import Counter
 from pathlib import Path
 
+HELP = "models of one's own with odd entries: derived, or refused by name"
 SECONDS = 120
 CODE = "import sys; from model_fuzz import drawn, outcome; print(outcome(drawn(int(sys.argv[1]))))"
 SUPPORT = Path(__file__).parents[1] / "support"
@@ -30,10 +32,14 @@ def told(seed: int) -> str:
     return "derived" if done.stdout.strip() == "derived" else "refused"
 
 
-def main(first: int, last: int) -> int:
+def main() -> int:
     """Prints the tally; 1 if there was a fault."""
+    parser = argparse.ArgumentParser(description=HELP)
+    parser.add_argument("--first", type=int, default=0, help="the first seed")
+    parser.add_argument("--count", type=int, default=200, help="how many models")
+    options = parser.parse_args()
     found = Counter[str]()
-    for seed in range(first, last):
+    for seed in range(options.first, options.first + options.count):
         said = told(seed)
         found[said.split(":")[0]] += 1
         if said.startswith("fault") or said == "too long":
@@ -43,4 +49,4 @@ def main(first: int, last: int) -> int:
 
 
 if __name__ == "__main__":
-    sys.exit(main(int(sys.argv[1]), int(sys.argv[2])))
+    sys.exit(main())
