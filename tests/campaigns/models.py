@@ -1,4 +1,6 @@
-"""Many models of one's own with odd entries: python tests/campaigns/models.py [--first N] [--count N].
+"""Many models of one's own with odd entries:
+
+    python tests/campaigns/models.py [--first N] [--count N]
 
 Each is derived in a process of its own, whose time is limited. What is neither derived nor refused
 by name is listed by its seed, and the status is then 1.
