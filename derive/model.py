@@ -41,8 +41,8 @@ def scale(model: Model) -> ScaledModel:
         if matrix.free_symbols:
             raise ModelError(
                 f"model {model.name}: the scaled {label} should be numbers, it holds "
-                f"{sorted(map(str, matrix.free_symbols))}; check the units of the state "
-                "and of the measurement"
+                f"{sorted(map(str, matrix.free_symbols))}, which the units of the states and of "
+                "the measurement do not take away"
             )
     measured = _measurement_noise(model, seen)
     ratio = sp.simplify(noise_at_zero_frequency(transition, noise, measurement))
@@ -90,7 +90,9 @@ def units_checked(model: Model) -> None:
     if model.deviation.unit != METRE:
         raise ModelError(
             f"model {model.name}: the reference deviation should be a length, "
-            f"{model.deviation.name} has the unit {model.deviation.unit}"
+            f"{model.deviation.name} has the unit {model.deviation.unit}; of an angle or anything "
+            "else write METRE instead of its unit, also in those of the states: gains and "
+            "kernels are numbers without units, and stay what they are"
         )
     for label, units, size in (
         ("state", model.state_units, model.transition.rows),
@@ -115,8 +117,8 @@ def _measurement_noise(model: Model, seen: sp.MatrixBase) -> sp.MatrixBase:
     if left:
         raise ModelError(
             f"model {model.name}: the scaled measurement noise should hold numbers and the ratios "
-            f"{sorted(map(str, names))}, it holds {sorted(map(str, left))}; check the units of the "
-            "measurement, and name a ratio for each further deviation"
+            f"{sorted(map(str, names))}, it holds {sorted(map(str, left))}, which the units of the "
+            "measurements do not take away; name a ratio for each further deviation"
         )
     if names - measured.free_symbols:
         raise ModelError(

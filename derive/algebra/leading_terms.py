@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass
+from math import isqrt
 
 import sympy as sp
 
@@ -55,8 +56,28 @@ def leading(
     return Leading(order, coefficient), sp.expand(terms[order])
 
 
+def prime_powers(number: int) -> dict[int, int]:
+    """A positive number by its small primes; what is left of it, or its root, is one more factor.
+
+    The large primes of a number of many decimals take for ever.
+    """
+    found: dict[int, int] = {}
+    rest = int(number)
+    for prime in sp.primerange(1 << 15):
+        while rest % prime == 0:
+            found[prime] = found.get(prime, 0) + 1
+            rest //= prime
+        if prime * prime > rest:
+            break
+    if rest > 1:
+        root = isqrt(rest)
+        whole = root * root == rest
+        found[root if whole else rest] = 2 if whole else 1
+    return found
+
+
 def square_root(value: sp.Expr) -> tuple[sp.Expr, sp.Expr]:
-    """(a, b) with value = a^2 b, b without a square factor; 1 for a square.
+    """(a, b) with value = a^2 b, b without a small square factor; 1 for a square.
 
     A value that holds roots already is left as it is under a root: a = 1.
     """
@@ -66,7 +87,7 @@ def square_root(value: sp.Expr) -> tuple[sp.Expr, sp.Expr]:
     constant = sp.Rational(constant)
     outside: sp.Expr = sp.Rational(1, constant.q)
     inside: sp.Expr = sp.Integer(1)
-    for prime, power in sp.factorint(abs(constant.p * constant.q)).items():
+    for prime, power in prime_powers(abs(constant.p * constant.q)).items():
         outside *= sp.Integer(prime) ** (power // 2)
         inside *= sp.Integer(prime) ** (power % 2)
     for factor, power in factors:

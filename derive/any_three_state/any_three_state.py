@@ -42,7 +42,8 @@ def derive_any_three_state(model: Model) -> Subject:
     roots = roots_of(c.shape)
     found = module_of(c)
     if not found.graphs:
-        reasons = "; ".join(found.refused.values())
+        own = f"model {model.name}: "
+        reasons = "; ".join(dict.fromkeys(r.removeprefix(own) for r in found.refused.values()))
         raise ModelError(f"model {model.name}: no kernel has a proved bound: {reasons}")
     steps = (
         *model_steps(c),

@@ -35,7 +35,8 @@ def derive_any_two_state(model: Model) -> Subject:
         raise ModelError(f"model {model.name}: F12 should not vanish, the pair is unobservable")
     found = module_of(c)
     if not found.graphs:
-        reasons = "; ".join(found.refused.values())
+        own = f"model {model.name}: "
+        reasons = "; ".join(dict.fromkeys(r.removeprefix(own) for r in found.refused.values()))
         raise ModelError(f"model {model.name}: no kernel has a proved bound: {reasons}")
     steps = (
         *model_steps(c),

@@ -60,6 +60,8 @@ def _difference_of_squares(x: Basis) -> Signed | None:
     """(k d1 - Q12 G)/(F12 F22), G = g^2 d0 + h^2 d2, as (k^2 d1^2 - Q12^2 G^2) over the sum."""
     f12, f22 = x.shape.entry(1, 2), x.shape.entry(2, 2)
     q12, q22 = x.shape.noise(1, 2), x.shape.noise(2, 2)
+    if f22 == 0:
+        return None
     (f0, f1, f2), (n0, n1) = x.shape.open_loop, x.shape.noise_ends
     square, mixed, other = x.far_weights
     weight = 2 * f12 * f22 * q22 + q12 * mixed

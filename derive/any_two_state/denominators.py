@@ -6,6 +6,7 @@ from collections.abc import Callable
 
 import sympy as sp
 
+from gainproof.derive.algebra.leading_terms import prime_powers
 from gainproof.derive.any_two_state.domain import FreeNumbers
 
 
@@ -23,7 +24,7 @@ def common_denominator(
     for entries, share in ((whole, 1), (squared, 2)):
         for entry in entries:
             number, factors = sp.factor_list(sp.denom(sp.together(over_parameters(numbers)(entry))))
-            primes = [(sp.Integer(prime), n) for prime, n in sp.factorint(number).items()]
-            for factor, power in (*factors, *primes):
+            primes = prime_powers(number).items()
+            for factor, power in (*factors, *((sp.Integer(p), n) for p, n in primes)):
                 powers[factor] = max(powers.get(factor, 0), -(-power // share))
     return sp.Mul(*(factor**power for factor, power in powers.items()))

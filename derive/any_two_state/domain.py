@@ -75,7 +75,8 @@ class FreeNumbers:
             if is_manifestly_positive(factor, self.tower.parameters):
                 continue
             if not is_manifestly_positive(-factor, self.tower.parameters):
-                raise NoSign(f"{sp.factor(expression)} has no sign shown for all parameters")
+                wanted = "to be other than 0" if power % 2 == 0 else "to have one sign"
+                raise NoSign(f"{sp.factor(expression)} is not shown {wanted} for all parameters")
             sign *= (-1) ** power
         return sign
 

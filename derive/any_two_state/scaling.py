@@ -32,9 +32,10 @@ def scale_free(model: Model) -> ScaledModel:
         left = entry.free_symbols - _names(model)
         if left:
             raise ModelError(
-                f"model {model.name}: the scaled {name} should hold numbers and the model's "
-                f"parameters, it holds {_listed(left)}; check the units of the state and of the "
-                "measurement"
+                f"model {model.name}: in units T = 1 and sigma_v = 1 the {name} should hold "
+                f"numbers and the model's parameters, it holds {_listed(left)}: the units of the "
+                "states and the measurement do not take these away; where the units are right, "
+                "write what they make up as a parameter, a number without a unit"
             )
     strength, noise = _strength(model, (backward * model.process_noise * backward))
     return ScaledModel(
@@ -72,11 +73,14 @@ def _strength(model: Model, scaled: sp.MatrixBase) -> tuple[sp.Expr, sp.Immutabl
     if left or not (powers or strength.is_Number):
         raise ModelError(
             f"model {model.name}: the process noise should be one strength times a matrix of "
-            f"numbers and of the model's parameters, the scaled noise is {scaled.tolist()}"
+            f"numbers and of the model's parameters, the scaled noise is {scaled.tolist()}; of "
+            "several strengths keep one and write the others over it as parameters, numbers "
+            "without a unit, such as w**2*[[r*T**2, 0], [0, 1]] with r = d**2/(w*T)**2"
         )
     if not strength.free_symbols - {SAMPLING_INTERVAL.symbol, model.deviation.symbol}:
         raise ModelError(
             f"model {model.name}: a process noise with a strength of its own is wanted, the scaled "
-            f"one is {strength} times {noise.tolist()}, which fixes the tracking index"
+            f"one is {strength} times {noise.tolist()}, which fixes the tracking index: put a "
+            "quantity in front, and call the kernels with its value"
         )
     return strength, noise

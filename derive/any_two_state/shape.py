@@ -123,5 +123,6 @@ def require_first_measured(model: Model, scaled: ScaledModel) -> None:
             f"model {model.name}: the first state is to be measured: in units T = 1 and sigma_v = "
             f"1 H = {first.tolist()} and R = [[1]] are wanted, they are "
             f"{scaled.measurement.tolist()} and {scaled.measurement_noise.tolist()}; take what is "
-            "measured as the first state"
+            "measured, also a sum of states, as the first state: with the new states C x, F "
+            "becomes C F C^-1 and Q becomes C Q C'"
         )

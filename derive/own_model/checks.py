@@ -17,6 +17,9 @@ from gainproof.derive.own_model.fields import MATRICES, require_fields, require_
 from gainproof.derive.own_model.undriven import undriven
 from gainproof.derive.quantity import SAMPLING_INTERVAL, Unit
 
+DIGITS = 300
+"""Certificates of models with more of them are far too long for the checker."""
+MOST = 10**DIGITS
 NAME = re.compile(r"[a-z][a-z0-9]*(-[a-z0-9]+)*")
 
 
@@ -55,19 +58,41 @@ def _require_shapes(model: Model) -> None:
 
 
 def _require_rational(model: Model) -> None:
-    """Numbers are whole or quotients of whole ones: the towers begin with these."""
+    """Sums, products and quotients of quantities, parameters and quotients of whole numbers: the
+    towers begin with these. Roots of quantities are scaled away.
+    """
+    free = {entry.quantity.symbol for entry in model.parameters}
     for name in MATRICES:
         matrix = getattr(model, name)
         for place, entry in enumerate(matrix.flat()):
+            row, column = divmod(place, matrix.cols)
+            where = f"its entry {row + 1},{column + 1} holds"
             numbers = entry.atoms(sp.Number, sp.NumberSymbol)
-            roots = [p for p in entry.atoms(sp.Pow) if p.base.is_number and not p.exp.is_Integer]
-            wrong = [str(n) for n in (*numbers, *roots) if not n.is_Rational]
-            if wrong:
-                row, column = divmod(place, matrix.cols)
+            roots = [p for p in entry.atoms(sp.Pow) if not p.exp.is_Integer]
+            wrong = [n for n in (*numbers, *roots) if not n.free_symbols and not n.is_Rational]
+            if wrong or entry.has(sp.I, sp.zoo):
+                found = min(map(str, wrong), default=str(entry))
                 raise ModelError(
-                    f"model {model.name}: {name} should hold rational numbers, its entry "
-                    f"{row + 1},{column + 1} holds {wrong[0]}; write a quotient of whole numbers, "
-                    "or make it a parameter"
+                    f"model {model.name}: {name} should hold rational numbers, {where} {found}; "
+                    "write a quotient of whole numbers, or make it a parameter"
+                )
+            if any(max(abs(n.p), n.q) >= MOST for n in numbers):
+                raise ModelError(
+                    f"model {model.name}: {name} should hold numbers of at most {DIGITS} digits, "
+                    f"{where} a longer one; round it"
+                )
+            bases = [p for p in roots if p.free_symbols & free or not p.exp.is_Rational]
+            others = [
+                node
+                for node in sp.preorder_traversal(entry)
+                if not (node.is_Atom or node.is_Add or node.is_Mul or node.is_Pow)
+            ]
+            if bases or others:
+                found = str((*others, *bases)[0])
+                raise ModelError(
+                    f"model {model.name}: {name} should be made of sums, products and quotients, "
+                    f"{where} {found}, which is out of reach as a function; make {found} a "
+                    "parameter of its own, a number without a unit, and so what else depends on it"
                 )
 
 

@@ -31,31 +31,54 @@ def derive_own_model(model: Model) -> Subject:
     """
     require_written_well(model)
     require_names_of_their_own(model)
-    scaled = scale(model) if model.measurement.rows > 1 else scale_free(model)
-    require_steady_state(model, scaled)
     states, measured = model.transition.rows, model.measurement.rows
-    if (states, measured) == (2, 2):
-        return _both_measured(model, scaled)
-    if measured != 1 or states not in (2, 3):
+    if (states, measured) not in ((2, 1), (3, 1), (2, 2)):
         raise ModelError(
             f"model {model.name}: two or three states with one measured, or two with both "
-            f"measured, are wanted; {states} states and {measured} measurements came"
+            f"measured, are in reach; {states} states and {measured} measurements came"
+            + (
+                "; claim files take a single state"
+                if states == 1
+                else ": of several axes that share nothing each is a model of its own"
+            )
         )
+    if measured > 1 and model.parameters:
+        raise ModelError(
+            f"model {model.name}: with two measurements free numbers are out of reach, "
+            f"{', '.join(each.quantity.name for each in model.parameters)} came"
+        )
+    scaled = scale(model) if measured > 1 else scale_free(model)
+    require_steady_state(model, scaled)
+    if measured == 2:
+        return _both_measured(model, scaled)
     return _two_states(model, scaled) if states == 2 else _three_states(model, scaled)
+
+
+def _is_as_written(scaled: ScaledModel) -> bool:
+    """Whether the strength that `scale` takes out is the product of quantities alone that the model
+    is written with: only then its index is that of the model.
+    """
+    return bool(scaled.noise_ratio.as_coeff_Mul()[0] == 1)
 
 
 def _both_measured(model: Model, scaled: ScaledModel) -> Subject:
     """A position and its rate by the method of the catalogue."""
     try:
-        return derive_position_velocity(model, ())
+        subject = derive_position_velocity(model, ())
+        if _is_as_written(scaled):
+            return subject
+        reason = (
+            f"the matrix behind the strength has Q22 = {scaled.noise_ratio.as_coeff_Mul()[0]}; "
+            "take that number into the quantity of the strength"
+        )
     except ModelError as error:
         reason = str(error).removeprefix(f"model {model.name}: ")
     except (ValueError, TypeError, ArithmeticError):
         reason = f"it is {scaled.process_noise.tolist()}"
     raise ModelError(
         f"model {model.name}: of two states that are both measured, a position and its rate with a "
-        "process noise Q12 = Q22/2, Q11 from Q22/4 to below Q22/2, or Q11 = Q12 = 0 (in units "
-        f"T = 1) is in reach: {reason}"
+        "process noise Q12 = Q22/2, Q11 from Q22/4 to below Q22/2, or Q11 = Q12 = 0, with Q22 = 1 "
+        f"behind the strength (in units T = 1) is in reach: {reason}"
     )
 
 
@@ -64,7 +87,8 @@ def _two_states(model: Model, scaled: ScaledModel) -> Subject:
     require_first_measured(model, scaled)
     if scaled.transition == KINEMATIC and not model.parameters:
         with suppress(ModelError):
-            return derive_two_state(model, ())
+            if _is_as_written(scale(model)):
+                return derive_two_state(model, ())
     return derive_any_two_state(model)
 
 
@@ -75,8 +99,9 @@ def _three_states(model: Model, scaled: ScaledModel) -> Subject:
         # tried whole, evidence and bounds too: it refuses late, with errors of several kinds;
         # the other method names the reason
         with suppress(ValueError, ArithmeticError, TypeError):
-            subject = derive_three_state(model, ())
-            subject.certificate()
-            prove_all(subject.module.kernels)
-            return subject
+            if _is_as_written(scale(model)):
+                subject = derive_three_state(model, ())
+                subject.certificate()
+                prove_all(subject.module.kernels)
+                return subject
     return derive_any_three_state(model)

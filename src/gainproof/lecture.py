@@ -17,6 +17,8 @@ from gainproof.prose import numbered, plain_prose, wrapped
 from gainproof.relation_text import Writer, relation_lines
 
 INDENT = "     "
+GIVEN_UP = "given up"
+"""How the checker begins to say that something is beyond its limits."""
 
 
 def page(
@@ -35,6 +37,11 @@ def page(
         parts.append(textwrap.fill(derived.opening, columns))
     if derived.model is not None:
         parts.append(model_text(derived.model, names, columns))
+        parts += [
+            strength_text(item, writer, columns)
+            for item in items(derived.steps)
+            if item.first.id == "index"
+        ]
     if with_steps:
         found = items(derived.steps)
         for item in found:
@@ -80,6 +87,12 @@ def model_text(model: Mapping[str, Any], names: Mapping[str, str], columns: int)
         for i, row in enumerate(rows):
             lines.append(f"{INDENT}{label + ' =' if i == 0 else '':>4} {row}")
     return "\n".join(lines)
+
+
+def strength_text(item: Item, writer: Writer, columns: int) -> str:
+    """What the tracking index is: the root of the strength that the model is written with."""
+    lead = "The square of the tracking index is the strength of the process noise in these units:"
+    return "\n".join([*wrapped(lead, columns), "", *formula_lines(item, writer, columns)])
 
 
 def _entry(entry: Any, names: Mapping[str, str]) -> str:
@@ -171,10 +184,23 @@ def closing(derived: Derived, report: Mapping[str, Any]) -> str:
         f"{len(derived.steps)} steps{more}: {tally}, by the checker that uses no computer algebra."
     ]
     if not report["accepted"]:
-        lines.append(f"The certificate is REJECTED: {report['reason']}.")
+        lines.append(
+            f"The certificate is too long for the checker, {report['reason']}: write the numbers "
+            "of the model with fewer digits."
+            if is_too_long(report)
+            else f"The certificate is REJECTED: {report['reason']}."
+        )
     if derived.sources:
         lines.append(f"`gainproof cite {derived.name}` names the works this rests on.")
     return " ".join(lines)
+
+
+def is_too_long(report: Mapping[str, Any]) -> bool:
+    """Whether a certificate that is not accepted is beyond the limits of the checker, and not
+    known to be wrong.
+    """
+    decided = any(entry["status"] == "rejected" for entry in report.get("statements", ()))
+    return GIVEN_UP in report["reason"] and not decided
 
 
 def count(words: Iterable[str]) -> str:

@@ -9,7 +9,7 @@ from typing import Any
 from gainproof.verify.certificate.document import Document, Statement, read_document
 from gainproof.verify.certificate.expectation import Expectation, read_expectation
 from gainproof.verify.certificate.plain import plain
-from gainproof.verify.certificate.rejection import Meter, RejectedError
+from gainproof.verify.certificate.rejection import GivenUpError, Meter, RejectedError
 from gainproof.verify.certificate.report import CertificateReport, StatementResult
 
 
@@ -80,6 +80,8 @@ def decide(
             status = document.decide(statement)
     except RejectedError as rejection:
         reason = str(rejection)
+        if isinstance(rejection, GivenUpError):
+            status = "given up"
     except Exception as error:  # noqa: BLE001 - as above
         reason = f"malformed: {type(error).__name__}: {error}"
     return StatementResult(statement.id, statement.kind, status, reason, perf_counter() - start)
@@ -87,7 +89,7 @@ def decide(
 
 def _reason(document: Document, results: tuple[StatementResult, ...]) -> str:
     for result in results:
-        if result.status == "rejected":
+        if result.status in ("rejected", "given up"):
             return f"{result.id}: {result.reason}"
     if not any(result.status == "proved" for result in results):
         return "nothing is proved"

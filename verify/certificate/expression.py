@@ -93,7 +93,7 @@ class Evaluation:
             try:
                 values[index] = self._node(graph, index, values)
             except RejectedError as rejection:
-                raise RejectedError(f"node {index}: {rejection}") from None
+                raise type(rejection)(f"node {index}: {rejection}") from None
         return values
 
     def _node(self, graph: Graph, index: int, values: Mapping[int, Value]) -> Value:

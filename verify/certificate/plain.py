@@ -14,6 +14,7 @@ from gainproof.verify.certificate.rejection import (
     MAXIMUM_DEPTH,
     MAXIMUM_PLAIN_VALUES,
     MAXIMUM_TEXT,
+    GivenUpError,
     MalformedError,
 )
 
@@ -61,7 +62,7 @@ def _copy(value: object, depth: int, remaining: list[int]) -> Plain:
 
 def _text(value: str) -> str:
     if len(value) > MAXIMUM_TEXT:
-        raise MalformedError(f"text longer than {MAXIMUM_TEXT} characters")
+        raise GivenUpError(f"given up: text longer than {MAXIMUM_TEXT} characters")
     return value
 
 

@@ -28,10 +28,12 @@ from gainproof.verify.certificate.products import product_of
 from gainproof.verify.certificate.rejection import (
     MAXIMUM_COEFFICIENT_BITS,
     MAXIMUM_EXPONENT,
+    GivenUpError,
     Meter,
     RejectedError,
 )
 
+TOO_LONG = f"given up: a number of more than {MAXIMUM_COEFFICIENT_BITS} bits"
 # What any operation costs, however short, in products of two terms.
 _OVERHEAD = 10
 
@@ -80,7 +82,7 @@ class Ring:
             denominator = coefficient.denominator
             common = common // gcd(common, denominator) * denominator
             if common.bit_length() > MAXIMUM_COEFFICIENT_BITS:
-                raise RejectedError("the common denominator of a polynomial is beyond every need")
+                raise GivenUpError(TOO_LONG)
         return self.normal(
             {monomial_of(m): c.numerator * (common // c.denominator) for m, c in terms.items()},
             common,
@@ -100,7 +102,7 @@ class Ring:
         if max(denominator, *terms.values(), -min(terms.values(), default=0)).bit_length() > (
             MAXIMUM_COEFFICIENT_BITS
         ):
-            raise RejectedError("a coefficient grew beyond every need")
+            raise GivenUpError(TOO_LONG)
         return Polynomial(self, terms, denominator)
 
 

@@ -8,8 +8,6 @@ from __future__ import annotations
 
 MAXIMUM_PLAIN_VALUES = 1_000_000
 MAXIMUM_DEPTH = 24
-MAXIMUM_TEXT = 4_000
-MAXIMUM_NUMBER_TEXT = 400
 MAXIMUM_STATEMENTS = 1_000
 MAXIMUM_ELEMENTS = 500
 MAXIMUM_VARIABLES = 24
@@ -19,6 +17,9 @@ MAXIMUM_EXPONENT = 1_000
 MAXIMUM_POWER = 64
 MAXIMUM_ROOT = 12
 MAXIMUM_COEFFICIENT_BITS = 8_192
+MAXIMUM_NUMBER_TEXT = 2 * (MAXIMUM_COEFFICIENT_BITS * 30_103 // 100_000 + 1) + 2
+"""Of the longest quotient within the bits: a bit is log10(2) of a digit; a sign and a bar."""
+MAXIMUM_TEXT = max(4_000, MAXIMUM_NUMBER_TEXT)
 MAXIMUM_ORDER = 8
 MAXIMUM_WORK = 16_000_000
 
@@ -29,6 +30,10 @@ class RejectedError(Exception):
 
 class MalformedError(RejectedError):
     """It is not even written as the format wants it, so nothing was decided."""
+
+
+class GivenUpError(RejectedError):
+    """It is beyond the limits, so that nothing was decided: it may well be right."""
 
 
 class Meter:
@@ -46,7 +51,7 @@ class Meter:
         """Count ``work`` more products. Raises RejectedError when the allowance is used up."""
         self.remaining -= work
         if self.remaining < 0:
-            raise RejectedError("given up: more arithmetic than any certificate needs")
+            raise GivenUpError("given up: more arithmetic than any certificate needs")
 
     def reset(self) -> None:
         """Allow the full effort again, for a check of its own over towers already read."""

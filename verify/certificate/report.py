@@ -7,9 +7,10 @@ from dataclasses import dataclass
 
 @dataclass(frozen=True, slots=True)
 class StatementResult:
-    """One statement: ``status`` is "proved", "cited", "definition" or "rejected".
+    """One statement: ``status`` is "proved", "cited", "definition", "rejected", or "given up" where
+    it is beyond the limits of the checker.
 
-    ``reason`` is empty unless it was rejected; ``seconds`` is the time its check took.
+    ``reason`` is empty unless it was rejected or given up; ``seconds`` is the time its check took.
     """
 
     id: str
@@ -24,7 +25,8 @@ class CertificateReport:
     """A whole certificate.
 
     ``accepted`` holds when the file is well formed, agrees with everything expected of it, has a
-    proved statement, and no statement was rejected. Otherwise ``reason`` says what failed first.
+    proved statement, and no statement was rejected or given up. Otherwise ``reason`` says what
+    failed first.
     """
 
     subject: str

@@ -12,6 +12,7 @@ from fractions import Fraction
 from gainproof.verify.certificate.plain import Plain
 from gainproof.verify.certificate.rejection import (
     MAXIMUM_NUMBER_TEXT,
+    GivenUpError,
     MalformedError,
     RejectedError,
 )
@@ -79,8 +80,12 @@ def index(value: str, place: str) -> int:
 
 def number(value: Plain, place: str) -> Fraction:
     """A rational number in its one canonical spelling: '3', '-1/2'; lowest terms, no sign on 0."""
-    if not isinstance(value, str) or len(value) > MAXIMUM_NUMBER_TEXT:
+    if not isinstance(value, str):
         raise MalformedError(f"{place}: a number as text is wanted, such as '-3/4'")
+    if len(value) > MAXIMUM_NUMBER_TEXT:
+        raise GivenUpError(
+            f"{place}: given up: a number of {len(value)} characters, at most {MAXIMUM_NUMBER_TEXT}"
+        )
     match = _NUMBER.match(value)
     if match is None:
         raise MalformedError(f"{place}: {value[:40]!r} is not a number such as '-3/4'")

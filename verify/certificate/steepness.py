@@ -17,7 +17,7 @@ from fractions import Fraction
 from gainproof.verify.certificate.graph import Call, Graph, Node, Operation, Power
 from gainproof.verify.certificate.matrix import Matrix
 from gainproof.verify.certificate.ratio import Ratio
-from gainproof.verify.certificate.rejection import MalformedError, RejectedError
+from gainproof.verify.certificate.rejection import GivenUpError, MalformedError, RejectedError
 
 Range = tuple[Fraction, Fraction]
 
@@ -119,7 +119,7 @@ def _slopes(
                     "and powers"
                 )
         if max(_bits(end) for end in slopes[index]) > _MAXIMUM_BITS:
-            raise RejectedError(f"node {index}: a slope beyond every need")
+            raise GivenUpError(f"given up: node {index}: a slope of more than {_MAXIMUM_BITS} bits")
     return slopes
 
 

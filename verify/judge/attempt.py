@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable, Iterator
 from dataclasses import replace
 
@@ -28,7 +29,10 @@ def judge_claim(claim: Claim, setting: Setting, environment: Environment) -> Fin
             words = [text for text in (reading.text, decimals_read(claim, reading)) if text]
             finding = with_rounded(finding, claim, reading, setting, environment)
             finding = replace(finding, reading="; ".join(words) or None)
-        finding = in_source_symbols(finding, setting, environment)
+        if environment.conditions:
+            finding = _of_one_filter(finding, environment.parameter or "")
+        else:
+            finding = in_source_symbols(finding, setting, environment)
         told = {
             "established": [fact.sentence for fact in environment.facts],
             "cited": cited(claim, setting),
@@ -42,6 +46,19 @@ def judge_claim(claim: Claim, setting: Setting, environment: Environment) -> Fin
     if len({f.verdict for f in findings}) > 1 and any(f.verdict == "undecided" for f in findings):
         return next(f for f in findings if f.verdict == "undecided")
     return findings[0]
+
+
+def _of_one_filter(finding: Finding, parameter: str) -> Finding:
+    """Without the parameter of a filter in numbers, which has one value and no name in a source."""
+    value = rf"{re.escape(parameter)} = [^,:;]*"
+    reason = re.sub(rf"at {value}:", "with", finding.reason)
+    reason = re.sub(rf"{value}, ", "", reason)
+    domain = finding.domain and (re.sub(rf"for {value}(, )?", "", finding.domain) or "everywhere")
+    witness = finding.witness
+    if witness is not None:
+        point = {name: shown for name, shown in witness.point.items() if name != parameter}
+        witness = replace(witness, point=point)
+    return replace(finding, reason=reason, domain=domain, witness=witness)
 
 
 def _attempts(

@@ -14,6 +14,7 @@ from typing import Any
 from gainproof import derivations, places, workers
 from gainproof.bad_input import BadInputError
 from gainproof.derived import derived_from
+from gainproof.lecture import is_too_long
 from gainproof.standalone.files import package_files
 from gainproof.workshop import Workshop
 
@@ -57,10 +58,13 @@ def fresh(
     pairs = [(each.certificate, each) for each in derived]
     for subject, report in zip(chosen, derivations.recheck(pairs, shop), strict=True):
         if not report["accepted"]:
-            raise BadInputError(
-                f"{subject}: the checker rejects the derivation, no kernel is written: "
-                f"{report['reason']}"
-            )
+            said = "the checker rejects the derivation, no kernel is written"
+            if is_too_long(report):
+                said = (
+                    "the derivation is too long for the checker, no kernel is written; write the "
+                    "numbers of the model with fewer digits"
+                )
+            raise BadInputError(f"{subject}: {said}: {report['reason']}")
     parts = [_aimed(each["part"], targets) for each in found]
     _require_apart(chosen, parts)
     losses = [

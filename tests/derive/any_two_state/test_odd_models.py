@@ -31,6 +31,7 @@ MODELS: dict[str, Model] = {
     "second state leaves": own_model([[7 * TENTH, 4 * TENTH], [-TENTH, -12 * TENTH]], LAST),
     "pulling each other": own_model([[11 * TENTH, 1], [4 * TENTH, TENTH]], [[2, 3], [3, 9]]),
     "second is noise": own_model([[1, 1], [0, 0]], LAST),
+    "second is noise with a part of the first": own_model([[1, 1], [0, 0]], [[1, 1], [1, 2]]),
     "second remembers the first": own_model(
         [[3 * sp.Rational(1, 2), 1], [-6 * TENTH, 0]], [[1, 0], [0, TENTH]]
     ),

@@ -8,7 +8,7 @@ from typing import Any
 import pytest
 import sympy as sp
 from one_of_each import cases
-from own_models import T, free_number, own_model
+from own_models import DEVIATION, SHAKE, T, free_number, own_model
 
 from gainproof.derive.any_two_state import printed
 from gainproof.derive.expression import real
@@ -28,9 +28,11 @@ def kernels(subject: Subject) -> set[str]:
     return {kernel.name for kernel in subject.module.kernels}
 
 
-def both_measured() -> Model:
+def both_measured(number: sp.Expr | int = 1) -> Model:
     """Acceleration constant over each half of an interval, position and velocity measured."""
-    shape = sp.ImmutableDenseMatrix([[5 * T**4 / 32, T**3 / 4], [T**3 / 4, T**2 / 2]])
+    shape = sp.sympify(number) * sp.ImmutableDenseMatrix(
+        [[5 * T**4 / 16, T**3 / 2], [T**3 / 2, T**2]]
+    )
     noise = sp.ImmutableDenseMatrix(STRENGTH.symbol**2 * shape)
     return measured_model("both", "Both measured", noise, STRENGTH)
 
@@ -79,6 +81,37 @@ def test_three_states_whose_narrow_method_fails_late_go_to_the_other(noise: sp.M
     assert kernels(subject) >= {"gains", "predicted_covariance", "gain_derivatives"}
     assert "pole_product" not in kernels(subject)
     assert subject.certificate()["statements"]
+
+
+NUMBERS = [1, sp.Rational(1, 9), sp.Rational(1, 2), 7]
+
+
+@pytest.mark.usefixtures("quick")
+@pytest.mark.parametrize("number", NUMBERS)
+@pytest.mark.parametrize(
+    ("transition", "noise"),
+    [
+        (KINEMATIC, [[0, 0], [0, 1]]),
+        (KINEMATIC, [[HALF / 2, HALF], [HALF, 1]]),
+        (KINEMATIC, [[3, HALF], [HALF, 1]]),
+        ([[1, 1], [0, HALF]], [[0, 0], [0, 1]]),
+        pytest.param(KINEMATIC_3, sp.diag(0, 0, 1).tolist(), marks=pytest.mark.thorough),
+    ],
+)
+def test_the_index_is_the_declared_strength_whatever_numbers_stand_behind_it(
+    number: sp.Expr, transition: list[list[Any]], noise: list[list[Any]]
+) -> None:
+    written = sp.Matrix(noise) * number
+    found = derive_own_model(own_model(transition, written.tolist())).model
+    assert found is not None
+    assert found.process_noise == written.as_immutable()
+    assert found.noise_ratio == (SHAKE.symbol / DEVIATION) ** 2
+
+
+@pytest.mark.parametrize("number", NUMBERS[1:])
+def test_both_measured_behind_another_number_is_refused(number: sp.Expr) -> None:
+    with pytest.raises(ModelError, match=f"Q22 = 1 behind the strength.*has Q22 = {number};"):
+        derive_own_model(both_measured(number))
 
 
 def test_both_measured() -> None:

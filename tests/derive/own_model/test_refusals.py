@@ -15,7 +15,9 @@ from gainproof.derive.quantity import (
     MEASUREMENT_DEVIATION,
     METRE,
     SAMPLING_INTERVAL,
+    SECOND,
     Quantity,
+    Unit,
 )
 
 KINEMATIC = [[1, 1], [0, 1]]
@@ -123,7 +125,7 @@ REFUSED: list[tuple[Model, str]] = [
     ),
     (
         own_model([[1, R - 2], [0, HALF]], LAST, parameters=(free_number("r"),)),
-        "has no sign shown for all parameters",
+        r"\(r - 2\)\*\*2 is not shown to be other than 0 for all parameters",
     ),
     (
         own_model(
@@ -190,9 +192,72 @@ REFUSED: list[tuple[Model, str]] = [
             [[1, 1, 0, 0], [0, 1, 1, 0], [0, 0, 1, 1], [0, 0, 0, 1]],
             sp.diag(0, 0, 0, 1).tolist(),
         ),
-        "4 states and 1 measurements came",
+        "4 states and 1 measurements came: of several axes .* each is a model of its own",
+    ),
+    (
+        own_model(
+            [[1, 1, 0, 0], [0, 1, 0, 0], [0, 0, 1, 1], [0, 0, 0, 1]],
+            sp.diag(0, 1, 0, 1).tolist(),
+            measurement=_matrix([1, 0, 0, 0], [0, 0, 1, 0]),
+            measurement_noise=_matrix([DEVIATION**2, 0], [0, DEVIATION**2]),
+            measurement_units=(METRE, METRE),
+        ),
+        "4 states and 2 measurements came: of several axes .* each is a model of its own",
+    ),
+    (own_model([[1]], [[1]]), "1 states and 1 measurements came; claim files take a single state"),
+    (
+        own_model(
+            [[1, 1], [0, R]],
+            LAST,
+            parameters=(free_number("r"),),
+            measurement=_matrix([1, 0], [0, 1]),
+            measurement_noise=_matrix([DEVIATION**2, 0], [0, DEVIATION**2]),
+            measurement_units=(METRE, METRE),
+        ),
+        "with two measurements free numbers are out of reach, r came",
+    ),
+    (
+        own_model(KINEMATIC, LAST, measurement=_matrix([1, T])),
+        "a sum of states, as the first state: with the new states C x, F becomes C F C.-1",
+    ),
+    (
+        own_model(
+            KINEMATIC,
+            LAST,
+            process_noise=SHAKE.symbol**2 * _matrix([1, 0], [0, T**-2])
+            + MEASUREMENT_DEVIATION.symbol**2 * _matrix([1, 0], [0, 0]),
+        ),
+        "of several strengths keep one and write the others over it as parameters",
+    ),
+    *(
+        (
+            own_model([[1, entry], [0, R]], LAST, parameters=(free_number("r", below_one=True),)),
+            rf"its entry 1,2 holds {shown}, which is out of reach as a function; make {shown} a",
+        )
+        for entry, shown in (
+            (sp.log(R), r"log\(r\)"),
+            ((1 - R) / sp.log(R), r"log\(r\)"),
+            (sp.exp(-R), r"exp\(-r\)"),
+            (sp.sqrt(R), r"sqrt\(r\)"),
+            (R**R, r"r\*\*r"),
+            (sp.Max(R, 1), r"Max\(1, r\)"),
+        )
+    ),
+    (
+        own_model([[1, 1], [0, sp.Rational(1, 10**5000)]], LAST),
+        "transition should hold numbers of at most 300 digits, its entry 2,2 holds a longer one",
+    ),
+    (own_model([[1, sp.I], [0, 1]], LAST), "should hold rational numbers, its entry 1,2 holds"),
+    (
+        own_model(KINEMATIC, LAST, transition=_matrix([1, sp.oo], [0, 1])),
+        "should hold rational numbers, its entry 1,2 holds",
+    ),
+    (
+        own_model(KINEMATIC, LAST, transition=_matrix([1, sp.zoo], [0, 1])),
+        "should hold rational numbers, its entry 1,2 holds",
     ),
 ]
+ANGLE = Quantity("heading_deviation", "h", "deviation of a heading", Unit())
 
 
 REFUSED_FIELDS: list[tuple[Model, str]] = [
@@ -217,6 +282,18 @@ REFUSED_FIELDS: list[tuple[Model, str]] = [
         "quantities are of the type Quantity, sampling_interval is not",
     ),
     (
+        own_model(
+            KINEMATIC,
+            LAST,
+            deviation=ANGLE,
+            measurement_noise=_matrix([ANGLE.symbol**2]),
+            process_noise=_matrix([0, 0], [0, SHAKE.symbol**2]),
+            quantities=(SAMPLING_INTERVAL, ANGLE, SHAKE),
+            state_units=(Unit(), SECOND**-1),
+        ),
+        "should be a length, .* has the unit 1; of an angle or anything else write METRE",
+    ),
+    (
         own_model(KINEMATIC, LAST, transition=[[1, T], [0, 1]]),
         r"transition should be a matrix of SymPy, .* it is of type list",
     ),
@@ -229,6 +306,18 @@ def test_each_refusal_names_the_entry_or_property(model: Model, message: str) ->
         derive_own_model(model)
     assert isinstance(raised.value, ValueError)
     assert "\n" not in str(raised.value)
+
+
+def test_a_reason_that_several_kernels_have_is_said_once() -> None:
+    """c^2 + h^2 may be 1: no form of a kernel holds for all numbers."""
+    c, h = real("c"), real("h")
+    numbers = (free_number("c", below_one=True), free_number("h", below_one=True))
+    with pytest.raises(
+        ModelError, match=r"4\*\(c\*\*2 \+ h\*\*2 - 1\)\*\*2 is not shown"
+    ) as raised:
+        derive_own_model(own_model([[c, h], [-h, c]], LAST, parameters=numbers))
+    assert str(raised.value).count("is not shown to be other than 0") == 1
+    assert "model trial" not in str(raised.value).removeprefix("model trial")
 
 
 @pytest.mark.parametrize("name", ["s", "p", "d1", "alpha", "predicted_22", "tracking_index"])

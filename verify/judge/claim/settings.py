@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import partial
 
 from gainproof.verify.judge.claim.declarations import read_declarations
@@ -20,7 +20,7 @@ from gainproof.verify.judge.claim.models import (
 )
 from gainproof.verify.judge.claim.record import Formula, Setting, SymbolEntry
 from gainproof.verify.judge.claim.symbols import SymbolTable, complete_symbols
-from gainproof.verify.judge.dimensions.declared import Fault, setting_fault
+from gainproof.verify.judge.dimensions.declared import Fault, says_units, setting_fault
 from gainproof.verify.judge.matrices.declare import read_letters, read_sizes
 
 MOST_SETTINGS = 100
@@ -148,7 +148,7 @@ def _built(
     gain_matrices = read_gain_matrices(fields, symbols) if is_free else {}
     states = fields.whole_number("states", 1, MOST_STATES)
     _check_noise_size(fields, states, gain_matrices)
-    return Setting(
+    setting = Setting(
         name=name,
         kind=kind,
         title=title,
@@ -163,6 +163,10 @@ def _built(
         matrices=None,
         **_conventions(fields, symbols),
     )
+    if says_units(setting):
+        return setting
+    free = {t: replace(e, unit=None) if e.quantity else e for t, e in symbols.items()}
+    return replace(setting, symbols=free)
 
 
 def _check(fields: Fields, setting: Setting, shared: Mapping[str, SymbolEntry]) -> None:

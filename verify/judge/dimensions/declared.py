@@ -24,8 +24,10 @@ from gainproof.verify.judge.exact.constant_value import constant_value
 from gainproof.verify.judge.exact.limits import Malformed
 from gainproof.verify.judge.exact.tree import read_tree
 from gainproof.verify.judge.formula import Graph
+from gainproof.verify.judge.meaning.reach import names_in
 
 NOISES = ("process_noise", "measurement_noise")
+ONE = Fraction(1)
 Rows = Sequence[Sequence[Graph]]
 
 
@@ -49,6 +51,23 @@ def setting_fault(setting: Setting, own: Collection[str]) -> Fault | None:
             return None
         found = found or fault
     return found
+
+
+def says_units(setting: Setting) -> bool:
+    """Whether a model of the setting's own says what its quantities count: the variance of its
+    measurement is in square metres and, of several states, the interval is among its symbols.
+    Numbers may count anything, so that no dimension of a gain or covariance can be wrong there.
+    """
+    own = setting.own_model
+    if own is None:
+        return True
+    if _unit(own.measurement_noise[0][0], setting) != Unit(metre=Fraction(2)):
+        return False
+    matrices = (own.transition, own.process_noise, own.measurement)
+    trees = [read_tree(entry) for rows in matrices for row in rows for entry in row]
+    names = {name for tree in trees for name in names_in(tree)}
+    times = [e for t, e in setting.symbols.items() if t in names and e.unit == Unit(second=ONE)]
+    return len(own.transition) == 1 or bool(times)
 
 
 def shared_fault(symbols: Mapping[str, SymbolEntry]) -> Fault | None:

@@ -129,7 +129,7 @@ def framed(
         for token in pending:
             done.add(token)
             stated += [scope.relation(r) for r in scope.setting.symbols[token].domain]
-    stated += scope.supposed
+    stated += [*scope.supposed, *scope.environment.conditions]
     if scope.uses_steady() and scope.environment.region is not None:
         # without stability a steady covariance or lag has no value
         stated += scope.environment.region.relations

@@ -10,7 +10,7 @@ from typing import Any
 from gainproof.verify.judge.exact.box import Box
 from gainproof.verify.judge.exact.calculus import differentiated
 from gainproof.verify.judge.exact.expression import Expr, symbol, symbols_of
-from gainproof.verify.judge.exact.statement import Outcome, Statement
+from gainproof.verify.judge.exact.statement import Outcome, Rel, Statement
 from gainproof.verify.judge.setting.stable_region import StableRegion
 
 INTERVAL = "sampling_interval"
@@ -51,6 +51,7 @@ class Environment:
     rational functions equal to quantities wherever these have a value, and defined where their
     formula still is. `assigned` are free symbols of the source that the setting's model fixes, and
     `intensity` is the one among them that changes with the parameter while all others stay.
+    Of a filter in numbers `conditions` leave the parameter, if it has one, a single value.
     With two parameters `fixing` are two that fix these, and each may change while the other stays.
 
     Where two parameters are needed they are `coordinates`, and `chart` may be the same setting in
@@ -69,6 +70,7 @@ class Environment:
     continued: Mapping[str, Expr] = field(default_factory=dict)
     assigned: Mapping[str, Expr] = field(default_factory=dict)
     intensity: str | None = None
+    conditions: tuple[Rel, ...] = ()
     fixing: tuple[str, ...] = ()
     coordinates: tuple[str, ...] = ()
     chart: Environment | None = None

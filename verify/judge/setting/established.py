@@ -60,7 +60,6 @@ def established(
     loop = minus(f, times(tuple((g,) for g in predictor), h))
     residuals += [a - b for a, b in zip(characteristic(loop), factor.coefficients, strict=True)]
     positive = left_half_plane(circle_moved([*factor.coefficients, number(1)]))
-    minors = [determinant(tuple(row[:n] for row in m[:n])) for n in range(1, size + 1)]
     facts = [
         shown(
             "the Riccati equation, gain and innovation variance hold identically: "
@@ -73,16 +72,26 @@ def established(
             positive,
             factor,
         ),
-        shown(
-            "the predicted covariance is positive definite",
-            [Rel(">", e, number(0)) for e in (*minors, factor.innovation)],
-            factor,
-        ),
+        *_covariance(m, factor),
         *_have_values([*gain, *predictor, *[e for row in (*m, *x) for e in row]], factor),
         *_all_indices(factor.in_parameter()),
         Fact(f"cited: {UNIQUENESS[0]}", UNIQUENESS[1]),
     ]
     return tuple(facts)
+
+
+def _covariance(m: Exprs, factor: Factor) -> tuple[Fact, ...]:
+    """That the innovation has a variance and the prediction a covariance: with a stable closed loop
+    A it is the sum of A^k (Q + L R L') A'^k, which is never indefinite.
+    """
+    minors = [determinant(tuple(row[:n] for row in m[:n])) for n in range(1, len(m) + 1)]
+    positive = Rel(">", factor.innovation, number(0))
+    sentence = "the predicted covariance is positive definite"
+    try:
+        return (shown(sentence, [*[Rel(">", e, number(0)) for e in minors], positive], factor),)
+    except NotEstablished:
+        sentence = "the predicted covariance is positive semidefinite, as the closed loop is stable"
+        return (shown(sentence, [positive], factor),)
 
 
 def characteristic(matrix: Exprs) -> list[Expr]:
@@ -110,7 +119,7 @@ def _have_values(entries: list[Expr], factor: Factor) -> tuple[Fact, ...]:
     known = factor.in_parameter()
     needed = [*map(factor.placed, entries), *known.coefficients, known.innovation, known.index]
     nothing = Statement((Rel("=", number(0), number(0)),), needed=tuple(needed))
-    outcome = decide(nothing, {factor.parameter: factor.box}, factor.parameter)
+    outcome = decide(nothing, factor.boxes(), factor.parameter)
     sentence = "gains and covariances have a value everywhere"
     if outcome.verdict != "proved":
         raise NotEstablished(f"{sentence}: {outcome.reason}")
@@ -119,6 +128,8 @@ def _have_values(entries: list[Expr], factor: Factor) -> tuple[Fact, ...]:
 
 def _all_indices(factor: Factor) -> tuple[Fact, ...]:
     """That the index falls from infinity to zero while its parameter rises through its box."""
+    if factor.parameter is None or factor.conditions:
+        return ()  # a single index
     if factor.index == symbol(factor.parameter):
         return ()
     falling = Rel("<", differentiated(factor.index, factor.parameter), number(0))
@@ -139,7 +150,8 @@ def shown(sentence: str, relations: list[Rel], factor: Factor) -> Fact:
     for rel in relations:
         if factor.put_in:
             rel = Rel(rel.operator, factor.placed(rel.left - rel.right), number(0))
-        outcome = decide(Statement((rel,)), {factor.parameter: factor.box}, factor.parameter)
+        statement = Statement((rel,), factor.conditions)
+        outcome = decide(statement, factor.boxes(), factor.parameter)
         if outcome.verdict != "proved":
             raise NotEstablished(f"{sentence}: {outcome.reason}")
         certificate = outcome.certificate

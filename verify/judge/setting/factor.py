@@ -9,7 +9,9 @@ from math import isqrt
 
 from gainproof.verify.judge.exact.box import Box
 from gainproof.verify.judge.exact.calculus import substituted
+from gainproof.verify.judge.exact.constant_value import constant_value
 from gainproof.verify.judge.exact.expression import Expr, number, power, sqrt, symbol
+from gainproof.verify.judge.exact.statement import Rel
 from gainproof.verify.judge.exact.tidy import tidied
 from gainproof.verify.judge.setting.environment import INDEX, POSITIVE
 
@@ -21,15 +23,23 @@ class Factor:
     Both in terms of `parameter`, which lives in `box`, and so is the tracking index; or in terms of
     a symbol that `put_in` expresses by the parameter and by roots of numbers. As long as it is a
     symbol all but the index is rational in it.
+
+    Of a filter in numbers there is no parameter, or one whose only value is the root in `box` of
+    the equation in `conditions`.
     """
 
     coefficients: tuple[Expr, ...]
     innovation: Expr
-    parameter: str = INDEX
+    parameter: str | None = INDEX
     box: Box = POSITIVE
     index: Expr = field(default_factory=lambda: symbol(INDEX))
     squared_index: Expr = field(default_factory=lambda: power(symbol(INDEX), 2))
     put_in: Mapping[str, Expr] = field(default_factory=dict)
+    conditions: tuple[Rel, ...] = ()
+
+    def boxes(self) -> dict[str, Box]:
+        """Where the parameter lives; empty without one."""
+        return {} if self.parameter is None else {self.parameter: self.box}
 
     def placed(self, expr: Expr) -> Expr:
         """An expression in the parameter alone, equal to this one wherever this one has a value:
@@ -47,6 +57,12 @@ class Factor:
             squared_index=self.placed(self.squared_index),
             put_in={},
         )
+
+
+def folded(expr: Expr) -> Expr:
+    """A rational number instead of an expression of numbers that is one."""
+    value = constant_value(expr)
+    return expr if value is None else number(value)
 
 
 def number_root(value: Fraction) -> Expr:

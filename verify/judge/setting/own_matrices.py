@@ -5,6 +5,7 @@ common to all such models: the interval, numbers in units, the intensity of the 
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field, replace
 from fractions import Fraction
 
 from gainproof.verify.judge.claim.record import Setting, Unit
@@ -15,7 +16,6 @@ from gainproof.verify.judge.exact.expression import (
     power,
     sqrt,
     symbol,
-    symbols_of,
 )
 from gainproof.verify.judge.exact.free_names import free_name, is_free, token_of
 from gainproof.verify.judge.exact.limits import Undecided
@@ -112,53 +112,71 @@ def _number(expr: Expr, name: str) -> Fraction:
     return found.get(UNIT, Fraction(0))
 
 
-def noise_in_units(
-    q: Rows, interval: Expr, deviation: Expr
-) -> tuple[list[list[str]], dict[str, Expr]]:
-    """Q1, and what the intensity is. Raises Undecided, also where symbols cancel in the index: a
-    number would be left of it, and it is free in all that is shown.
+@dataclass(frozen=True)
+class Driven:
+    """The process noise over the variance of the measurement: index^2 times `rows`.
+
+    `squared_index` is known where both are numbers. Otherwise `intensity` is what the source's
+    symbol of the strength is, or `deviation` that of the measurement, in terms of the index.
     """
-    below = power(deviation, -2)
+
+    rows: list[list[str]]
+    squared_index: Fraction | None = None
+    intensity: Mapping[str, Expr] = field(default_factory=dict)
+    deviation: Expr | None = None
+
+
+def noise_in_units(q: Rows, interval: Expr, variance: Expr) -> Driven:
+    """The last entry on the diagonal that is not zero becomes 1, unless the source states the
+    index itself. Raises Undecided.
+    """
+    below = 1 / variance
     entries = [
         [monomials(mul(x, below, power(interval, i + j))) for j, x in enumerate(row)]
         for i, row in enumerate(q)
     ]
     common = {m for row in entries for found in row for m in found}
+    if not common:
+        return Driven([["0" for _ in row] for row in q], Fraction(0))
     if len(common) != 1 or any(len(found) > 1 for row in entries for found in row):
-        raise Undecided("the process noise of the model is no one intensity times a matrix")
+        raise Undecided(
+            "the process noise of the model is no one strength times a matrix of numbers: several "
+            "strengths are not covered"
+        )
     (shared,) = common
-    if not dict(shared) and any(symbols_of(x) for row in q for x in row):
-        raise Undecided("the process noise of the model fixes the tracking index")
-    diagonal = [row[i].get(shared, Fraction(0)) for i, row in enumerate(entries)]
-    last = next((c for c in reversed(diagonal) if c), None)
+    values = [[found.get(shared, Fraction(0)) for found in row] for row in entries]
+    last = next((c for c in reversed([row[i] for i, row in enumerate(values)]) if c), None)
     if last is None or last < 0:
         found = "all 0" if last is None else "negative"
         raise Undecided(
             f"the process noise of the model is no covariance: on its diagonal is what is {found}"
         )
-    ratio, intensity = _intensity(shared, last)
-    rows = [
-        [str(found.get(shared, Fraction(0)) / (last * ratio)) for found in row] for row in entries
-    ]
-    return rows, intensity
+    if dict(shared) == {symbol(INDEX): 2}:
+        return Driven([[str(x) for x in row] for row in values])
+    rows = [[str(x / last) for x in row] for row in values]
+    if not shared:
+        return Driven(rows, last)
+    return replace(_strength(shared, last), rows=rows)
 
 
-def _intensity(shared: Monomial, last: Fraction) -> tuple[Fraction, dict[str, Expr]]:
-    """From index^2 = last * shared what the one free symbol of it is.
-
-    Numbers alone stand for index 1; the first result is what they are divided by.
+def _strength(shared: Monomial, last: Fraction) -> Driven:
+    """From index^2 = last * shared what the one free symbol of it is, be it of the process noise or
+    of the measurement. Raises Undecided.
     """
     powers = dict(shared)
-    if not powers or powers == {symbol(INDEX): 2}:
-        return 1 / last, {}
     unknown = [base for base in powers if source_token(base)]
-    if len(unknown) != 1 or powers[unknown[0]] not in (1, 2):
-        raise Undecided("the process noise of the model must have one symbol as its intensity")
-    rest = [power(base, -n) for base, n in powers.items() if base != unknown[0]]
-    value = mul(power(symbol(INDEX), 2), number(1 / last), *rest)
-    if powers[unknown[0]] == 2:
-        value = _root(powers, unknown[0], last)
-    return Fraction(1), {source_token(unknown[0]): value}
+    if len(unknown) == 1 and powers[unknown[0]] in (1, 2):
+        rest = [power(base, -n) for base, n in powers.items() if base != unknown[0]]
+        value = mul(power(symbol(INDEX), 2), number(1 / last), *rest)
+        if powers[unknown[0]] == 2:
+            value = _root(powers, unknown[0], last)
+        return Driven([], intensity={source_token(unknown[0]): value})
+    if not unknown and powers.get(SIGMA) == -2 and symbol(INDEX) not in powers:
+        return Driven([], deviation=1 / _root(powers, SIGMA, last))
+    raise Undecided(
+        "the process noise or the measurement noise of the model must have one symbol as its "
+        "strength, all else numbers and powers of the sampling interval"
+    )
 
 
 def _root(powers: Mapping[Expr, int], unknown: Expr, last: Fraction) -> Expr:

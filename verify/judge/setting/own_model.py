@@ -3,8 +3,9 @@ noise 1.
 
 State i counts T^(1-i) position units, so that F_ij = F1_ij T^(j-i), H_j = H1_j T^(j-1) and
 Q_ij = index^2 variance Q1_ij T^(2-i-j), with numbers F1, H1, Q1 and the last entry that is not zero
-on the diagonal of Q1 equal to 1. The measurement noise variance and one intensity of the process
-noise may be symbols: they are then determined by the tracking index, T and the noise deviation.
+on the diagonal of Q1 equal to 1. Where Q and R are numbers, or one multiple of another, the index
+is a number, and there is one filter. The variance of the measurement and one strength of the
+process noise may be symbols: of the two, and of T, the index determines one.
 """
 
 from __future__ import annotations
@@ -18,11 +19,13 @@ from typing import Any
 from gainproof.verify.judge.claim.models import positive_semidefinite
 from gainproof.verify.judge.claim.record import Setting
 from gainproof.verify.judge.exact.calculus import substituted
-from gainproof.verify.judge.exact.expression import Expr, number, power, symbols_of
+from gainproof.verify.judge.exact.constant_value import constant_value
+from gainproof.verify.judge.exact.expression import Expr, mul, number, power, symbols_of
 from gainproof.verify.judge.exact.free_names import free_name
 from gainproof.verify.judge.exact.limits import Undecided
 from gainproof.verify.judge.freed.monomials import monomials
 from gainproof.verify.judge.setting.environment import DEVIATION, INDEX, INTERVAL, Environment
+from gainproof.verify.judge.setting.factor import number_root
 from gainproof.verify.judge.setting.own_matrices import (
     SIGMA,
     Rows,
@@ -41,13 +44,14 @@ from gainproof.verify.judge.setting.quantities import steady_state
 class Scaled:
     """A model in numbers, and what symbols of the source are in terms of index, T and deviation.
 
-    `in_units` says that the source's numbers are in units of the measurement noise.
+    `known` is what the model says of these base variables themselves.
     """
 
     data: Mapping[str, Any]
     assigned: Mapping[str, Expr]
-    in_units: bool
-    intensity: Mapping[str, Expr]
+    intensity: str | None
+    squared_index: Fraction | None
+    known: Mapping[str, Expr]
 
 
 def own_environment(setting: Setting) -> Environment:
@@ -55,15 +59,16 @@ def own_environment(setting: Setting) -> Environment:
     if setting.own_model is not None and len(setting.own_model.measurement) == 2:
         return both_measured(setting)
     model = scaled_model(setting)
-    solved = steady_state(model.data)
+    solved = steady_state(model.data, squared_index=model.squared_index)
     put_in = {INDEX: solved.quantities[INDEX]}
-    assigned = {token: substituted(expr, put_in) for token, expr in model.assigned.items()}
-    quantities = dict(solved.quantities)
-    if model.in_units:
-        unit = {DEVIATION: number(1)}
-        quantities = {name: substituted(expr, unit) for name, expr in quantities.items()}
-    changing = next(iter(model.intensity), None)
-    return replace(solved, assigned=assigned, quantities=quantities, intensity=changing)
+
+    def placed(values: Mapping[str, Expr], said: Mapping[str, Expr]) -> dict[str, Expr]:
+        return {name: substituted(expr, said) for name, expr in values.items()}
+
+    known = placed(model.known, put_in)
+    assigned = placed(placed(model.assigned, known), put_in)
+    quantities = placed(solved.quantities, known)
+    return replace(solved, assigned=assigned, quantities=quantities, intensity=model.intensity)
 
 
 def scaled_model(setting: Setting) -> Scaled:
@@ -77,18 +82,32 @@ def scaled_model(setting: Setting) -> Scaled:
     names = symbols_of(*[x for matrix in (f, q, h) for row in matrix for x in row])
     # a model without the sampling interval is in units of it
     interval = T if INTERVAL in names else number(1)
-    is_one = r[0][0] == number(1)
-    deviation = number(1) if is_one else SIGMA
-    noise, intensity = noise_in_units(q, interval, deviation)
-    _require_covariance([[Fraction(x) for x in row] for row in noise])
+    variance = _variance(r[0][0])
+    driven = noise_in_units(q, interval, power(SIGMA, 2) if variance is None else number(variance))
+    _require_covariance([[Fraction(x) for x in row] for row in driven.rows])
     data = {
         "name": setting.name,
         "transition": in_units(f, (1, -1), interval, "transition"),
-        "process_noise": noise,
+        "process_noise": driven.rows,
         "measurement": _measured(h, interval),
         "measurement_noise": [["1"]],
     }
-    return Scaled(data, {**assigned, **intensity}, is_one and bool(intensity), intensity)
+    known: dict[str, Expr] = {}
+    # with an index of the source's own, R = 1 is the unit of all that it says
+    family = driven.squared_index is None and not driven.intensity
+    if variance is not None and not (family and variance == 1):
+        known[DEVIATION] = number_root(variance)
+    if driven.deviation is not None:
+        known[DEVIATION] = driven.deviation
+    if interval != T and all(s.quantity != INTERVAL for s in setting.symbols.values()):
+        known[INTERVAL] = interval
+    return Scaled(
+        data,
+        {**assigned, **driven.intensity},
+        next(iter(driven.intensity), None),
+        driven.squared_index,
+        known,
+    )
 
 
 def _measured(h: Rows, interval: Expr) -> list[list[str]]:
@@ -117,14 +136,31 @@ def _require_covariance(q: list[list[Fraction]]) -> None:
         )
 
 
+def _variance(r: Expr) -> Fraction | None:
+    """The variance of the measurement where it is a number. Raises Undecided where it is none."""
+    value = constant_value(r)
+    if value is not None and value <= 0:
+        raise Undecided(f"the variance of the measurement is {value}: it must be positive")
+    return value
+
+
 def _noise(r: Expr) -> dict[str, Expr]:
-    """What the symbol in the measurement noise is: R or sigma; empty where it is the variance."""
+    """What the symbol in the measurement noise is, a variance or a deviation; empty where there is
+    none, or the variance itself. Raises Undecided.
+    """
     found = monomials(r)
-    if r == number(1) or found == monomials(power(SIGMA, 2)):
+    if constant_value(r) is not None or found == monomials(power(SIGMA, 2)):
         return {}
     if len(found) == 1:
         ((monomial, c),) = found.items()
-        for base, exponent in monomial:
-            if c == 1 and len(monomial) == 1 and exponent in (1, 2) and source_token(base):
-                return {source_token(base): power(SIGMA, 2) if exponent == 1 else SIGMA}
-    raise Undecided("the measurement noise of a model must be 1, a variance or a squared deviation")
+        powers = dict(monomial)
+        unknown = [base for base in powers if source_token(base)]
+        if len(unknown) == 1 and powers[unknown[0]] in (1, 2) and len(powers) == 1 and c > 0:
+            exponent = Fraction(1, powers[unknown[0]])
+            scale = number_root(1 / c) if exponent != 1 else number(1 / c)
+            value = SIGMA if exponent != 1 else power(SIGMA, 2)
+            return {source_token(unknown[0]): value if c == 1 else mul(scale, value)}
+    raise Undecided(
+        "the measurement noise of a model must be a positive number, or one symbol or its square "
+        "times one"
+    )

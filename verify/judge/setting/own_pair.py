@@ -38,7 +38,10 @@ def both_measured(setting: Setting) -> Environment:
     numbers = in_units(f, (1, -1), T, "transition"), in_units(h, (0, 0), T, "measurement")
     if numbers != ([["1", "1"], ["0", "1"]], [["1", "0"], ["0", "1"]]):
         raise Undecided("two measurements of other than position and velocity of a straight motion")
-    data, intensity = noise_in_units(q, T, SIGMA)
+    driven = noise_in_units(q, T, power(SIGMA, 2))
+    data, intensity = driven.rows, driven.intensity
+    if not intensity:
+        raise Undecided("two measurements with a process noise that has no symbol as its strength")
     (position, mixed), (other, last) = ([Fraction(x) for x in row] for row in data)
     if mixed != other or last != 1:
         raise Undecided("the process noise of the model is no covariance with driven velocity")

@@ -35,13 +35,17 @@ from gainproof.verify.judge.setting.steady_state import solve
 T, SIGMA = symbol(INTERVAL), symbol(DEVIATION)
 
 
-def steady_state(model: Mapping[str, Any], gain_form: str = "filter") -> Environment:
-    """The steady state of a model; with `predictor`, `gain.i` is F K, otherwise K."""
+def steady_state(
+    model: Mapping[str, Any], gain_form: str = "filter", squared_index: Fraction | None = None
+) -> Environment:
+    """The steady state of a model; with `predictor`, `gain.i` is F K, otherwise K. Without
+    `squared_index` the tracking index is free.
+    """
     if model.get("measurement_noise") != [["1"]] and model.get("measurement_noise") != (("1",),):
         raise Undecided(
             "model data must be in units of the measurement noise, with measurement_noise [['1']]"
         )
-    state = solve(model)
+    state = solve(model, squared_index)
     factor, size = state.factor, len(state.filter_gain)
     named = {"filter": state.filter_gain, "predictor": state.predictor_gain}
     quantities = {**common_quantities(), **state.put_in, INDEX: factor.index}
@@ -56,11 +60,16 @@ def steady_state(model: Mapping[str, Any], gain_form: str = "filter") -> Environ
     quantities["closed_loop.trace"] = -factor.coefficients[-1]
     quantities["closed_loop.determinant"] = (-1) ** size * factor.coefficients[0]
     quantities |= filter_states(state.transition, state.filter_gain, state.measurement)
-    boxes = {factor.parameter: factor.box, **base_boxes(size)}
+    boxes = {**factor.boxes(), **base_boxes(size)}
     name = str(model.get("name", "model"))
     suffix = "" if gain_form == "filter" else ", gains are those of the predictor (F K)"
     return Environment(
-        f"process noise {name}{suffix}", quantities, boxes, factor.parameter, state.facts
+        f"process noise {name}{suffix}",
+        quantities,
+        boxes,
+        factor.parameter,
+        state.facts,
+        conditions=factor.conditions,
     )
 
 

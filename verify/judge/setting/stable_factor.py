@@ -10,15 +10,22 @@ from fractions import Fraction
 from gainproof.verify.judge.exact.expression import Expr, number, power, sqrt, symbol, weighted
 from gainproof.verify.judge.exact.limits import Undecided
 from gainproof.verify.judge.setting.environment import INDEX
-from gainproof.verify.judge.setting.factor import Factor, number_root
+from gainproof.verify.judge.setting.factor import Factor, folded, number_root
 from gainproof.verify.judge.setting.matrix import Numbers
+from gainproof.verify.judge.setting.number_factor import NO_STEADY_STATE, number_factor
 from gainproof.verify.judge.setting.spectrum import Laurent, at_point, spectrum
 from gainproof.verify.judge.setting.three_states import three_states
 
 
-def stable_factor(f: Numbers, q: Numbers, h: Numbers, r: Fraction) -> Factor:
-    """c and S with all roots of c inside the unit circle. Raises Undecided."""
+def stable_factor(
+    f: Numbers, q: Numbers, h: Numbers, r: Fraction, squared_index: Fraction | None = None
+) -> Factor:
+    """c and S with all roots of c inside the unit circle, for all indices or for one. Raises
+    Undecided.
+    """
     rest, noise = spectrum(f, q, h, r)
+    if squared_index is not None:
+        return _in_numbers(len(f), rest, noise, squared_index)
     if len(f) == 1:
         return _one_state(rest, noise)
     if len(f) == 2:
@@ -26,6 +33,25 @@ def stable_factor(f: Numbers, q: Numbers, h: Numbers, r: Fraction) -> Factor:
     if len(f) == 3:
         return three_states(rest, noise)
     raise Undecided(f"a steady state with {len(f)} states is not covered")
+
+
+def _in_numbers(size: int, rest: Laurent, noise: Laurent, squared_index: Fraction) -> Factor:
+    """The factor of a filter whose index is a number: the same with a noise that is not scaled."""
+    whole = {k: rest.get(k, Fraction(0)) + squared_index * noise.get(k, Fraction(0)) for k in rest}
+    if any(at_point(whole, z) == 0 for z in (1, -1)):
+        raise Undecided(NO_STEADY_STATE)
+    if size == 3:
+        return number_factor(whole, squared_index)
+    if size > 3:
+        raise Undecided(f"a steady state with {size} states is not covered")
+    found = (_one_state if size == 1 else _two_states)(whole, {})
+    return Factor(
+        tuple(map(folded, found.coefficients)),
+        folded(found.innovation),
+        None,
+        index=number_root(squared_index),
+        squared_index=number(squared_index),
+    )
 
 
 def _one_state(rest: Laurent, noise: Laurent) -> Factor:
@@ -38,14 +64,15 @@ def _one_state(rest: Laurent, noise: Laurent) -> Factor:
 def _two_states(rest: Laurent, noise: Laurent) -> Factor:
     """S c(1)^2 and S c(-1)^2 are the values at 1 and -1, S c(0) the highest coefficient."""
     n2 = rest.get(2, Fraction(0))
-    if n2 == 0 or noise.get(2, Fraction(0)) != 0:
-        raise Undecided("the transition matrix is singular")
     plus, minus = _root_at(rest, noise, 1), _root_at(rest, noise, -1)
     # S c(1) + S c(-1) = 2 S + 2 n2 and S c(+-1) = deviation * root: 2 deviation^2 - (plus + minus)
     # deviation + 2 n2 = 0;
     # the product of its roots is n2, the greater one is the deviation because |c(0)| < 1
     total = plus + minus
-    root = sqrt(power(total, 2) - number(16 * n2))
+    if n2 == 0:  # the transition has no inverse: the deviation is half the sum
+        return Factor((number(0), (plus - minus) / total), number(Fraction(1, 4)) * total * total)
+    inside = folded(power(total, 2) - number(16 * n2))
+    root = number_root(inside.fraction) if inside.kind == "number" else sqrt(inside)
     deviation = number(Fraction(1, 4)) * (total + root)
     other = number(Fraction(1, 4)) * (total - root)
     inverse = weighted([1 / n2], [other])

@@ -14,13 +14,14 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from fractions import Fraction
+from operator import mul
 from typing import Any
 
 from gainproof.verify.judge.exact.expression import Expr, number
 from gainproof.verify.judge.exact.limits import Undecided
 from gainproof.verify.judge.setting.environment import Fact
 from gainproof.verify.judge.setting.established import established
-from gainproof.verify.judge.setting.factor import Factor
+from gainproof.verify.judge.setting.factor import Factor, folded
 from gainproof.verify.judge.setting.matrix import (
     Exprs,
     Numbers,
@@ -57,19 +58,21 @@ class SteadyState:
         return self.factor.innovation
 
 
-def solve(model: Mapping[str, Any]) -> SteadyState:
-    """The established steady state of a model. Raises Malformed, Undecided, NotEstablished."""
+def solve(model: Mapping[str, Any], squared_index: Fraction | None = None) -> SteadyState:
+    """The established steady state of a model, for all tracking indices or for one. Raises
+    Malformed, Undecided, NotEstablished.
+    """
     f, q, h, r = model_matrices(model)
     if len(h) != 1:
         raise Undecided(f"a steady state with {len(h)} measurements is not covered")
-    factor = stable_factor(f, q, h, r[0][0])
+    factor = stable_factor(f, q, h, r[0][0], squared_index)
     predictor = _predictor_gain(f, h, factor)
     gain = solve_rows(f, predictor)
-    if gain is None:
-        raise Undecided("the transition matrix is singular")
-    predicted = _predicted(f, q, h, gain, predictor, factor)
+    predicted = _predicted(f, q, h, r[0][0], gain, predictor, factor)
     big, seen = exprs(f), exprs(h)
     observed = times(seen, predicted)
+    if gain is None:
+        gain = [folded(x / factor.innovation) for x in observed[0]]
     updated = minus(predicted, times(tuple((g,) for g in gain), observed))
     facts = established(big, exprs(q), seen, r[0][0], predicted, updated, gain, predictor, factor)
     return SteadyState(
@@ -96,21 +99,37 @@ def _predictor_gain(f: Numbers, h: Numbers, factor: Factor) -> list[Expr]:
     solved = solve_rows(rows, right)
     if solved is None:
         raise Undecided("the state is not observable")
-    return solved
+    return [folded(x) for x in solved]
 
 
 def _predicted(
-    f: Numbers, q: Numbers, h: Numbers, gain: list[Expr], predictor: list[Expr], factor: Factor
+    f: Numbers,
+    q: Numbers,
+    h: Numbers,
+    r: Fraction,
+    gain: list[Expr] | None,
+    predictor: list[Expr],
+    factor: Factor,
 ) -> Exprs:
-    """M from M H' = S K and M - F M F' = index^2 Q - S L L', linear in its upper entries."""
+    """M from M H' = S K and M - F M F' = index^2 Q - S L L', linear in its upper entries; where F
+    has no inverse, so that L does not tell K, from F M H' = S L and H M H' = S - R instead.
+    """
     size = len(f)
     pairs = [(i, j) for i in range(size) for j in range(i, size)]
     index2, innovation = factor.squared_index, factor.innovation
     rows: list[list[Fraction]] = []
     right: list[Expr] = []
-    for i in range(size):
-        rows.append([_share(h[0], i, pair) for pair in pairs])
-        right.append(innovation * gain[i])
+    seen = [[_share(h[0], i, pair) for pair in pairs] for i in range(size)]
+    if gain is not None:
+        rows += seen
+        right += [innovation * g for g in gain]
+    else:
+        for weights, value in zip(
+            (*f, h[0]), (*[innovation * g for g in predictor], innovation - number(r)), strict=True
+        ):
+            columns = zip(*seen, strict=True)
+            rows.append([sum(map(mul, weights, column), Fraction(0)) for column in columns])
+            right.append(value)
     for i, j in pairs:
         row = []
         for p, s in pairs:
@@ -121,7 +140,7 @@ def _predicted(
     solved = solve_rows(rows, right)
     if solved is None:
         raise Undecided("the covariance is not fixed by gain and Riccati equation")
-    entries = dict(zip(pairs, solved, strict=True))
+    entries = dict(zip(pairs, map(folded, solved), strict=True))
     return tuple(tuple(entries[min(i, j), max(i, j)] for j in range(size)) for i in range(size))
 
 

@@ -78,11 +78,13 @@ def test_white_acceleration(kind: str, fields: str, wanted: str) -> None:
         ("q", "r", r"K = \frac{P}{P + r}", "proved"),
         ("w^2", "v^2", r"K = \frac{w^2}{2 v^2} (\sqrt{1 + \frac{4 v^2}{w^2}} - 1)", "proved"),
         ("w^2", "v^2", r"K = \frac{w}{v + w}", "refuted"),
-        ("1", "r", "K = 1", "undecided"),
-        # the index is 1, while it is free in what is shown of the steady state
-        ("r", "r", r"K = \frac{\sqrt{5} - 1}{2}", "undecided"),
-        ("v^2", "v^2", r"P = \frac{1 + \sqrt{5}}{2} v^2", "undecided"),
-        ("4 v^2", "v^2", r"P = (2 + 2\sqrt{2}) v^2", "undecided"),
+        ("1", "r", "K = 1", "refuted"),
+        # the ratio of the noises is a number
+        ("r", "r", r"K = \frac{\sqrt{5} - 1}{2}", "proved"),
+        ("r", "r", r"K = \frac{\sqrt{5} - 1}{3}", "refuted"),
+        ("v^2", "v^2", r"P = \frac{1 + \sqrt{5}}{2} v^2", "proved"),
+        ("4 v^2", "v^2", r"P = (2 + 2\sqrt{2}) v^2", "proved"),
+        ("4 v^2", "v^2", r"P = (2 + \sqrt{2}) v^2", "refuted"),
     ],
 )  # fmt: skip
 def test_random_walk(noise: str, measured: str, latex: str, wanted: str) -> None:

@@ -1,0 +1,17 @@
+"""Whatever stands in a model, it is derived, or refused in one line that names the reason."""
+
+from __future__ import annotations
+
+import pytest
+from model_fuzz import drawn, outcome
+
+from gainproof.derive.any_two_state import printed
+
+
+@pytest.mark.parametrize("seed", range(30, 70))
+def test_models_with_odd_entries(seed: int, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Without the bounds of kernels; `tests/campaigns/models.py` goes on, with them."""
+    monkeypatch.setattr(printed, "prove", lambda *_: None)
+    said = outcome(drawn(seed))
+    assert "\n" not in said
+    assert said == "derived" or said.startswith("model trial: ")

@@ -1,0 +1,92 @@
+"""Models of one's own with odd entries: whatever they hold, they are derived or refused by name."""
+
+from __future__ import annotations
+
+import random
+from typing import Any
+
+import sympy as sp
+
+from gainproof.derive.model import Model, ModelError, Parameter
+from gainproof.derive.own_model.choice import derive_own_model
+from gainproof.derive.quantity import (
+    MEASUREMENT_DEVIATION,
+    METRE,
+    SAMPLING_INTERVAL,
+    SECOND,
+    Quantity,
+    Unit,
+)
+
+T, SIGMA = SAMPLING_INTERVAL.symbol, MEASUREMENT_DEVIATION.symbol
+SHAKE = Quantity("shake", "w", "strength", METRE)
+OTHER = Quantity("jitter", "d", "another strength", METRE)
+RATE = Quantity("rate", "b", "a rate", SECOND**-1)
+BELOW = Quantity("rho", r"\rho", "a number below 1", Unit())
+ABOVE = Quantity("ratio", "r", "a number", Unit())
+RHO, R, W, D, B = (q.symbol for q in (BELOW, ABOVE, SHAKE, OTHER, RATE))
+PLAIN = [0, 0, 0, 1, 1, 1, 2, -1, sp.Rational(1, 2), sp.Rational(-3, 4), sp.Rational("0.917")]
+FREE = [RHO, 1 - RHO, R, -R, RHO**2, RHO * R, (1 - RHO) / (1 + R), 1 / RHO, R - 1, RHO - R]
+ODD = [
+    *(sp.sqrt(2), sp.pi, sp.Float(0.3), sp.I, sp.oo, sp.zoo, sp.nan, sp.sqrt(RHO), RHO**R),
+    *(sp.exp(-RHO), sp.log(RHO), sp.cos(R), sp.Abs(R - 1), sp.Max(RHO, R), sp.exp(-B * T)),
+    *(sp.Piecewise((1, R > 1), (0, True)), sp.Symbol("unknown"), B * T, 1 / (RHO - RHO**2)),
+    *(T, SIGMA, W, D / SIGMA, 10**40, sp.Rational(1, 10**40), sp.Rational("0.123456789012345678")),
+]
+
+
+def drawn(seed: int) -> Model:
+    """A model of one to four states; one in three has something odd."""
+    chosen = random.Random(seed)
+    size = chosen.choice([1, 2, 2, 2, 2, 2, 3, 3, 4])
+    seen = chosen.choice([1, 1, 1, 1, 1, 2])
+    is_free, is_odd = chosen.random() < 0.3, chosen.random() < 0.35
+
+    def entry() -> Any:
+        if is_odd and chosen.random() < 0.12:
+            return sp.sympify(chosen.choice(ODD))
+        return sp.sympify(chosen.choice(FREE if is_free and chosen.random() < 0.4 else PLAIN))
+
+    scale = sp.diag(*(T**-k for k in range(size)))
+    transition = scale * sp.Matrix(size, size, lambda *_: entry()) * scale.inv()
+    through = sp.Matrix(size, chosen.randint(1, size), lambda *_: entry())
+    noise = (
+        through * through.T if chosen.random() < 0.8 else sp.Matrix(size, size, lambda *_: entry())
+    )
+    strength = chosen.choice(
+        [W**2] * 20 + [W, W**2 + D**2, sp.Integer(1), W**2 / 9, SIGMA**2, -(W**2)]
+    )
+    first = sp.Matrix(seen, size, lambda i, j: int(i == j))
+    measurement = first if chosen.random() < 0.85 else sp.Matrix(seen, size, lambda *_: entry())
+    variance = sp.eye(seen) * chosen.choice([SIGMA**2] * 25 + [SIGMA, 4 * SIGMA**2, 0, -1, 1, D**2])
+    used = transition.row_join(noise).free_symbols | measurement.free_symbols
+    units = [METRE / SECOND**k for k in range(size)]
+    if is_odd and chosen.random() < 0.2:
+        chosen.shuffle(units)
+    if is_odd and chosen.random() < 0.1:
+        noise = noise[:, 1:] if size > 1 else noise.row_join(noise)
+    free = [Parameter(BELOW, below_one=True), Parameter(ABOVE)]
+    return Model(
+        name="trial",
+        title="Trial",
+        transition=sp.ImmutableDenseMatrix(transition),
+        process_noise=sp.ImmutableDenseMatrix(
+            strength * scale * noise * scale if noise.shape == (size, size) else noise
+        ),
+        measurement=sp.ImmutableDenseMatrix(measurement),
+        measurement_noise=sp.ImmutableDenseMatrix(variance),
+        quantities=(SAMPLING_INTERVAL, MEASUREMENT_DEVIATION, SHAKE, OTHER, RATE),
+        state_units=tuple(units),
+        measurement_units=(METRE,) * seen,
+        parameters=tuple(each for each in free if each.quantity.symbol in used),
+    )
+
+
+def outcome(model: Model) -> str:
+    """`derived`, or the message of the refusal; anything else is raised."""
+    try:
+        subject = derive_own_model(model)
+        subject.certificate()
+    except ModelError as error:
+        return str(error)
+    return "derived"
