@@ -29,6 +29,7 @@ from gainproof.verify.judge.exact.limits import Undecided
 from gainproof.verify.judge.exact.place import Place
 from gainproof.verify.judge.exact.region import region_text
 from gainproof.verify.judge.exact.statement import Rel, Statement, Witness
+from gainproof.verify.judge.exact.tidy import tidied
 from gainproof.verify.judge.scope import Scope
 from gainproof.verify.judge.setting.environment import (
     DEVIATION,
@@ -118,7 +119,7 @@ def _scaled(
     if name not in symbols_of(value) or not others <= set(UNITS):
         return None
     ones = {other: number(1) for other in others}
-    bare = substituted(value, ones)
+    bare = tidied(substituted(value, ones))
     powers: dict[str, int] = {}
     product = bare
     for other in sorted(others):
