@@ -12,6 +12,8 @@ Claim = Mapping[str, Any]
 ANY_FILTER = "holds whatever the filter is: it follows from the file's own definitions"
 NO_REPAIR = "no misprint-like repair found"
 """What the judge says where it looked for a repair and found none."""
+_ALONE = "would be true with"
+"""In the certificate of a refuted claim, the convention under which it alone would hold."""
 _OF_SLOPE = "sign of the derivative"
 """How the method begins that holds a trend against a derivative."""
 _PARTS = ("for ", "where", "everywhere", "nowhere", "on ", "as ")
@@ -30,8 +32,11 @@ def reasons(claim: Claim) -> list[str]:
     why = reason(claim)
     if why:
         found.append(why)
-    rounded = (claim["evidence"]["certificate"] or {}).get("as a rounded number")
-    found += [rounded] if rounded else []
+    certificate = claim["evidence"]["certificate"] or {}
+    if "as a rounded number" in certificate:
+        found.append(certificate["as a rounded number"])
+    if _ALONE in certificate:
+        found.append(f"{_ALONE}: {certificate[_ALONE]}; other claims of its setting exclude that")
     return found + repaired(claim) + solutions(claim)
 
 

@@ -48,6 +48,7 @@ FIELDS = {
     "convention",
     "reading",
     "undefined",
+    "any_filter",
     "reason",
     "seconds",
 }

@@ -57,7 +57,9 @@ def _plain(value: object) -> Any:
     name = type(value).__name__
     if RECORDS.get(name) is not type(value):
         raise TypeError(f"{name} is no part of an answer")
-    return {name: {f.name: _plain(getattr(value, f.name)) for f in fields(RECORDS[name])}}
+    # the places of a finding were told in its domain and have done their work
+    kept = [f.name for f in fields(RECORDS[name]) if f.name != "region"]
+    return {name: {field: _plain(getattr(value, field)) for field in kept}}
 
 
 def _record(value: Any) -> Any:

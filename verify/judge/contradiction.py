@@ -24,6 +24,8 @@ from gainproof.verify.judge.trial import Trial, findings_of
 from gainproof.verify.judge.verdict import ClaimVerdict
 
 TRUE, FALSE = "proved", "refuted"
+ALONE = "would be true with"
+"""In the certificate of a refuted claim: a convention that other claims of its setting exclude."""
 CHANCE = frozenset(("value", "limit", "inequality"))
 """Kinds of claims of which a single one may be true under another convention by chance."""
 
@@ -149,14 +151,15 @@ def under_other_convention(
     claims: Sequence[Claim], verdicts: Sequence[ClaimVerdict], trials: Mapping[str, Trial]
 ) -> list[ClaimVerdict]:
     """The verdicts on a setting; refuted claims are `conditional` if one other convention makes
-    them all true and keeps every claim true that is. `trials` are those of `other_tasks`.
+    them all true and keeps every claim true that is; else one that would be true under another says
+    so. `trials` are those of `other_tasks`.
     """
     decided = _decided(claims, verdicts)
     if not decided or not decided.keys() <= trials.keys():
         return list(verdicts)
     found = {v.id: v for v in choose([trials[name] for name in decided])}
     if any(verdict.verdict != TRUE for verdict in found.values()):
-        return list(verdicts)
+        return [_alone(v, trials[v.id]) if v.id in decided else v for v in verdicts]
     kinds = {claim.id: claim.kind for claim in claims}
     false = [kinds[name] for name, verdict in decided.items() if verdict.verdict == FALSE]
     if len(false) == 1 and false[0] in CHANCE:
@@ -170,6 +173,14 @@ def under_other_convention(
 def _decided(claims: Sequence[Claim], verdicts: Sequence[ClaimVerdict]) -> dict[str, ClaimVerdict]:
     names = {claim.id for claim in claims}
     return {v.id: v for v in verdicts if v.verdict in (TRUE, FALSE) and v.id in names}
+
+
+def _alone(stated: ClaimVerdict, trial: Trial) -> ClaimVerdict:
+    """A refuted claim with the convention under which it, if not all the others, would be true."""
+    fits = [name for name, finding in trial.findings.items() if finding.verdict == TRUE]
+    if stated.verdict != FALSE or stated.kind in CHANCE or not fits:
+        return stated
+    return replace(stated, certificate={**stated.certificate, ALONE: fits[0]})
 
 
 def _conditional(stated: ClaimVerdict, other: ClaimVerdict) -> ClaimVerdict:

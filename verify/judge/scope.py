@@ -100,10 +100,11 @@ class Scope(Table):
         found |= {name: name.split()[1] for name in self.bound_domains}
         for token, entry in self.setting.symbols.items():
             value = self.environment.quantities.get(entry.quantity or "")
-            # a variance is no name for its deviation
-            same = entry.quantity is not None and value in (None, symbol(entry.quantity))
-            if entry.role == "quantity" and entry.quantity in found and same:
-                found[entry.quantity] = token
+            if entry.role == "quantity" and entry.quantity in found:
+                # a variance is no name for its deviation
+                itself = value in (None, symbol(entry.quantity))
+                if itself or entry.quantity in self.environment.charted:
+                    found[entry.quantity] = token
             if self.environment.region is not None and value is not None:
                 # a gain by the source's own name
                 name = value.name if value.kind == "symbol" else ""

@@ -6,40 +6,61 @@ else are rational, say. What a source declares is a function of it.
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-from dataclasses import dataclass, replace
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass, field, replace
 from fractions import Fraction
 
 from gainproof.verify.judge.claim.record import Setting
 from gainproof.verify.judge.exact.algebraic import rational_point
 from gainproof.verify.judge.exact.calculus import substituted
-from gainproof.verify.judge.exact.expression import Expr, symbol, symbols_of
+from gainproof.verify.judge.exact.constant_value import constant_value
+from gainproof.verify.judge.exact.decision import decide
+from gainproof.verify.judge.exact.expression import (
+    Expr,
+    number,
+    power,
+    symbol,
+    symbols_of,
+    whole_power,
+)
 from gainproof.verify.judge.exact.expression_text import labelled
 from gainproof.verify.judge.exact.image import image, images
 from gainproof.verify.judge.exact.limits import Undecided
 from gainproof.verify.judge.exact.place import Place
 from gainproof.verify.judge.exact.region import region_text
-from gainproof.verify.judge.exact.statement import Witness
+from gainproof.verify.judge.exact.statement import Rel, Statement, Witness
+from gainproof.verify.judge.exact.tidy import tidied
 from gainproof.verify.judge.scope import Scope
-from gainproof.verify.judge.setting.environment import DEVIATION, INDEX, SAMPLE, Environment
+from gainproof.verify.judge.setting.environment import (
+    DEVIATION,
+    INDEX,
+    INTERVAL,
+    SAMPLE,
+    Environment,
+)
 from gainproof.verify.judge.verdict import Finding
 
 INPUTS = (INDEX, DEVIATION, "measurement_noise_variance")
 """Beginnings of quantities of a steady state that all others are functions of, with T."""
+UNITS = (INTERVAL, DEVIATION)
+MOST_POWER = 12
 LONGEST = 200
 """Characters of an expression that is told beside a domain."""
 
 
 @dataclass(frozen=True)
 class Meant:
-    """A parameter of the judge, its name in what it tells, and a symbol of the source that is this
-    expression of it.
+    """A parameter of the judge, its name in what it tells, and what of the source is this
+    expression of it: a symbol, or a symbol over `powers` of T and of the noise deviation, by their
+    own names in what is told; `token` is the symbol, `words` the whole.
     """
 
     name: str
     label: str
     token: str
     value: Expr
+    words: str
+    powers: Mapping[str, int] = field(default_factory=dict)
 
 
 def in_source_symbols(finding: Finding, setting: Setting, environment: Environment) -> Finding:
@@ -61,15 +82,72 @@ def _meant(setting: Setting, environment: Environment) -> Iterator[Meant]:
     }
     unit = {DEVIATION: environment.quantities.get(DEVIATION, symbol(DEVIATION))}
     declared |= {token: substituted(v, unit) for token, v in environment.assigned.items()}
-    if environment.parameter not in (None, SAMPLE):
-        # where no symbol stands for it, the name of the quantity is at least one of the field
-        declared.setdefault(INDEX, environment.quantities.get(INDEX))
-    for name in environment.boxes:
-        found = [(t, v) for t, v in declared.items() if v is not None and symbols_of(v) == {name}]
-        if found and not any(value == symbol(name) and token != name for token, value in found):
-            token, value = found[0]
-            if token != name:
-                yield Meant(name, labels.get(name, name), token, value)
+    known = {token: value for token, value in declared.items() if value is not None}
+    # T and the deviation come last: what is told of the others speaks of them
+    for name in sorted(environment.boxes, key=lambda name: name in UNITS):
+        own = [(t, v) for t, v in known.items() if symbols_of(v) == {name}]
+        label = labels.get(name, name)
+        # the parameter itself first, which may have its label by now
+        own.sort(key=lambda pair: pair[1] != symbol(name))
+        if own and own[0][0] != label:
+            yield Meant(name, label, *own[0], own[0][0])
+        elif own:
+            continue
+        elif name == environment.parameter and name != SAMPLE:
+            scaled = (_scaled(name, t, v, known, labels, environment) for t, v in known.items())
+            index = environment.quantities.get(INDEX)
+            found = next(filter(None, scaled), None)
+            if found is not None:
+                yield found
+            elif name != INDEX and index is not None and symbols_of(index) == {name}:
+                # where no symbol stands for it, the name of the quantity is at least of the field
+                yield Meant(name, label, INDEX, index, INDEX)
+
+
+def _scaled(
+    name: str,
+    token: str,
+    value: Expr,
+    known: Mapping[str, Expr],
+    labels: Mapping[str, str],
+    environment: Environment,
+) -> Meant | None:
+    """A symbol that is a function of the parameter times powers of T and the deviation; None for
+    others.
+    """
+    others = symbols_of(value) - {name}
+    if name not in symbols_of(value) or not others <= set(UNITS):
+        return None
+    ones = {other: number(1) for other in others}
+    bare = tidied(substituted(value, ones))
+    powers: dict[str, int] = {}
+    product = bare
+    for other in sorted(others):
+        at_two = substituted(value, {**ones, other: number(2), name: number(Fraction(1, 2))})
+        at_one = substituted(bare, {name: number(Fraction(1, 2))})
+        high, low = constant_value(at_two), constant_value(at_one)
+        ratio = high / low if high and low else Fraction(0)
+        fits = [k for k in range(-MOST_POWER, MOST_POWER) if ratio == Fraction(2) ** k]
+        if not fits:
+            return None
+        powers[other] = fits[0]
+        product = product * whole_power(symbol(other), fits[0])
+    try:
+        same = decide(Statement((Rel("=", value, product),)), environment.boxes, name)
+    except Undecided:
+        return None
+    if same.verdict != "proved":
+        return None
+    words = token
+    variance = next((t for t, v in known.items() if v == power(symbol(DEVIATION), 2)), None)
+    for other, k in sorted(powers.items(), key=lambda pair: pair[1]):
+        by_variance = other == DEVIATION and variance is not None and k % 2 == 0
+        plain = next((t for t, v in known.items() if v == symbol(other)), labels.get(other, other))
+        told, size = (variance, k // 2) if by_variance else (plain, k)
+        exponent = "" if abs(size) == 1 else f"^{abs(size)}"
+        words += f"/{told}{exponent}" if size > 0 else f" {told}{exponent}"
+    shown = {labels.get(other, other): k for other, k in powers.items()}
+    return Meant(name, labels.get(name, name), token, bare, words, shown)
 
 
 def _retold(finding: Finding, meant: Meant, environment: Environment) -> Finding:
@@ -83,24 +161,30 @@ def _retold(finding: Finding, meant: Meant, environment: Environment) -> Finding
             domain, reason = domain.replace(old, new), reason.replace(old, new)
         if meant.label in domain:
             value = labelled(meant.value, {meant.name: meant.label})
-            more = f"{domain}, where {meant.token} = {value}"
+            more = f"{domain}, where {meant.words} = {value}"
             if len(value) <= LONGEST:
                 reason, domain = reason.replace(domain, more), more
     return replace(finding, domain=domain, reason=reason, witness=witness)
 
 
 def _at(witness: Witness, meant: Meant) -> Witness:
-    """The witness with the value of the symbol in place of that of the parameter."""
+    """The witness with the value of the symbol in place of that of the parameter; T and the
+    deviation are 1 where it speaks of neither.
+    """
+    units = {name: witness.point.get(name, "1") for name in meant.powers}
     try:
         at = rational_point(Fraction(witness.point[meant.label]))
-        value = image(meant.value, meant.name, at).text()
+        size = Fraction(1)
+        for name, value in units.items():
+            size *= Fraction(value) ** meant.powers[name]
+        told = image(number(size) * meant.value, meant.name, at).text()
     except (ValueError, Undecided):
         return witness
     point = {
-        (meant.token if name == meant.label else name): (value if name == meant.label else other)
+        (meant.token if name == meant.label else name): (told if name == meant.label else other)
         for name, other in witness.point.items()
     }
-    return replace(witness, point=point)
+    return replace(witness, point={**point, **units})
 
 
 def _regions(
@@ -116,4 +200,4 @@ def _regions(
         except Undecided:
             continue
         if found:
-            yield region_text(places, meant.label), region_text(found, meant.token)
+            yield region_text(places, meant.label), region_text(found, meant.words)

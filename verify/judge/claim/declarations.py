@@ -14,7 +14,7 @@ from gainproof.verify.judge.claim.units import read_unit, unit_text_of
 from gainproof.verify.judge.quantity_names import quantity_names
 from gainproof.verify.judge.reader.errors import ReaderError
 from gainproof.verify.judge.reader.names import canonical_token
-from gainproof.verify.judge.reader.words import MADE_BY_READER
+from gainproof.verify.judge.reader.words import MADE_BY_READER, function_of
 
 MOST_SYMBOLS = 500
 MOST_ARGUMENTS = 8
@@ -79,13 +79,14 @@ def _read_one(
 ) -> None:
     """Put the declaration of one symbol to those `found`."""
     name = text.attempt(lambda: _canonical(text, place, token, line), "")
-    if name in found or name in RESERVED:
-        problem = "is declared twice" if name in found else "is a reserved word"
+    if name in found or name in RESERVED or _is_function(name):
+        problem = "is a reserved word" if name in RESERVED else "is the name of a function"
+        problem = "is declared twice" if name in found else problem
         text.note(text.error(place, f"the symbol {name} {problem}", line))
         if name in found:
             found[name] = replace(found[name], broken=True)
             return
-    if not name or name in RESERVED:
+    if not name or name in RESERVED or _is_function(name):
         text.doubtful.update((token, *token.split()))
         return
     noted = text.noted
@@ -96,6 +97,11 @@ def _read_one(
         text.doubtful.add(name)
         declared = Declaration(SymbolEntry(name, "", "free"), place, line, None, None, None)
     found[name] = replace(declared, broken=text.noted > noted)
+
+
+def _is_function(name: str) -> bool:
+    """Whether a formula could not tell the symbol from a function, as printed or in plain text."""
+    return name == "sqrt" or function_of(name) is not None
 
 
 def _canonical(text: FileText, place: str, token: str, line: int | None) -> str:

@@ -5,6 +5,7 @@ from __future__ import annotations
 import pytest
 from claim_texts import MODELS, SOLVED, algebra, claim_file, judged
 
+from gainproof.verdict_reason import reasons
 from gainproof.verify.judge.judge import judge_file
 
 PARABOLA = """
@@ -281,6 +282,12 @@ def test_a_slip_is_preferred_to_a_convention_that_spoils_another_claim() -> None
     )
     assert [v.verdict for v in verdicts] == ["refuted", "proved"]
     assert verdicts[0].repair is not None
+    # what would make it true is named all the same
+    alone = verdicts[0].certificate["would be true with"]
+    assert alone == "gains are those of the predictor (F K)"
+    assert any(
+        text.startswith(f"would be true with: {alone}") for text in reasons(verdicts[0].to_json())
+    )
 
 
 def test_another_family_than_the_one_stated() -> None:

@@ -147,8 +147,8 @@ def test_family_is_found(kind: str, fields: str, wanted: str, family: str) -> No
     ("latex", "third"),
     [
         (r"2 a c - b^2 = \frac{1}{12} c^2", "process noise jerk constant over each interval"),
-        (r"4 a c - b^2 = \frac{1}{3} c^2", "1/2 T^2 times"),
-        (r"a c - b^2 = \frac{1}{48} c^2", "2 T^2 times"),
+        (r"4 a c - b^2 = \frac{1}{3} c^2", "K_3 = 2 c/T^2"),
+        (r"a c - b^2 = \frac{1}{48} c^2", "K_3 = c/(2 T^2)"),
     ],
 )
 def test_meaning_of_the_third_gain_is_found(latex: str, third: str) -> None:

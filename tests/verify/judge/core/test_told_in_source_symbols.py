@@ -135,6 +135,57 @@ def test_the_one_free_number_of_a_model(kind: str, latex: str, domain: str) -> N
         assert set(found.witness["point"]) == {"q"}
 
 
+NOISES = {
+    "q T^3/r": ("[['q T^3/3', 'q T^2/2'], ['q T^2/2', 'q T']]", "[['r']]", "m^2/s^3"),
+    "q T^2/r": ("[['0', '0'], ['0', 'q']]", "[['r']]", "m^2/s^2"),
+    "q T^2/s": ("[['q^2 T^4/4', 'q^2 T^3/2'], ['q^2 T^3/2', 'q^2 T^2']]", "[['s^2']]", "m/s^2"),
+}
+UNITS_OF = {"r": "m^2", "s": "m"}
+
+
+@pytest.mark.parametrize("words", NOISES)
+def test_one_strength_in_units(words: str) -> None:
+    """The bound and the witness are those of SciPy, with T and the noise put in as numbers."""
+    noise, measured, unit = NOISES[words]
+    letter = words[-1]
+    matrices = (
+        f"transition = [['1', 'T'], ['0', '1']]\nprocess_noise = {noise}\n"
+        f"measurement = [['1', '0']]\nmeasurement_noise = {measured}"
+    )
+    symbols = f"""
+'T' = {{ quantity = "sampling_interval", meaning = "interval" }}
+'q' = {{ unit = "{unit}", domain = 'q > 0', meaning = 'strength' }}
+'{letter}' = {{ unit = "{UNITS_OF[letter]}", domain = '{letter} > 0', meaning = 'noise' }}
+"""
+    found = judged(matrices, symbols, "inequality", r"a < \frac{3}{4}")
+    assert found.verdict == "conditional", found.reason
+    end = re.fullmatch(rf"for 0 < {re.escape(words)} < (.*)", found.domain or "")
+    assert end is not None, found.domain
+    entries = [re.sub(r"T(\^\d)?", "1", e) for e in re.findall(r"'([^']*)'", noise)]
+
+    def gain(q: float) -> float:
+        numbers = [_entry(e, q) for e in entries]
+        model = np.array(numbers).reshape(2, 2)
+        f, h = np.array([[1.0, 1.0], [0.0, 1.0]]), np.array([[1.0, 0.0]])
+        predicted = solve_discrete_are(f.T, h.T, model, np.eye(1))
+        return float(predicted[0, 0] / (predicted[0, 0] + 1))
+
+    assert gain(number_in(end[1])) == pytest.approx(0.75, rel=1e-6)
+    assert found.witness is not None
+    point = {name: number_in(text) for name, text in found.witness["point"].items()}
+    assert set(point) == {"q", "T", letter}
+    assert (point["T"], point[letter]) == (1.0, 1.0)
+    assert float(found.witness["left"]["midpoint"]) == pytest.approx(gain(point["q"]), rel=1e-6)
+
+
+def _entry(text: str, q: float) -> float:
+    """`q^2 1/4` as a number."""
+    if text == "0":
+        return 0.0
+    _, _, below = text.partition("/")
+    return q ** (2 if "q^2" in text else 1) / float(below or 1)
+
+
 @pytest.mark.parametrize("noise", ["deviation", "variance"])
 def test_a_variance_is_no_name_for_its_deviation(noise: str) -> None:
     fields = f"model = 'random-velocity'\nnoise = '{noise}'"
