@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from typing import Any
 
 from gainproof.claim_words import Words
-from gainproof.verdict_reason import reason, repair_of, solutions
+from gainproof.verdict_reason import reason, repairs_of, solutions, verdict_of_repair
 from gainproof.verdicts import Judgement
 
 CANNOT_STAND = frozenset({"refuted", "conditional", "undefined"})
@@ -16,8 +16,8 @@ CANNOT_STAND = frozenset({"refuted", "conditional", "undefined"})
 @dataclass(frozen=True)
 class Entry:
     """One claim: `title` is its place, with the id where that says more; `printed` is LaTeX, or
-    empty for a claim in `words`; `remarks` are labelled sentences; `repair` is LaTeX, or empty
-    where none was found.
+    empty for a claim in `words`; `remarks` are labelled sentences; `repairs` are LaTeX, each with
+    its verdict and the convention that it needs; none where none was found.
     """
 
     title: str
@@ -25,8 +25,7 @@ class Entry:
     printed: str
     words: str
     remarks: tuple[tuple[str, str], ...]
-    repair: str = ""
-    repair_verdict: str = ""
+    repairs: tuple[tuple[str, str], ...] = ()
 
 
 def entries(judgement: Judgement, words: Words) -> list[Entry]:
@@ -44,7 +43,7 @@ def entries(judgement: Judgement, words: Words) -> list[Entry]:
         remarks += [("Fixed by the other claims", text) for text in solutions(claim)]
         if claim["convention"]:
             remarks.append(("Convention", claim["convention"]))
-        repair = repair_of(claim) or {"latex": "", "verdict": ""}
+        remarks += [("What is true", claim["truth"])] if claim.get("truth") else []
         named = claim["id"] in claim["place"]
         title = claim["place"] if named else f"{claim['place']}, {claim['id']}"
         found.append(
@@ -54,8 +53,7 @@ def entries(judgement: Judgement, words: Words) -> list[Entry]:
                 claim["latex"],
                 words.get(claim["id"], "in words"),
                 tuple(remarks),
-                repair["latex"],
-                repair["verdict"],
+                tuple((repair["latex"], verdict_of_repair(repair)) for repair in repairs_of(claim)),
             )
         )
     return found

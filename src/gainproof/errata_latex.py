@@ -38,8 +38,8 @@ def _entry(entry: Entry) -> list[str]:
     lines += _display(entry.printed) if entry.printed else [escaped(entry.words)]
     for label, text in entry.remarks:
         lines += ["", rf"{escaped(label)}: {escaped(text)}"]
-    if entry.repair:
-        lines += ["", rf"Read instead ({escaped(entry.repair_verdict)}):", *_display(entry.repair)]
+    for latex, verdict in entry.repairs:
+        lines += ["", rf"Read instead ({escaped(verdict)}):", *_display(latex)]
     return lines
 
 

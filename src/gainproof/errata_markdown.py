@@ -23,8 +23,8 @@ def _entry(entry: Entry) -> str:
     lines = [f"## {_escaped(entry.title)}", f"Printed ({entry.verdict}):"]
     lines.append(_display(entry.printed) if entry.printed else _escaped(entry.words))
     lines += [f"{label}: {_escaped(text)}" for label, text in entry.remarks]
-    if entry.repair:
-        lines += [f"Read instead ({entry.repair_verdict}):", _display(entry.repair)]
+    for latex, verdict in entry.repairs:
+        lines += [f"Read instead ({_escaped(verdict)}):", _display(latex)]
     return "\n\n".join(lines)
 
 

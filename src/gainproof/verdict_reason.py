@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from typing import Any
 
 from gainproof import witness_text
@@ -38,25 +38,40 @@ def is_contradicted(claim: Claim) -> bool:
     return "under the other convention" in (claim["evidence"]["certificate"] or {})
 
 
-def repair_of(claim: Claim) -> Mapping[str, str] | None:
-    """The nearest true formula, unless the claim comes with something better: where an inequality
-    is true says more than another inequality.
+def repairs_of(claim: Claim) -> Sequence[Mapping[str, Any]]:
+    """The nearest true formulas, the likeliest first, unless the claim comes with something better:
+    where an inequality is true says more than another inequality.
     """
     if claim["verdict"] == "conditional" and claim["kind"] == "inequality":
-        return None
-    repair: Mapping[str, str] | None = claim["repair"]
-    return repair
+        return ()
+    one = claim["repair"]
+    repairs: Sequence[Mapping[str, Any]] = claim.get("repairs") or ([one] if one else [])
+    return [{"changes": [], "under": "", **repair} for repair in repairs]
 
 
 def repaired(claim: Claim) -> list[str]:
-    """The nearest true formula with what was changed, or that none was found."""
-    repair = repair_of(claim)
-    if not repair:
+    """The nearest true formulas with what was changed, or that none was found, and what is true."""
+    repairs = repairs_of(claim)
+    if not repairs:
         missing = claim["verdict"] == "refuted" and NO_REPAIR in str(claim["reason"])
-        return [NO_REPAIR] if missing and NO_REPAIR not in reason(claim) else []
-    told = (claim["evidence"]["certificate"] or {}).get("repair", {})
-    changes = "; ".join([repair["verdict"], *told.get("changes", [])])
-    return [f"nearest true formula: {repair['latex']} ({changes})"]
+        told = [NO_REPAIR] if missing and NO_REPAIR not in reason(claim) else []
+        return told + truth(claim)
+    return [
+        f"{'as near' if number else 'nearest true formula'}: {repair['latex']} "
+        f"({'; '.join([verdict_of_repair(repair), *repair['changes']])})"
+        for number, repair in enumerate(repairs)
+    ]
+
+
+def truth(claim: Claim) -> list[str]:
+    """What the formula should say, where no misprint explains it."""
+    return [f"what is true: {claim['truth']}"] if claim.get("truth") else []
+
+
+def verdict_of_repair(repair: Mapping[str, Any]) -> str:
+    """`proved`, with the convention under which it is, if that was left open."""
+    under = f" under {repair['under']}" if repair["under"] else ""
+    return f"{repair['verdict']}{under}"
 
 
 def reason(claim: Claim) -> str:

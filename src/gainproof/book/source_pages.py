@@ -16,15 +16,25 @@ from gainproof.book.words import LANGUAGES, in_language
 from gainproof.claim_words import Words
 from gainproof.errata_entries import CANNOT_STAND
 from gainproof.explanation import parts
-from gainproof.verdict_reason import reason, repair_of, solutions
+from gainproof.verdict_reason import reason, repairs_of, solutions, truth
 from gainproof.verdicts import Judgement, tally
 
 Claim = Mapping[str, Any]
 
 
 @dataclass(frozen=True)
+class ShownRepair:
+    """A nearest true formula, its verdict, under which convention it is true, what was changed."""
+
+    formula: Markup
+    verdict: str
+    under: str
+    changes: tuple[str, ...]
+
+
+@dataclass(frozen=True)
 class ShownClaim:
-    """A claim: its formula or words, why it has its verdict, the nearest true formula, and the
+    """A claim: its formula or words, why it has its verdict, the nearest true formulas, and the
     parts of its proof or witness, each a title with lines, true for those that are set in.
     """
 
@@ -34,9 +44,7 @@ class ShownClaim:
     words: str
     facts: tuple[tuple[str, Markup], ...]
     reason: Markup
-    repair: Markup | None
-    repair_verdict: str
-    repair_changes: tuple[str, ...]
+    repairs: tuple[ShownRepair, ...]
     parts: tuple[tuple[str, tuple[tuple[bool, Markup], ...]], ...]
     checked: str
     cannot_stand: bool
@@ -104,8 +112,6 @@ def _findings(
 
 
 def _shown(claim: Claim, words: str, checked: str) -> ShownClaim:
-    repair = repair_of(claim)
-    told = (claim["evidence"]["certificate"] or {}).get("repair", {})
     facts = (
         ("reading", claim["reading"]),
         ("convention", claim["convention"]),
@@ -119,10 +125,11 @@ def _shown(claim: Claim, words: str, checked: str) -> ShownClaim:
         formula=displayed(claim["latex"]) if claim["latex"] else None,
         words=words,
         facts=tuple((label, with_symbols(str(value))) for label, value in facts if value),
-        reason=with_symbols(reason(claim)),
-        repair=displayed(repair["latex"]) if repair else None,
-        repair_verdict=repair["verdict"] if repair else "",
-        repair_changes=tuple(told.get("changes", ())) if repair else (),
+        reason=with_symbols("; ".join(filter(None, (reason(claim), *truth(claim))))),
+        repairs=tuple(
+            ShownRepair(displayed(r["latex"]), r["verdict"], r["under"], tuple(r["changes"]))
+            for r in repairs_of(claim)
+        ),
         parts=tuple((title, tuple(map(_line, lines))) for title, lines in parts(claim)),
         checked=checked,
         cannot_stand=claim["verdict"] in CANNOT_STAND,

@@ -9,9 +9,10 @@ from typing import Protocol
 
 import flint
 
-from gainproof.verify.judge.exact.expression import Expr
+from gainproof.verify.judge.exact.expression import Expr, symbols_of
 from gainproof.verify.judge.exact.poly import Ball, rational
-from gainproof.verify.judge.repair.construct import Path, places, replaced
+from gainproof.verify.judge.repair.asked import open_places, open_sides
+from gainproof.verify.judge.repair.construct import Path, replaced
 from gainproof.verify.judge.repair.edit import LARGE, PLAIN, Table
 from gainproof.verify.judge.repair.filled import (
     exponent_filled,
@@ -25,6 +26,8 @@ from gainproof.verify.judge.repair.values import Values, combined
 from gainproof.verify.judge.repair.whole import Change, Step
 
 STEPS = 40
+LEAST_POINTS = 4
+"""At fewer points anything is a monomial."""
 Rule = Callable[[Ball, Ball], Ball]
 
 
@@ -45,14 +48,17 @@ class Context(Protocol):
 def closings(context: Context) -> Iterator[Change]:
     """Formulas with one thing solved for; only for one equation."""
     formula = context.formula
-    if len(formula.links) != 1 or formula.links[0].operator != "=" or len(context.points) < 4:
+    if len(formula.links) != 1 or formula.links[0].operator != "=":
+        return
+    yield from _numbers(context)
+    if len(context.points) < LEAST_POINTS:
         return
     names = context.table.symbols
     at = [[values.symbol(name) for values in context.points] for name in names]
     known = [(n, column) for n, column in zip(names, at, strict=True) if None not in column]
     tokens, columns = [n for n, _ in known], [column for _, column in known]
-    for side in formula.claimed():
-        for path, node in places(formula.sides[side]):
+    for side in open_sides(formula):
+        for path, node in open_places(formula.sides[side]) if symbols_of(formula.sides[side]) else ():
             if context.is_late:
                 return
             above = _above(formula.sides[side], path)
@@ -64,6 +70,19 @@ def closings(context: Context) -> Iterator[Change]:
                 if new is not None and new != node:
                     changed = replaced(formula.sides[side], path, new)
                     yield Change(formula.with_side(side, changed), weight, (Step(what, node, new),))
+
+
+def _numbers(context: Context) -> Iterator[Change]:
+    """A side that is a number, however printed, as the number that the other side is."""
+    formula = context.formula
+    for side in open_sides(formula):
+        before = formula.sides[side]
+        if symbols_of(before):
+            continue
+        found = _solved(context, side, (), lambda _, h: h)
+        new = None if found is None else number_filled(found)
+        if new is not None and new != before:
+            yield Change(formula.with_side(side, new), PLAIN, (Step("a number", before, new),))
 
 
 Make = Callable[[Sequence[Ball], Sequence[str], Sequence[Sequence[Ball]]], Expr | None]

@@ -37,7 +37,7 @@ def exponent_filled(node: Expr, found: Sequence[Ball]) -> Expr | None:
 
 
 def times_filled(node: Expr, factor: Expr | None) -> Expr | None:
-    """The node times a factor, its numbers multiplied out."""
+    """The node times a factor, numbers multiplied out, equal bases once."""
     if factor is None:
         return None
     if factor.kind == "neg":
@@ -45,31 +45,21 @@ def times_filled(node: Expr, factor: Expr | None) -> Expr | None:
         return None if inner is None else opposite(inner)
     above, below = factor.parts if factor.kind == "div" else (factor, ONE)
     top, bottom = node.parts if node.kind == "div" else (node, ONE)
-    (a, tops), (b, bottoms) = _gathered(above, top), _gathered(below, bottom)
-    size = a / b
+    size = Fraction(1)
+    powers: dict[Expr, Fraction] = {}
+    for side, sign in ((product(above, top), 1), (product(below, bottom), -1)):
+        for factor in side.parts if side.kind == "mul" else (side,):
+            if factor.kind == "number":
+                size *= factor.fraction**sign
+                continue
+            whole = factor.kind == "pow" and factor.fraction.denominator == 1
+            base, exponent = (factor.parts[0], factor.fraction) if whole else (factor, Fraction(1))
+            powers[base] = powers.get(base, Fraction(0)) + sign * exponent
+    tops = [raised(base, e) for base, e in powers.items() if e > 0]
+    bottoms = [raised(base, -e) for base, e in powers.items() if e < 0]
     return quotient(
         product(number(size.numerator), *tops), product(number(size.denominator), *bottoms)
     )
-
-
-def _gathered(*factors: Expr) -> tuple[Fraction, list[Expr]]:
-    """The numbers among the factors multiplied, and the others."""
-    flat = product(*factors)
-    parts = flat.parts if flat.kind == "mul" else (flat,)
-    value = Fraction(1)
-    for part in parts:
-        value *= part.fraction if part.kind == "number" else 1
-    return value, _powers([part for part in parts if part.kind != "number"])
-
-
-def _powers(factors: Sequence[Expr]) -> list[Expr]:
-    """Equal bases once, their whole exponents added."""
-    found: dict[Expr, Fraction] = {}
-    for factor in factors:
-        is_power = factor.kind == "pow" and factor.fraction.denominator == 1
-        base, exponent = (factor.parts[0], factor.fraction) if is_power else (factor, Fraction(1))
-        found[base] = found.get(base, Fraction(0)) + exponent
-    return [raised(base, exponent) for base, exponent in found.items()]
 
 
 def plus_filled(node: Expr, term: Expr | None) -> Expr | None:

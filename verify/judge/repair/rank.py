@@ -11,7 +11,7 @@ from gainproof.verify.judge.exact.limits import Malformed
 from gainproof.verify.judge.repair.edit import LARGE
 from gainproof.verify.judge.repair.printed import Printed
 from gainproof.verify.judge.repair.trivial import sorted_key
-from gainproof.verify.judge.repair.whole import SIDE, Change
+from gainproof.verify.judge.repair.whole import OF_SIDES, Change
 
 
 def parts_of_claims(claims: Iterable[Claim]) -> frozenset[bytes]:
@@ -35,20 +35,22 @@ def _parts(*sides: Expr) -> set[bytes]:
 
 
 def rank(change: Change, formula: Printed, said: frozenset[bytes]) -> tuple[object, ...]:
-    """Fewest changes, then what other claims say too, then the same symbols, then the smallest part
-    touched and the same left sides.
+    """Fewest places changed, then on one side, then what other claims say too, then the same
+    symbols, then the smallest part touched and the same left sides.
     """
     before, after = formula.sides, change.printed.sides
+    sides = sum(a != b for a, b in zip(before, after, strict=True))
     gained = len((_parts(*after) - _parts(*before)) & said)
     other_names = len(symbols_of(*after) ^ symbols_of(*before))
     size = abs(_size(after) - _size(before))
     touched = sum(_size((node,)) for s in change.steps if (node := s.part or s.before))
     named = sum(before[n] != after[n] for n in {link.left for link in formula.links})
     # a sign or a missing factor is put where the left side stays what the formula is for
-    sided = change.weight == LARGE or any(step.what == SIDE for step in change.steps)
+    sided = change.weight == LARGE or any(step.what in OF_SIDES for step in change.steps)
     last = (named, touched) if sided else (touched, named)
     stacked = _stacked(after) - _stacked(before)
-    return (len(change.steps), -gained, other_names, stacked, *last, size)
+    times = sum(step.times for step in change.steps)
+    return (times, sides, -gained, other_names, stacked, *last, size)
 
 
 def _stacked(sides: tuple[Expr, ...]) -> int:

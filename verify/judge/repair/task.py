@@ -44,10 +44,15 @@ class RepairTask:
         formula with its changes in words.
         """
         start = time.perf_counter()
-        searches = [
-            search
+        chosen = [
+            convention
             for convention in conventions(self.setting, models, solved)
             if isinstance(convention, Convention) and convention.name in self.conventions
+        ]
+        is_open = any(convention.open for convention in chosen)
+        searches = [
+            search
+            for convention in chosen
             for search in _searches(self, convention, start + self.seconds)
         ]
         found: list[Offer] = []
@@ -56,7 +61,7 @@ class RepairTask:
                 for search in searches:
                     found += search.offers(stage)
         least = min((offer.change.weight for offer in found), default=0)
-        best = [_plain(offer) for offer in found if offer.change.weight == least]
+        best = [_plain(offer, is_open) for offer in found if offer.change.weight == least]
         seconds = time.perf_counter() - start
         told: dict[str, Any] = {"offers": best}
         if not best and searches:
@@ -80,10 +85,10 @@ def _searches(task: RepairTask, convention: Convention, deadline: float) -> list
     return found
 
 
-def _plain(offer: Offer) -> dict[str, Any]:
+def _plain(offer: Offer, is_open: bool) -> dict[str, Any]:
     return {
         "latex": offer.formula.latex,
         "changes": in_words(offer.change),
         "weight": offer.change.weight,
-        "convention": offer.environment,
+        "convention": offer.environment if is_open else "",
     }

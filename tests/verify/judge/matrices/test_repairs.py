@@ -66,8 +66,7 @@ def test_the_nearest_true_formula_is_offered(
         assert "no misprint-like repair found" in found.reason
         return
     assert found.repair is not None
-    told = found.certificate["repair"]
-    offers = [found.repair["latex"], *(a["latex"] for a in told.get("alternatives", ()))]
+    offers = [told["latex"] for told in found.repairs]
     assert repair in offers
     for offer in offers:
         assert judged_matrices(offer, kind, more).verdict == "proved", offer
