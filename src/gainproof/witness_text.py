@@ -17,6 +17,8 @@ _NO_VALUE = "a side has no value"
 """The note of a witness at which a side is not defined."""
 
 
+_ENTRY = "entry"
+"""How the note of a witness against an equation of matrices begins."""
 _NOT_COMPARED = "not compared"
 """Of a side where the note alone says what fails."""
 
@@ -49,7 +51,9 @@ def sides(witness: Mapping[str, Any]) -> str:
     if witness.get("exact"):
         return f"both sides are {_shown(left, _DIGITS)}"
     first, second = _apart(left, right)
-    return f"the left side is {first}, the right {second}"
+    note = str(witness.get("note") or "")
+    entry = f"in {note} " if note.startswith(_ENTRY) else ""
+    return f"{entry}the left side is {first}, the right {second}"
 
 
 def in_words(witness: Mapping[str, Any]) -> str:

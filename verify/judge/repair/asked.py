@@ -6,11 +6,15 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from gainproof.verify.judge.exact.expression import Expr, walk
+from gainproof.verify.judge.exact.expression import Expr, symbol, walk
 from gainproof.verify.judge.repair.construct import Path, places
 from gainproof.verify.judge.repair.printed import Printed
 
 COMPUTED = frozenset(("expectation", "integral", "det", "tr", "trace", "Tr"))
+
+
+ENTRY = "the entry"
+"""A symbol for what the entry of a matrix should be; no source can declare it."""
 
 
 def is_computed(node: Expr) -> bool:
@@ -60,7 +64,7 @@ def _is_asked(side: Expr) -> bool:
     if side.kind in ("mul", "div"):
         rest = [part for part in side.parts if part.kind != "number"]
         return len(rest) == 1 and _is_asked(rest[0])
-    return is_computed(side)
+    return is_computed(side) or side == symbol(ENTRY)
 
 
 def _computed_paths(side: Expr) -> tuple[Path, ...]:

@@ -12,13 +12,12 @@ import flint
 from gainproof.verify.judge.exact.expression import Expr, symbols_of
 from gainproof.verify.judge.exact.poly import Ball, rational
 from gainproof.verify.judge.repair.asked import open_places, open_sides
-from gainproof.verify.judge.repair.construct import Path, replaced
+from gainproof.verify.judge.repair.construct import Path, multiplied, replaced
 from gainproof.verify.judge.repair.edit import LARGE, PLAIN, Table
 from gainproof.verify.judge.repair.filled import (
     exponent_filled,
     number_filled,
     plus_filled,
-    times_filled,
 )
 from gainproof.verify.judge.repair.printed import Printed
 from gainproof.verify.judge.repair.recognise import monomial
@@ -113,7 +112,7 @@ def _holes(node: Expr, above: str) -> Iterator[tuple[Rule, Make, int, str]]:
     if above not in ("mul", "div", "neg"):
         yield (
             lambda x, h: h * x,
-            lambda found, names, at: times_filled(node, monomial(found, names, at)),
+            lambda found, names, at: _times(node, monomial(found, names, at)),
             LARGE,
             "a factor",
         )
@@ -123,6 +122,10 @@ def _holes(node: Expr, above: str) -> Iterator[tuple[Rule, Make, int, str]]:
         LARGE,
         "a missing term",
     )
+
+
+def _times(node: Expr, factor: Expr | None) -> Expr | None:
+    return None if factor is None else multiplied(node, factor)
 
 
 def _solved(context: Context, side: int, path: Path, rule: Rule) -> list[Ball] | None:

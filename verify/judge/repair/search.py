@@ -49,7 +49,7 @@ BY_VALUES = frozenset(("identity", "inequality", "recursion"))
 
 @dataclass
 class Search:
-    """One reading of one claim in one environment."""
+    """One reading of one claim in one environment; `own_scope` has a symbol more than the source."""
 
     claim: Claim
     reading: Reading
@@ -57,6 +57,7 @@ class Search:
     environment: Environment
     others: Sequence[Claim]
     deadline: float
+    own_scope: Scope | None = None
     formula: Printed = field(init=False)
     scope: Scope = field(init=False)
     points: list[Values] = field(init=False, default_factory=list)
@@ -64,7 +65,8 @@ class Search:
 
     def __post_init__(self) -> None:
         self.formula = printed(self.reading)
-        self.scope = Scope(self.setting, self.environment, held=self.claim.held)
+        plain = Scope(self.setting, self.environment, held=self.claim.held)
+        self.scope = plain if self.own_scope is None else self.own_scope
         self.table = table_of(self.setting, self.formula, self.others)
         self.numbers = sample_numbers(self.setting)
         self.said = parts_of_claims(self.others)
@@ -128,6 +130,22 @@ class Search:
         if not self.is_equation:
             return []
         return self._first(closings(self) if stage == 1 else two_changes(self))
+
+    def near(self, stage: int) -> list[Change]:
+        """The changes of the least weight with which an equation agrees at points, best first."""
+        if not self.is_equation:
+            return []
+        if stage == 0:
+            candidates = changes(self.formula, self.table, self.numbers)
+        else:
+            candidates = closings(self) if stage == 1 else two_changes(self)
+        agreed = list(self._filtered(candidates))
+        least = min((change.weight for change in agreed), default=0)
+        found: list[Change] = []
+        for change in sorted((c for c in agreed if c.weight == least), key=self._rank):
+            if not any(same_equation(f.printed, change.printed, self.off) for f in found):
+                found.append(change)
+        return found[:MOST_OFFERED]
 
     def agrees(self, formula: Printed) -> bool:
         """Whether the formula is seen to hold at generic points and nowhere seen to fail."""

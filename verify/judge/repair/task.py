@@ -11,6 +11,7 @@ from gainproof.verify.judge.convention import Convention, conventions
 from gainproof.verify.judge.dimensions.claim import fitting_readings
 from gainproof.verify.judge.exact.limits import Malformed, Undecided
 from gainproof.verify.judge.repair.edit import PLAIN
+from gainproof.verify.judge.repair.entries import PrintedMatrix, printed_matrix
 from gainproof.verify.judge.repair.proof import Offer
 from gainproof.verify.judge.repair.search import STAGES, Search
 from gainproof.verify.judge.repair.true_value import true_value
@@ -65,21 +66,26 @@ class RepairTask:
         seconds = time.perf_counter() - start
         told: dict[str, Any] = {"offers": best}
         if not best and searches:
-            told["truth"] = true_value(searches[0])
+            first = searches[0]
+            told["truth"] = true_value(first) if isinstance(first, Search) else first.truth()
         return Trial(self.claim, {}, (), False, seconds, repair=told)
 
 
-def _searches(task: RepairTask, convention: Convention, deadline: float) -> list[Search]:
+def _searches(
+    task: RepairTask, convention: Convention, deadline: float
+) -> list[Search | PrintedMatrix]:
     """One for each reading of the claim that can be searched."""
     claim, setting, environment = task.claim, convention.setting, convention.environment
     if claim.formula is None:
         return []
     fitting, _ = fitting_readings(claim.formula, setting)
-    found: list[Search] = []
+    found: list[Search | PrintedMatrix] = []
     # where no reading has dimensions that agree, any may be the one with the slip
     for reading in fitting or claim.formula.readings:
         try:
-            found.append(Search(claim, reading, setting, environment, task.others, deadline))
+            parts = (claim, reading, setting, environment, task.others, deadline)
+            matrix = printed_matrix(*parts)
+            found.append(Search(*parts) if matrix is None else matrix)
         except (Undecided, Malformed, NotEstablished, UndefinedSymbol, ArithmeticError):
             continue  # no claim is worse off for a repair that was not found
     return found

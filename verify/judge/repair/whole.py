@@ -15,6 +15,7 @@ from gainproof.verify.judge.repair.construct import (
     HALF,
     ONE,
     TWO,
+    multiplied,
     opposite,
     places,
     product,
@@ -25,7 +26,7 @@ from gainproof.verify.judge.repair.edit import LARGE, PLAIN, SLIGHT, SYMBOL_EVER
 from gainproof.verify.judge.repair.printed import Printed
 from gainproof.verify.judge.repair.shift import shifted
 
-SIDE, DOUBLED, TURNED = "sign of a side", "a factor 2", "a side upside down"
+SIDE, DOUBLED, TURNED = "sign of a side", "a factor 2 of a side", "a side upside down"
 OF_SIDES = frozenset((SIDE, DOUBLED, TURNED))
 """Changes of a whole side that would do on the other side as well."""
 COMPARISONS = ("<", "<=", ">", ">=")
@@ -81,8 +82,8 @@ def _sides(
 ) -> Iterator[tuple[Expr, int, str]]:
     yield opposite(side), SLIGHT, SIDE
     if most >= PLAIN:
-        yield product(TWO, side), PLAIN, DOUBLED
-        yield quotient(side, TWO), PLAIN, DOUBLED
+        for factor in (TWO, quotient(ONE, TWO)):
+            yield multiplied(side, factor), PLAIN, DOUBLED
         if side.kind != "div":
             yield quotient(ONE, side), PLAIN, TURNED
     for name in table.symbols if most >= LARGE else ():
