@@ -79,7 +79,8 @@ def reason(claim: Claim) -> str:
     witness = claim["evidence"]["witness"]
     if isinstance(witness, Mapping):
         told = witness_text.slope_in_words if is_of_slope(claim) else witness_text.in_words
-        return f"{_against(claim, witness)}{told(witness)}"
+        dimensions = f"{claim['reason']}; " if claim["evidence"]["method"] == "dimensions" else ""
+        return f"{_against(claim, witness)}{dimensions}{told(witness)}"
     if claim["verdict"] in DECIDED_AS_STATED:
         return ""
     if claim["verdict"] == "undefined" and solutions(claim):

@@ -11,6 +11,7 @@ from gainproof.verify.judge.cited import cited
 from gainproof.verify.judge.claim.record import Claim, Setting
 from gainproof.verify.judge.dimensions.claim import claim_readings
 from gainproof.verify.judge.exact.limits import Malformed, Undecided
+from gainproof.verify.judge.pruning import seen_to_fail
 from gainproof.verify.judge.scope import UndefinedSymbol
 from gainproof.verify.judge.setting.environment import (
     INDEX,
@@ -61,7 +62,7 @@ def _attempts(
 ) -> Iterator[tuple[str | None, Callable[[], Finding]]]:
     readings, fault = claim_readings(claim, setting)
     if fault is not None:
-        yield None, lambda: Finding("refuted", fault, method="dimensions")
+        yield None, lambda: _of_dimensions(claim, fault, setting, environment)
     elif claim.formula is None:
         yield None, lambda: judge_in(claim, None, setting, environment)
     for reading in readings:
@@ -69,6 +70,18 @@ def _attempts(
             reading.text,
             lambda r=reading: judge_in(claim, r, setting, environment),  # type: ignore[misc]
         )
+
+
+def _of_dimensions(
+    claim: Claim, fault: str, setting: Setting, environment: Environment
+) -> Finding:
+    """Refuted for its dimensions, with a point at which it fails in units of its own, if one is
+    seen.
+    """
+    readings = () if claim.formula is None else claim.formula.readings
+    failing = [seen_to_fail(claim, r, setting, environment) for r in readings]
+    witness = failing[0].witness if failing and failing[0] and all(failing) else None
+    return Finding("refuted", fault, method="dimensions", witness=witness)
 
 
 def _attempt(work: Callable[[], Finding]) -> Finding:

@@ -7,6 +7,7 @@ nearly all of them; of what is left, only what is proved is offered, by the way 
 from __future__ import annotations
 
 import time
+from collections import Counter
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
 from itertools import islice
@@ -31,7 +32,7 @@ SECONDS = 20.0
 """Time for the search; more than it needs where proofs are short."""
 OVERTIME = 10.0
 FEW_INSTANCES = 3
-MOST_PROVED = 5
+MOST_PROVED = 12
 """Offers of one weight."""
 
 
@@ -67,14 +68,26 @@ class MatrixRepairTask:
 def repairs(
     latex: str, claim: MatrixClaim, setting: MatrixSetting, proofs: Proofs, deadline: float
 ) -> list[Slip]:
-    """The nearest changes that make a claim true, all of one weight; none after the deadline."""
-    found: list[Slip] = []
+    """The nearest changes that make a claim true, all of one weight, first those after which most
+    is printed as in other places; none after the deadline.
+    """
+    found: list[tuple[Slip, MatrixClaim]] = []
     for slip, other in _true_at_instances(latex, claim, setting, deadline):
-        if found and (slip.weight > found[0].weight or len(found) == MOST_PROVED):
+        if found and (slip.weight > found[0][0].weight or len(found) == MOST_PROVED):
             break
         if decide(other, setting, proofs).verdict == "proved":
-            found.append(slip)
-    return found
+            found.append((slip, other))
+    return [s for s, _ in sorted(found, key=lambda pair: -_agreeing(pair[1].statement, setting))]
+
+
+def _agreeing(statement: Statement, setting: MatrixSetting) -> int:
+    """How many composed parts of a statement stand in a definition too, or twice in it."""
+    chains = (*statement.chains, *statement.after)
+    parts = [n for chain in chains for side in chain.sides for n in side.walk() if n.parts]
+    defined = [letter.definition for letter in setting.letters.values()]
+    known = {n for body in defined if body is not None for n in body.walk() if n.parts}
+    times = Counter(parts)
+    return sum((part in known) + (times[part] > 1) for part in parts)
 
 
 def _true_at_instances(

@@ -23,7 +23,7 @@ from gainproof.verify.judge.repair.merge import same_equation
 from gainproof.verify.judge.repair.points import generic_points
 from gainproof.verify.judge.repair.printed import MOST_NODES, Printed, printed
 from gainproof.verify.judge.repair.proof import Offer, is_of_use, reread, with_formula
-from gainproof.verify.judge.repair.rank import parts_of_claims, rank
+from gainproof.verify.judge.repair.rank import parts_of_source, rank
 from gainproof.verify.judge.repair.rounded import rounded
 from gainproof.verify.judge.repair.senseless import is_more_senseless
 from gainproof.verify.judge.repair.sharp import is_sharp, is_weaker
@@ -41,7 +41,7 @@ FAR_POINTS = 80
 LEAST_AGREED = 3
 MOST_TRIED = 20_000
 MOST_PROOFS = 30
-MOST_OFFERED = 4
+MOST_OFFERED = 12
 STAGES = (0, 1, 2)
 BY_VALUES = frozenset(("identity", "inequality", "recursion"))
 """Kinds of claims that are what their relations say at each point of the domain."""
@@ -69,7 +69,7 @@ class Search:
         self.scope = plain if self.own_scope is None else self.own_scope
         self.table = table_of(self.setting, self.formula, self.others)
         self.numbers = sample_numbers(self.setting)
-        self.said = parts_of_claims(self.others)
+        self.said = parts_of_source(self.others, self.setting)
         self.by_values = self._by_values()
         if self.by_values:
             self._prepare()

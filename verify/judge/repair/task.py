@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import time
+from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any
 
@@ -12,6 +13,7 @@ from gainproof.verify.judge.dimensions.claim import fitting_readings
 from gainproof.verify.judge.exact.limits import Malformed, Undecided
 from gainproof.verify.judge.repair.edit import PLAIN
 from gainproof.verify.judge.repair.entries import PrintedMatrix, printed_matrix
+from gainproof.verify.judge.repair.merge import same_equation
 from gainproof.verify.judge.repair.proof import Offer
 from gainproof.verify.judge.repair.search import STAGES, Search
 from gainproof.verify.judge.repair.true_value import true_value
@@ -24,6 +26,8 @@ from gainproof.verify.judge.trial import Trial
 SECONDS = 30.0
 """Time for the search, which has tried enough long before on any machine."""
 OVERTIME = 10.0
+MOST_NAMED = 3
+"""Conventions under which one formula is true."""
 """Seconds more before it is stopped: it looks at the clock between two formulas only."""
 
 
@@ -62,7 +66,7 @@ class RepairTask:
                 for search in searches:
                     found += search.offers(stage)
         least = min((offer.change.weight for offer in found), default=0)
-        best = [_plain(offer, is_open) for offer in found if offer.change.weight == least]
+        best = _told([o for o in found if o.change.weight == least], searches, is_open)
         seconds = time.perf_counter() - start
         told: dict[str, Any] = {"offers": best}
         if not best and searches:
@@ -91,10 +95,27 @@ def _searches(
     return found
 
 
-def _plain(offer: Offer, is_open: bool) -> dict[str, Any]:
-    return {
-        "latex": offer.formula.latex,
-        "changes": in_words(offer.change),
-        "weight": offer.change.weight,
-        "convention": offer.environment if is_open else "",
-    }
+def _told(
+    offers: Sequence[Offer], searches: Sequence[Search | PrintedMatrix], is_open: bool
+) -> list[dict[str, Any]]:
+    """Each formula once, with the conventions under which it is true where one is open."""
+    off = next((search.off for search in searches if isinstance(search, Search)), None)
+    chosen: list[Offer] = []
+    under: dict[str, list[str]] = {}
+    for offer in offers:
+        names = under.setdefault(offer.formula.latex, [])
+        same = off is not None and any(
+            same_equation(o.change.printed, offer.change.printed, off) for o in chosen
+        )
+        if not same and all(o.formula.latex != offer.formula.latex for o in chosen):
+            chosen.append(offer)
+        names += [offer.environment] if is_open and offer.environment not in names else []
+    return [
+        {
+            "latex": offer.formula.latex,
+            "changes": in_words(offer.change),
+            "weight": offer.change.weight,
+            "convention": " or ".join(under[offer.formula.latex][:MOST_NAMED]),
+        }
+        for offer in chosen
+    ]
