@@ -9,7 +9,14 @@ from gainproof import witness_text
 from gainproof.claim_proofs import parts as words_of
 from gainproof.page import WIDTH, filled
 from gainproof.proof_text import proof_lines, result_lines
-from gainproof.verdict_reason import is_of_slope, reason, repairs_of, solutions, truth, verdict_of_repair
+from gainproof.verdict_reason import (
+    is_of_slope,
+    reason,
+    repairs_of,
+    solutions,
+    truth,
+    verdict_of_repair,
+)
 from gainproof.verify.judge.explain import sections
 
 Claim = Mapping[str, Any]

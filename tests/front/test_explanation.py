@@ -71,7 +71,8 @@ def test_repairs_with_their_changes() -> None:
     other = {"latex": "c = d", "verdict": "proved", "changes": ["a symbol"], "under": ""}
     text = explanation(claim(repair=first, repairs=[first, other]))
     assert (
-        "  a = b\n    sign of a term\n    proved under A\n  c = d\n    a symbol\n    proved\n" in text
+        "  a = b\n    sign of a term\n    proved under A\n  c = d\n    a symbol\n    proved\n"
+        in text
     )
 
 

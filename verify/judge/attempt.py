@@ -72,9 +72,7 @@ def _attempts(
         )
 
 
-def _of_dimensions(
-    claim: Claim, fault: str, setting: Setting, environment: Environment
-) -> Finding:
+def _of_dimensions(claim: Claim, fault: str, setting: Setting, environment: Environment) -> Finding:
     """Refuted for its dimensions, with a point at which it fails in units of its own, if one is
     seen.
     """

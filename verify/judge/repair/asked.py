@@ -53,7 +53,9 @@ def open_places(side: Expr) -> Iterator[tuple[Path, Expr]]:
 
 def asked_names(*sides: Expr) -> frozenset[str]:
     """Symbols and functions that stand in what is computed."""
-    inside = (part for side in sides for node in walk(side) if is_computed(node) for part in walk(node))
+    inside = (
+        part for side in sides for node in walk(side) if is_computed(node) for part in walk(node)
+    )
     return frozenset(part.name for part in inside if part.kind in ("symbol", "call"))
 
 

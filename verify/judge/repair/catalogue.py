@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from gainproof.verify.judge.repair.asked import asked_sides, open_places
 from gainproof.verify.judge.repair.brackets import brackets
 from gainproof.verify.judge.repair.construct import replaced
-from gainproof.verify.judge.repair.edit import LARGE, SYMBOL, SYMBOL_EVERYWHERE, Edits, Table
+from gainproof.verify.judge.repair.edit import LARGE, OF_SYMBOLS, Edits, Table
 from gainproof.verify.judge.repair.numbers import constants, exponents, factor_two
 from gainproof.verify.judge.repair.printed import Printed
 from gainproof.verify.judge.repair.signs import operators, signs
@@ -54,7 +54,7 @@ def changes_of_bound(
     that is meant cannot be told from those that are true by chance. An index is told.
     """
     for change in changes(formula, table, numbers, most):
-        if not any(step.what in (SYMBOL, SYMBOL_EVERYWHERE) for step in change.steps):
+        if not any(step.what in OF_SYMBOLS for step in change.steps):
             yield change
 
 

@@ -21,7 +21,7 @@ from gainproof.verify.judge.repair.filled import (
 )
 from gainproof.verify.judge.repair.printed import Printed
 from gainproof.verify.judge.repair.recognise import monomial
-from gainproof.verify.judge.repair.values import Values, combined
+from gainproof.verify.judge.repair.values import PRECISION, Values, combined
 from gainproof.verify.judge.repair.whole import Change, Step
 
 STEPS = 40
@@ -57,7 +57,9 @@ def closings(context: Context) -> Iterator[Change]:
     known = [(n, column) for n, column in zip(names, at, strict=True) if None not in column]
     tokens, columns = [n for n, _ in known], [column for _, column in known]
     for side in open_sides(formula):
-        for path, node in open_places(formula.sides[side]) if symbols_of(formula.sides[side]) else ():
+        for path, node in (
+            open_places(formula.sides[side]) if symbols_of(formula.sides[side]) else ()
+        ):
             if context.is_late:
                 return
             above = _above(formula.sides[side], path)
@@ -65,7 +67,9 @@ def closings(context: Context) -> Iterator[Change]:
                 found = _solved(context, side, path, rule)
                 if found is None:
                     continue
-                new = make(found, tokens, columns)
+                # a rational number is told by more bits than flint works with by itself
+                with flint.ctx.workprec(PRECISION):
+                    new = make(found, tokens, columns)
                 if new is not None and new != node:
                     changed = replaced(formula.sides[side], path, new)
                     yield Change(formula.with_side(side, changed), weight, (Step(what, node, new),))

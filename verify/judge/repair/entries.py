@@ -98,7 +98,9 @@ class PrintedMatrix:
             place = (entry.row - 1) * columns + entry.column - 1
             parts = exchanged(parts, place, change.printed.sides[1])
             steps += [replace(s, what=f"{entry.name}, {s.what}") for s in change.steps]
-        made = replace(relation, **{self.side: graph_of(Expr(tree.kind, tree.value, parts))})
+        graph = graph_of(Expr(tree.kind, tree.value, parts))
+        right = self.side == "right"
+        made = replace(relation, right=graph) if right else replace(relation, left=graph)
         formula = reread(replace(self.reading, relations=(made,)), self.setting.symbols)
         if formula is None:
             return None
@@ -138,7 +140,7 @@ def printed_matrix(
             scope.truth = true
             entry = Relation("=", graph_of(symbol(ENTRY)), graph_of(part))
             single = Reading((entry,), reading.conditions)
-            search = Search(claim, single, setting, environment, others, deadline, scope)
+            search = Search(claim, single, setting, environment, others, deadline, own_scope=scope)
             if not search.agrees(search.formula):
                 wrong.append(Entry(place // columns + 1, place % columns + 1, search))
         return PrintedMatrix(claim, reading, setting, environment, side, tuple(wrong))

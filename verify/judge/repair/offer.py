@@ -40,7 +40,10 @@ def repair_tasks(
                 continue
             others = tuple(c for c in claims if c.setting == claim.setting and c.id != claim.id)
             under = tuple(admitted_for(claim, trials))
-            found.append(RepairTask(claim, setting, others, under))
+            tried = next((t.findings for t in trials if t.claim.id == claim.id), {})
+            verdict = wrong[claim.id].verdict
+            partly = verdict == "conditional" and all(f.verdict == verdict for f in tried.values())
+            found.append(RepairTask(claim, setting, others, under, partly))
     return found
 
 

@@ -39,13 +39,14 @@ def _parts(*sides: Expr) -> set[bytes]:
 
 
 def rank(change: Change, formula: Printed, said: frozenset[bytes]) -> tuple[object, ...]:
-    """Fewest places changed, then on one side, then what the source says elsewhere too, or the formula itself
-    twice, then the same
-    symbols, then the smallest part touched and the same left sides.
+    """Fewest places changed, then on one side, then what the source says elsewhere too, or the
+    formula itself twice, then the same symbols, then the smallest part touched and the same left
+    sides.
     """
     before, after = formula.sides, change.printed.sides
     sides = sum(a != b for a, b in zip(before, after, strict=True))
-    gained = len((_parts(*after) - _parts(*before)) & said) + _repeated(after) - _repeated(before)
+    gained = len((_parts(*after) - _parts(*before)) & said)
+    gained += _repeated(after) - _repeated(before)
     other_names = len(symbols_of(*after) ^ symbols_of(*before))
     size = abs(_size(after) - _size(before))
     touched = sum(_size((node,)) for s in change.steps if (node := s.part or s.before))

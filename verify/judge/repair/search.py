@@ -22,10 +22,10 @@ from gainproof.verify.judge.repair.further_bound import with_further_bound
 from gainproof.verify.judge.repair.merge import same_equation
 from gainproof.verify.judge.repair.points import generic_points
 from gainproof.verify.judge.repair.printed import MOST_NODES, Printed, printed
-from gainproof.verify.judge.repair.proof import Offer, is_of_use, reread, with_formula
+from gainproof.verify.judge.repair.proof import CONNECTING, Offer, is_of_use, reread, with_formula
 from gainproof.verify.judge.repair.rank import parts_of_source, rank
 from gainproof.verify.judge.repair.rounded import rounded
-from gainproof.verify.judge.repair.senseless import is_more_senseless
+from gainproof.verify.judge.repair.senseless import is_more_senseless, lacks_more
 from gainproof.verify.judge.repair.sharp import is_sharp, is_weaker
 from gainproof.verify.judge.repair.table import sample_numbers, table_of
 from gainproof.verify.judge.repair.trivial import OffTheModel
@@ -49,7 +49,10 @@ BY_VALUES = frozenset(("identity", "inequality", "recursion"))
 
 @dataclass
 class Search:
-    """One reading of one claim in one environment; `own_scope` has a symbol more than the source."""
+    """One reading of one claim in one environment; `partly` says that it is true on a part of its
+    domain, so that it has no slip but in signs, numbers and conditions; `own_scope` has a symbol
+    more than the source.
+    """
 
     claim: Claim
     reading: Reading
@@ -57,6 +60,7 @@ class Search:
     environment: Environment
     others: Sequence[Claim]
     deadline: float
+    partly: bool = False
     own_scope: Scope | None = None
     formula: Printed = field(init=False)
     scope: Scope = field(init=False)
@@ -118,8 +122,9 @@ class Search:
         if stage == 0:
             if further := with_further_bound(self):
                 return further
-            listed = changes_of_bound if self.claim.kind == "inequality" else changes
-            most = LARGE if self.is_equation else PLAIN
+            is_bound = self.partly or self.claim.kind == "inequality"
+            listed = changes_of_bound if is_bound else changes
+            most = LARGE if self.is_equation and not self.partly else PLAIN
             edited = listed(self.formula, self.table, self.numbers, most)
             # only where the formula itself is right well inside its domain is its edge at fault
             inside = self.by_values and self.agrees(self.formula)
@@ -127,7 +132,7 @@ class Search:
             found = [*self._first(edited), *narrowed]
             least = min((offer.change.weight for offer in found), default=0)
             return [offer for offer in found if offer.change.weight == least]
-        if not self.is_equation:
+        if not self.is_equation or self.partly:
             return []
         return self._first(closings(self) if stage == 1 else two_changes(self))
 
@@ -179,7 +184,10 @@ class Search:
             if self.is_late:
                 return
             holds = not self.by_values or self.agrees(change.printed)
-            if holds and not is_more_senseless(change.printed, self.formula):
+            if not holds or is_more_senseless(change.printed, self.formula):
+                continue
+            whole = self.partly or self.claim.kind in CONNECTING
+            if not (whole and lacks_more(change.printed, self.formula)):
                 yield change
 
     def _proved(self, ordered: Sequence[Change]) -> list[Offer]:

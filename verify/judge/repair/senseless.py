@@ -9,7 +9,7 @@ from collections.abc import Iterator
 from fractions import Fraction
 from functools import lru_cache
 
-from gainproof.verify.judge.exact.expression import Expr
+from gainproof.verify.judge.exact.expression import Expr, walk
 from gainproof.verify.judge.repair.construct import ONE, places
 from gainproof.verify.judge.repair.printed import Printed
 from gainproof.verify.judge.repair.trivial import sorted_key
@@ -38,6 +38,25 @@ def senseless_parts(formula: Printed) -> int:
         if link.operator == "=" and _is_sum(formula, link.left, link.right)
     )
     return inside + across
+
+
+def lacks_more(formula: Printed, than: Printed) -> bool:
+    """Whether something stands under a fraction bar, an even root or a logarithm that does not in
+    the other: the values that one part lacks are no better lacking in another.
+    """
+    return not _may_lack(formula) <= _may_lack(than)
+
+
+def _may_lack(formula: Printed) -> frozenset[bytes]:
+    found = set()
+    for node in walk(*formula.sides):
+        if node.kind == "div":
+            found |= {key for key, above in powers_of(node.parts[1]) if above}
+            continue
+        is_root = node.kind == "pow" and (node.fraction < 0 or node.fraction.denominator % 2 == 0)
+        if is_root or (node.kind == "call" and node.name in ("log", "ln")):
+            found.add(sorted_key(node.parts[0]))
+    return frozenset(found)
 
 
 def _shared_factors(formula: Printed) -> int:

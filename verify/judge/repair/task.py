@@ -34,13 +34,14 @@ MOST_NAMED = 3
 @dataclass(frozen=True)
 class RepairTask:
     """A claim that is not proved, the source's other claims on the same setting, the conventions
-    under which a repair may hold.
+    under which a repair may hold, and whether it is true on a part of its domain.
     """
 
     claim: Claim
     setting: Setting
     others: tuple[Claim, ...]
     conventions: tuple[str, ...]
+    partly: bool = False
     seconds: float = SECONDS
     most: float = SECONDS + OVERTIME
 
@@ -89,7 +90,7 @@ def _searches(
         try:
             parts = (claim, reading, setting, environment, task.others, deadline)
             matrix = printed_matrix(*parts)
-            found.append(Search(*parts) if matrix is None else matrix)
+            found.append(Search(*parts, task.partly) if matrix is None else matrix)
         except (Undecided, Malformed, NotEstablished, UndefinedSymbol, ArithmeticError):
             continue  # no claim is worse off for a repair that was not found
     return found

@@ -115,13 +115,18 @@ def _short(p: Poly, names: tuple[str, ...]) -> Expr:
 
 def _positive_first(expr: Expr) -> Expr:
     """A sum that does not begin with a minus sign, if it can."""
-    return total(*sorted(expr.parts, key=lambda part: part.kind == "neg")) if expr.kind == "add" else expr
+    return (
+        total(*sorted(expr.parts, key=lambda part: part.kind == "neg"))
+        if expr.kind == "add"
+        else expr
+    )
 
 
 def _number_there(search: Search, side: Expr) -> str | None:
     """`= 2/9` or `\\approx 0.208712` for a side that has one value where the claim is made."""
-    balls = [values.ball(side) for values in search.points]
-    if not balls or any(b is None or not b.is_finite() or not b.overlaps(balls[0]) for b in balls):
+    found = [values.ball(side) for values in search.points]
+    balls = [ball for ball in found if ball is not None and ball.is_finite()]
+    if not balls or len(balls) < len(found) or not all(b.overlaps(balls[0]) for b in balls):
         return None
     value = common_rational(balls)
     if value is not None:

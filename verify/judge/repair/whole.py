@@ -22,7 +22,15 @@ from gainproof.verify.judge.repair.construct import (
     quotient,
     raised,
 )
-from gainproof.verify.judge.repair.edit import LARGE, PLAIN, SLIGHT, SYMBOL_EVERYWHERE, Table
+from gainproof.verify.judge.repair.edit import (
+    LARGE,
+    PLAIN,
+    ROOT,
+    SLIGHT,
+    SQUARE,
+    SYMBOL_EVERYWHERE,
+    Table,
+)
 from gainproof.verify.judge.repair.printed import Printed
 from gainproof.verify.judge.repair.shift import shifted
 
@@ -113,10 +121,12 @@ def _everywhere(
             yield Change(formula.with_sides(sides), SLIGHT, (step,))
         if most < PLAIN:
             continue
-        new.append((raised(x, Fraction(2)), PLAIN, "a deviation that is a variance"))
-        new.append((raised(x, HALF), PLAIN, "a variance that is a deviation"))
+        new.append((raised(x, Fraction(2)), PLAIN, SQUARE))
+        new.append((raised(x, HALF), PLAIN, ROOT))
         new += [
-            (symbol(other), PLAIN, SYMBOL_EVERYWHERE) for other in table.symbols if other != name
+            (symbol(other), PLAIN, SYMBOL_EVERYWHERE)
+            for other in table.symbols
+            if (name, other) in table.alike
         ]
         for value, weight, what in new:
             sides = tuple(
