@@ -15,6 +15,8 @@ from gainproof.verify.judge.repair.edit import LARGE, PLAIN, SLIGHT
 MOST_SLIPS = 800
 _ENDS = frozenset(("name", ")", "]", "}"))
 _BEGINS = frozenset(("(", "[", "{", "relation", ",", "&", "row", "wide", "arrow", "begin"))
+_OPEN, _CLOSE = frozenset("([{"), frozenset(")]}")
+_AFTER_A_TERM = frozenset(("+", "-", "relation", ",", "&", "row", "arrow", "end"))
 _OPPOSITE = {"<": ">", ">": "<", "<=": ">=", ">=": "<="}
 _WEAKER = {"<": "<=", ">": ">=", "<=": "<", ">=": ">"}
 _PRINTED = {"<": "<", ">": ">", "<=": r"\leq", ">=": r"\geq"}
@@ -72,6 +74,7 @@ def _changes(latex: str, tokens: list[Token], setting: MatrixSetting) -> Iterato
             yield from _letters(latex, token, setting)
     yield from _swapped(latex, tokens)
     yield from _reaching(latex, tokens)
+    yield from _too_many(latex, tokens)
     yield from _missing(latex, tokens, setting)
 
 
@@ -110,6 +113,22 @@ def _ends_before(tokens: list[Token], begin: int, following: int) -> bool:
     return at == following
 
 
+def _too_many(latex: str, tokens: list[Token]) -> Iterator[Slip]:
+    """A term of a sum left out, that is not its first one."""
+    for at, token in enumerate(tokens):
+        if token.kind not in ("+", "-") or at == 0 or tokens[at - 1].kind in _BEGINS:
+            continue
+        depth, end = 0, token.end
+        for other in tokens[at + 1 :]:
+            depth += (other.kind in _OPEN) - (other.kind in _CLOSE)
+            if depth < 0 or (depth == 0 and (other.kind in _AFTER_A_TERM)):
+                break
+            end = other.end
+        term = latex[token.position : end].strip()
+        text = f"{latex[: token.position].rstrip()}{latex[end:]}"
+        yield Slip(text.strip(), LARGE, f"a term too many: {term}")
+
+
 def _missing(latex: str, tokens: list[Token], setting: MatrixSetting) -> Iterator[Slip]:
     """A term X, X Y X^T or X^T Y X that is missing at the end of a side."""
     letters = [a for a in setting.letters.values() if a.variance is None]
@@ -120,7 +139,7 @@ def _missing(latex: str, tokens: list[Token], setting: MatrixSetting) -> Iterato
     depth = 0
     ends = []
     for token in tokens:
-        depth += (token.kind in ("(", "[", "{")) - (token.kind in (")", "]", "}"))
+        depth += (token.kind in _OPEN) - (token.kind in _CLOSE)
         if token.kind in ("relation", ",", "arrow") and depth == 0:
             ends.append(token.position)
     for end in (*ends, max((token.end for token in tokens), default=0)):

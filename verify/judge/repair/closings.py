@@ -12,7 +12,15 @@ import flint
 from gainproof.verify.judge.exact.expression import Expr, symbols_of
 from gainproof.verify.judge.exact.poly import Ball, rational
 from gainproof.verify.judge.repair.asked import open_places, open_sides
-from gainproof.verify.judge.repair.construct import Path, multiplied, replaced
+from gainproof.verify.judge.repair.construct import (
+    ONE,
+    Path,
+    multiplied,
+    product,
+    quotient,
+    replaced,
+    without,
+)
 from gainproof.verify.judge.repair.edit import LARGE, PLAIN, Table
 from gainproof.verify.judge.repair.filled import (
     exponent_filled,
@@ -70,9 +78,33 @@ def closings(context: Context) -> Iterator[Change]:
                 # a rational number is told by more bits than flint works with by itself
                 with flint.ctx.workprec(PRECISION):
                     new = make(found, tokens, columns)
-                if new is not None and new != node:
-                    changed = replaced(formula.sides[side], path, new)
-                    yield Change(formula.with_side(side, changed), weight, (Step(what, node, new),))
+                if new is None or new == node:
+                    continue
+                changed = formula.with_side(side, replaced(formula.sides[side], path, new))
+                step = Step(what, node, new)
+                if not path and (turned := _turned(formula, side, new)) is not None:
+                    changed, step = turned
+                yield Change(changed, weight, (step,))
+
+
+def _turned(formula: Printed, side: int, new: Expr) -> tuple[Printed, Step] | None:
+    """A side that was a symbol x and would be y/x, put the way it was printed: x = y over the other
+    side.
+    """
+    before = formula.sides[side]
+    if before.kind != "symbol" or new.kind != "div":
+        return None
+    above, below = new.parts
+    factors = below.parts if below.kind == "mul" else (below,)
+    if before not in factors:
+        return None
+    kept = quotient(above, product(*without(factors, factors.index(before))))
+    link = formula.links[0]
+    other = link.right if side == link.left else link.left
+    old = formula.sides[other]
+    top, bottom = old.parts if old.kind == "div" else (old, ONE)
+    made = multiplied(quotient(bottom, top), kept)
+    return formula.with_side(other, made), Step("upside down, with a factor", old, made)
 
 
 def _numbers(context: Context) -> Iterator[Change]:
