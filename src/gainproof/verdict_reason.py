@@ -22,9 +22,11 @@ def reasons(claim: Claim) -> list[str]:
     if claim["verdict"] == "conditional" and claim["domain"]:
         other = is_contradicted(claim)
         under = ["under another convention"] if other else []
-        on = [] if other and claim["domain"] == "everywhere" else [claim["domain"]]
+        # true everywhere under a convention: the reason says under which
+        on = [] if claim["domain"] == "everywhere" else [claim["domain"]]
         where = "as the conventions are stated" if other else "everywhere"
-        found.append(f"true {', '.join([*under, *on])}; not {where}")
+        if under or on:
+            found.append(f"true {', '.join([*under, *on])}; not {where}")
     if claim["reading"]:
         found.append(f"read so that {claim['reading']}")
     why = reason(claim)
