@@ -79,7 +79,9 @@ def _changes(latex: str, tokens: list[Token], setting: MatrixSetting) -> Iterato
 
 
 def _reaching(latex: str, tokens: list[Token]) -> Iterator[Slip]:
-    """A transposition or inverse of one factor that is one of the factor before it as well."""
+    """A transposition or inverse of one factor that is one of the factor before it as well, or one
+    of what is in brackets that is one of the last factor there.
+    """
     begins: list[int] = []
     opened: list[int] = []
     for at, token in enumerate(tokens):
@@ -91,6 +93,12 @@ def _reaching(latex: str, tokens: list[Token]) -> Iterator[Slip]:
             begins.append(opened.pop())
         elif token.kind == "power" and begins and at:
             factor = begins[-1]
+            if tokens[factor].kind in ("(", "[") and tokens[at - 1].kind in (")", "]"):
+                opening, closing = tokens[factor], tokens[at - 1]
+                inside = latex[opening.end : closing.position].strip()
+                bare = f"{latex[: opening.position]}{inside}{latex[closing.end :]}"
+                what = f"{latex[token.position : token.end].strip()} reaches over the last factor"
+                yield Slip(bare, SLIGHT, what)
             before = [b for b in begins if b < factor and _ends_before(tokens, b, factor)]
             if before:
                 start, power = tokens[before[-1]].position, token.position
