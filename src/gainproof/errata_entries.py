@@ -9,13 +9,7 @@ from dataclasses import dataclass
 from typing import Any
 
 from gainproof.claim_words import Said
-from gainproof.verdict_reason import (
-    changes_of,
-    reason,
-    repair_of,
-    solutions,
-    where_true,
-)
+from gainproof.verdict_reason import reason, repairs_of, solutions, verdict_of_repair, where_true
 from gainproof.verdicts import Judgement
 
 CANNOT_STAND = frozenset({"refuted", "conditional", "undefined"})
@@ -110,7 +104,7 @@ def _keys(member: Member) -> set[Hashable]:
 
 def _one_change(claim: Claim) -> tuple[str, ...]:
     """The changes of the repair if they say of something what it becomes, wherever it stands."""
-    changes = tuple(changes_of(claim)) if repair_of(claim) else ()
+    changes = tuple(next((repair["changes"] for repair in repairs_of(claim)), ()))
     names = all(" becomes " in change and "number" not in change for change in changes)
     return changes if names else ()
 
@@ -196,10 +190,11 @@ def _reading_blocks(member: Member, *, more: bool) -> Iterator[Block]:
         yield "text", f"Fixed by the other claims: {text}"
     if claim["convention"]:
         yield "text", f"Convention: {claim['convention']}"
-    repair = repair_of(claim)
-    if repair:
+    if claim.get("truth"):
+        yield "text", f"What is true: {claim['truth']}"
+    for repair in repairs_of(claim):
         lead = "Read instead" if said.origin == "printed" else "What is true"
-        yield "text", f"{lead} ({repair['verdict']}):"
+        yield "text", f"{lead} ({verdict_of_repair(repair)}):"
         yield "formula", " ".join(repair["latex"].split())
 
 

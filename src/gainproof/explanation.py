@@ -9,7 +9,15 @@ from gainproof import witness_text
 from gainproof.claim_proofs import parts as words_of
 from gainproof.page import WIDTH, filled
 from gainproof.proof_text import proof_lines, result_lines
-from gainproof.verdict_reason import ANY_FILTER, is_of_slope, reason, repair_of, solutions
+from gainproof.verdict_reason import (
+    ANY_FILTER,
+    is_of_slope,
+    reason,
+    repairs_of,
+    solutions,
+    truth,
+    verdict_of_repair,
+)
 from gainproof.verify.judge.explain import sections
 
 Claim = Mapping[str, Any]
@@ -115,19 +123,11 @@ def _witness(witness: Any, is_slope: bool = False) -> list[str]:
 
 
 def _repairs(claim: Claim) -> list[str]:
-    repair = repair_of(claim)
-    if repair is None:
-        return []
-    certificate = claim["evidence"]["certificate"] or {}
-    told = certificate.get("repair", {})
-    is_open = "against other conventions" in certificate
-    under = f" ({told['under']})" if is_open and told.get("under") else ""
-    first = {"latex": repair["latex"], "changes": told.get("changes", [])}
     lines = []
-    for offer in (first, *told.get("alternatives", [])):
-        lines.append(offer["latex"])
-        lines += [f"  {change}" for change in offer["changes"]]
-    return [*lines, f"{repair['verdict']}{under}"]
+    for repair in repairs_of(claim):
+        lines += [repair["latex"], *(f"  {change}" for change in repair["changes"])]
+        lines.append(f"  {verdict_of_repair(repair)}")
+    return lines or truth(claim)
 
 
 def _others(others: Mapping[str, Any], witness: Any) -> list[str]:

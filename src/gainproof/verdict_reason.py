@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from typing import Any
 
 from gainproof import witness_text
@@ -46,6 +46,7 @@ def where_true(claim: Claim) -> str:
         return ""
     other = is_contradicted(claim)
     under = ["under another convention"] if other else []
+    # true everywhere under a convention: the reason says under which
     on = [] if other and claim["domain"] == "everywhere" else [_on(claim["domain"])]
     where = "as the conventions are stated" if other else "everywhere"
     if _is_proved_by_itself(claim):
@@ -66,33 +67,46 @@ def is_contradicted(claim: Claim) -> bool:
 
 def _is_proved_by_itself(claim: Claim) -> bool:
     """Whether only the other claims stand against it, which fit no convention that it fits."""
-    return (claim["evidence"]["certificate"] or {}).get("decides") == "proved"
+    evidence = claim["evidence"]
+    # with a witness it is a part of the domain that stands against it
+    decides = (evidence["certificate"] or {}).get("decides")
+    return decides == "proved" and evidence["witness"] is None
 
 
-def repair_of(claim: Claim) -> Mapping[str, str] | None:
-    """The nearest true formula, unless the claim comes with something better: where an inequality
-    is true says more than another inequality.
+def repairs_of(claim: Claim) -> Sequence[Mapping[str, Any]]:
+    """The nearest true formulas, the likeliest first, unless the claim comes with something better:
+    where an inequality is true says more than another inequality.
     """
     if claim["verdict"] == "conditional" and claim["kind"] == "inequality":
-        return None
-    repair: Mapping[str, str] | None = claim["repair"]
-    return repair
+        return ()
+    one = claim["repair"]
+    repairs: Sequence[Mapping[str, Any]] = claim.get("repairs") or ([one] if one else [])
+    return [{"changes": [], "under": "", **repair} for repair in repairs]
 
 
 def repaired(claim: Claim) -> list[str]:
-    """The nearest true formula with what was changed, or that none was found."""
-    repair = repair_of(claim)
-    if not repair:
+    """The nearest true formulas with what was changed, or that none was found, and what is true."""
+    repairs = repairs_of(claim)
+    if not repairs:
         missing = claim["verdict"] == "refuted" and NO_REPAIR in str(claim["reason"])
-        return [NO_REPAIR] if missing and NO_REPAIR not in reason(claim) else []
-    changes = "; ".join([repair["verdict"], *changes_of(claim)])
-    return [f"nearest true formula: {repair['latex']} ({changes})"]
+        told = [NO_REPAIR] if missing and NO_REPAIR not in reason(claim) else []
+        return told + truth(claim)
+    return [
+        f"{'as near' if number else 'nearest true formula'}: {repair['latex']} "
+        f"({'; '.join([verdict_of_repair(repair), *repair['changes']])})"
+        for number, repair in enumerate(repairs)
+    ]
 
 
-def changes_of(claim: Claim) -> list[str]:
-    """What the repair changes, in words."""
-    told = (claim["evidence"]["certificate"] or {}).get("repair", {})
-    return list(told.get("changes", []))
+def truth(claim: Claim) -> list[str]:
+    """What the formula should say, where no misprint explains it."""
+    return [f"what is true: {claim['truth']}"] if claim.get("truth") else []
+
+
+def verdict_of_repair(repair: Mapping[str, Any]) -> str:
+    """`proved`, with the convention under which it is, if that was left open."""
+    under = f" under {repair['under']}" if repair["under"] else ""
+    return f"{repair['verdict']}{under}"
 
 
 def reason(claim: Claim) -> str:
@@ -100,7 +114,8 @@ def reason(claim: Claim) -> str:
     witness = claim["evidence"]["witness"]
     if isinstance(witness, Mapping):
         told = witness_text.slope_in_words if is_of_slope(claim) else witness_text.in_words
-        return f"{_against(claim, witness)}{told(witness)}"
+        dimensions = f"{claim['reason']}; " if claim["evidence"]["method"] == "dimensions" else ""
+        return f"{_against(claim, witness)}{dimensions}{told(witness)}"
     if claim["verdict"] in DECIDED_AS_STATED:
         return ""
     if claim["verdict"] == "undefined" and solutions(claim):

@@ -21,6 +21,8 @@ _SIDES_OF = "the left side of the"
 """How a note begins that says what each side of an equivalence comes to."""
 _FILTER = "the filter is"
 """How a note begins that says whether a filter is stable there, and what was claimed."""
+_ENTRY = "entry"
+"""How the note of a witness against an equation of matrices begins."""
 _NOT_COMPARED = "not compared"
 """Of a side where the note alone says what fails."""
 
@@ -64,7 +66,9 @@ def sides(witness: Mapping[str, Any]) -> str:
     if witness.get("exact"):
         return f"both sides are {_shown(left, _DIGITS)}"
     first, second = _apart(left, right)
-    return f"the left side is {first}, the right {second}"
+    note = str(witness.get("note") or "")
+    entry = f"in {note} " if note.startswith(_ENTRY) else ""
+    return f"{entry}the left side is {first}, the right {second}"
 
 
 def in_words(witness: Mapping[str, Any]) -> str:

@@ -87,7 +87,7 @@ def report(done: Sequence[Done]) -> Report:
 
 
 def _false(record: dict[str, Any]) -> bool:
-    return record["verdict"] == "proved"
+    return bool(record["verdict"] == "proved")
 
 
 def digest() -> str:

@@ -45,6 +45,8 @@ FIELDS = {
     "domain",
     "evidence",
     "repair",
+    "repairs",
+    "truth",
     "convention",
     "reading",
     "undefined",

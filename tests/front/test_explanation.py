@@ -67,14 +67,13 @@ def test_other_conventions_have_a_line_each_and_the_one_shown_none() -> None:
 
 
 def test_repairs_with_their_changes() -> None:
-    told = {"changes": ["sign of a term"], "under": "noise A", "alternatives": [
-        {"latex": "c = d", "changes": ["a symbol"]}
-    ]}  # fmt: skip
-    repair = {"latex": "a = b", "verdict": "proved"}
-    text = explanation(
-        claim(repair=repair, certificate={"repair": told, "against other conventions": {}})
+    first = {"latex": "a = b", "verdict": "proved", "changes": ["sign of a term"], "under": "A"}
+    other = {"latex": "c = d", "verdict": "proved", "changes": ["a symbol"], "under": ""}
+    text = explanation(claim(repair=first, repairs=[first, other]))
+    assert (
+        "  a = b\n    sign of a term\n    proved under A\n  c = d\n    a symbol\n    proved\n"
+        in text
     )
-    assert "  a = b\n    sign of a term\n  c = d\n    a symbol\n  proved (noise A)\n" in text
 
 
 def test_a_reason_without_a_witness_is_the_result() -> None:

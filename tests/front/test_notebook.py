@@ -181,7 +181,7 @@ def test_a_model_shows_itself() -> None:
 
 def test_verdicts_show_themselves() -> None:
     verdict = ClaimVerdict(
-        *("1", "here", "identity", "a < b", "refuted", None, None, {}, None, None, None, None),
+        *("1", "here", "identity", "a < b", "refuted", None, None, {}, None, None, None),
         undefined=(),
         reason="at $a = 1$ <b>",
         seconds=0.0,

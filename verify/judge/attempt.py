@@ -13,6 +13,7 @@ from gainproof.verify.judge.dimensions.claim import claim_readings
 from gainproof.verify.judge.exact.limits import Malformed, Undecided
 from gainproof.verify.judge.formula import Reading
 from gainproof.verify.judge.kinds.printed_decimal import decimals_read, with_rounded
+from gainproof.verify.judge.pruning import seen_to_fail
 from gainproof.verify.judge.scope import UndefinedSymbol
 from gainproof.verify.judge.setting.environment import Environment, NotEstablished
 from gainproof.verify.judge.source_symbols import in_source_symbols
@@ -66,7 +67,7 @@ def _attempts(
 ) -> Iterator[tuple[Reading | None, Callable[[], Finding]]]:
     readings, fault = claim_readings(claim, setting)
     if fault is not None:
-        yield None, lambda: Finding("refuted", fault, method="dimensions")
+        yield None, lambda: _of_dimensions(claim, fault, setting, environment)
     elif claim.formula is None:
         yield None, lambda: judge_in(claim, None, setting, environment)
     for reading in readings:
@@ -74,6 +75,16 @@ def _attempts(
             reading,
             lambda r=reading: judge_in(claim, r, setting, environment),  # type: ignore[misc]
         )
+
+
+def _of_dimensions(claim: Claim, fault: str, setting: Setting, environment: Environment) -> Finding:
+    """Refuted for its dimensions, with a point at which it fails in units of its own, if one is
+    seen.
+    """
+    readings = () if claim.formula is None else claim.formula.readings
+    failing = [seen_to_fail(claim, r, setting, environment) for r in readings]
+    witness = failing[0].witness if failing and failing[0] and all(failing) else None
+    return Finding("refuted", fault, method="dimensions", witness=witness)
 
 
 def _attempt(work: Callable[[], Finding]) -> Finding:

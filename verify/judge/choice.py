@@ -32,6 +32,17 @@ def admitted(trials: Sequence[Trial]) -> list[str]:
     return _common(trials) or [name for name in names if name in fitting] or names
 
 
+def admitted_for(claim: Claim, trials: Sequence[Trial]) -> list[str]:
+    """Conventions under which another formula may stand in the place of a claim: those that the
+    source may have; where its claims need different ones, those of the other claims.
+    """
+    fits = _fits(trials)
+    if _common(trials) or not any(fits.values()):
+        return admitted(trials)
+    others = {name for other, fit in fits.items() if other != claim.id for name in fit}
+    return [name for name in admitted(trials) if name in others - fits.get(claim.id, set())]
+
+
 def _fits(trials: Sequence[Trial]) -> dict[str, set[str]]:
     return {t.claim.id: {n for n, f in t.findings.items() if f.verdict == "proved"} for t in trials}
 
@@ -165,7 +176,6 @@ def verdict_of(
         method=finding.method,
         certificate=certificate,
         witness=None if finding.witness is None else finding.witness.to_json(),
-        repair=None,
         convention=convention,
         reading=finding.reading,
         undefined=undefined,

@@ -1,10 +1,10 @@
-"""Conventions under which a claim is false at once: seen at two generic points, shown at a simple
-one.
+"""Claims that are false at once, under a convention or for their dimensions: seen at two generic
+points, shown at a simple one.
 """
 
 from __future__ import annotations
 
-from gainproof.verify.judge.claim.record import Claim
+from gainproof.verify.judge.claim.record import Claim, Setting
 from gainproof.verify.judge.convention import Convention
 from gainproof.verify.judge.dimensions.claim import claim_readings
 from gainproof.verify.judge.exact.limits import Malformed, Undecided
@@ -15,7 +15,7 @@ from gainproof.verify.judge.repair.points import generic_points
 from gainproof.verify.judge.repair.printed import printed
 from gainproof.verify.judge.repair.values import COMPARED, Values, truth
 from gainproof.verify.judge.scope import Scope, UndefinedSymbol
-from gainproof.verify.judge.setting.environment import NotEstablished
+from gainproof.verify.judge.setting.environment import Environment, NotEstablished
 from gainproof.verify.judge.verdict import Finding, finding_of
 
 KINDS = ("identity", "inequality")
@@ -23,29 +23,40 @@ KINDS = ("identity", "inequality")
 
 def seen_false(claim: Claim, convention: Convention) -> Finding | None:
     """The refutation of a claim that fails at generic points in every reading; None for others."""
-    if claim.kind not in KINDS or claim.formula is None or claim.given:
+    if claim.formula is None:
         return None
     readings, fault = claim_readings(claim, convention.setting)
     if fault is not None:
         return Finding("refuted", fault, method="dimensions")
     found: Finding | None = None
     for reading in readings:
-        try:
-            finding = _refuted(claim, reading, convention)
-        except (Undecided, Malformed, NotEstablished, UndefinedSymbol, ArithmeticError):
-            return None
+        finding = seen_to_fail(claim, reading, convention.setting, convention.environment)
         if finding is None:
             return None
         found = found or finding
     return found
 
 
-def _refuted(claim: Claim, reading: Reading, convention: Convention) -> Finding | None:
+def seen_to_fail(
+    claim: Claim, reading: Reading, setting: Setting, environment: Environment
+) -> Finding | None:
+    """The refutation of one reading, whatever its dimensions are; None if none is seen."""
+    if claim.kind not in KINDS or claim.given:
+        return None
+    try:
+        return _refuted(claim, reading, setting, environment)
+    except (Undecided, Malformed, NotEstablished, UndefinedSymbol, ArithmeticError):
+        return None
+
+
+def _refuted(
+    claim: Claim, reading: Reading, setting: Setting, environment: Environment
+) -> Finding | None:
     printed_relations = (*reading.relations, *reading.conditions, *claim.domain)
     plain = all(r.operator in COMPARED for r in printed_relations)
     if reading.connective != "if" or not plain:
         return None
-    scope = Scope(convention.setting, convention.environment, held=claim.held)
+    scope = Scope(setting, environment, held=claim.held)
     relations = tuple(scope.relation(r) for r in reading.relations)
     stated = tuple(scope.relation(r) for r in (*reading.conditions, *claim.domain))
     points, put_in = generic_points(claim, reading.conditions, scope, 2)
@@ -53,9 +64,9 @@ def _refuted(claim: Claim, reading: Reading, convention: Convention) -> Finding 
     failing = [p for p in points if truth(Values(scope, p, put_in), formula) is False]
     if put_in or len(failing) < 2:
         return None
-    if scope.uses_steady() and convention.environment.region is not None:
-        stated = (*stated, *convention.environment.region.relations)
-    domains = [r for token in scope.used for r in convention.setting.symbols[token].domain]
+    if scope.uses_steady() and environment.region is not None:
+        stated = (*stated, *environment.region.relations)
+    domains = [r for token in scope.used for r in setting.symbols[token].domain]
     conditions = (*stated, *[scope.relation(r) for r in domains])
     outcome = try_points(Statement(relations, conditions), scope.boxes(), scope.labels())
     return finding_of(outcome) if outcome and outcome.verdict == "refuted" else None

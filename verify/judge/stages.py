@@ -59,9 +59,7 @@ def with_repairs(stages: Iterable[Stage], done: Done) -> list[Stage]:
         [
             task
             for stage in stages
-            for task in repair_tasks(
-                stage.claims, stage.setting, stage.verdicts, admitted(stage.tried)
-            )
+            for task in repair_tasks(stage.claims, stage.setting, stage.verdicts, stage.tried)
         ]
     )
     blamed = done([task for task in suspected.values() if task is not None])

@@ -52,7 +52,11 @@ class Finding:
 
 @dataclass(frozen=True)
 class ClaimVerdict:
-    """The verdict on one claim of a file. `repair` is None: none looked for, or none found.
+    """The verdict on one claim of a file.
+
+    `repairs` are all nearest true formulas, the likeliest first: "latex", its "verdict", "changes"
+    in words, and "under", the convention under which it is true where the source leaves one open.
+    Empty: none looked for, or none found. `truth` is what the formula should say then, if known.
     `any_filter`: it follows from the file's own definitions, whatever the filter is.
     """
 
@@ -65,13 +69,21 @@ class ClaimVerdict:
     method: str | None
     certificate: Mapping[str, Any]
     witness: Mapping[str, Any] | None
-    repair: Mapping[str, str] | None
     convention: str | None
     reading: str | None
     undefined: tuple[Mapping[str, Any], ...]
     reason: str
     seconds: float
     any_filter: bool = False
+    repairs: tuple[Mapping[str, Any], ...] = ()
+    truth: str | None = None
+
+    @property
+    def repair(self) -> Mapping[str, str] | None:
+        """The likeliest of the nearest true formulas, and its verdict."""
+        if not self.repairs:
+            return None
+        return {name: self.repairs[0][name] for name in ("latex", "verdict")}
 
     @property
     def settled(self) -> bool:
@@ -112,6 +124,8 @@ class ClaimVerdict:
                 "witness": None if self.witness is None else dict(self.witness),
             },
             "repair": None if self.repair is None else dict(self.repair),
+            "repairs": [dict(repair) for repair in self.repairs],
+            "truth": self.truth,
             "convention": self.convention,
             "reading": self.reading,
             "undefined": [dict(entry) for entry in self.undefined],

@@ -16,17 +16,27 @@ from gainproof.book.words import LANGUAGES, in_language
 from gainproof.claim_words import Said
 from gainproof.errata_entries import entries
 from gainproof.explanation import parts
-from gainproof.verdict_reason import changes_of, reason, repair_of, solutions
+from gainproof.verdict_reason import reason, repairs_of, solutions, truth
 from gainproof.verdicts import Judgement, tally
 
 Claim = Mapping[str, Any]
 
 
 @dataclass(frozen=True)
+class ShownRepair:
+    """A nearest true formula, its verdict, under which convention it is true, what was changed."""
+
+    formula: Markup
+    verdict: str
+    under: str
+    changes: tuple[str, ...]
+
+
+@dataclass(frozen=True)
 class ShownClaim:
     """A claim: where it comes from, the words or the excerpt of the source, the formula or the
-    words as which it is judged, and under what; why it has its verdict, notes, the nearest true
-    formula, and the parts of its proof or witness, each a title with lines, true for those that are
+    words as which it is judged, and under what; why it has its verdict, notes, the nearest
+    true formulas, and the parts of its proof or witness, each a title with lines, true for those that are
     set in.
     """
 
@@ -41,9 +51,7 @@ class ShownClaim:
     note: Markup
     facts: tuple[tuple[str, Markup], ...]
     reason: Markup
-    repair: Markup | None
-    repair_verdict: str
-    repair_changes: tuple[str, ...]
+    repairs: tuple[ShownRepair, ...]
     parts: tuple[tuple[str, tuple[tuple[bool, Markup], ...]], ...]
     checked: str
 
@@ -118,7 +126,6 @@ def _words(said: Said) -> str:
 
 
 def _shown(claim: Claim, said: Said, checked: str) -> ShownClaim:
-    repair = repair_of(claim)
     facts = (
         ("reading", claim["reading"]),
         ("convention", claim["convention"]),
@@ -137,10 +144,11 @@ def _shown(claim: Claim, said: Said, checked: str) -> ShownClaim:
         under=tuple(map(displayed, said.under)),
         note=with_symbols(said.note),
         facts=tuple((label, with_symbols(str(value))) for label, value in facts if value),
-        reason=with_symbols(reason(claim)),
-        repair=displayed(repair["latex"]) if repair else None,
-        repair_verdict=repair["verdict"] if repair else "",
-        repair_changes=tuple(changes_of(claim)) if repair else (),
+        reason=with_symbols("; ".join(filter(None, (reason(claim), *truth(claim))))),
+        repairs=tuple(
+            ShownRepair(displayed(r["latex"]), r["verdict"], r["under"], tuple(r["changes"]))
+            for r in repairs_of(claim)
+        ),
         parts=tuple((title, tuple(map(_line, lines))) for title, lines in parts(claim)),
         checked=checked,
     )

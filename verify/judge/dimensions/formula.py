@@ -29,11 +29,15 @@ from gainproof.verify.judge.dimensions.table import (
     transposed,
 )
 from gainproof.verify.judge.exact.expression import Expr, walk
+from gainproof.verify.judge.exact.graph_writing import graph_of
 from gainproof.verify.judge.exact.limits import Malformed
 from gainproof.verify.judge.exact.tree import read_tree
 from gainproof.verify.judge.formula import Graph, Reading, Relation
+from gainproof.verify.judge.reader.latex import graph_to_latex
 from gainproof.verify.judge.reader.words import BASED
 
+MOST_CHARACTERS = 60
+"""Terms of so many characters are named."""
 OF_NUMBERS = frozenset(
     (
         *("sin", "cos", "tan", "cot", "sec", "csc", "asin", "acos", "atan"),
@@ -112,7 +116,7 @@ def _node(node: Expr, parts: list[Dimensions], names: Names) -> Dimensions:
         case "symbol":
             return names.of(node.name)
         case "add":
-            return agreed(parts, "the terms of a sum")
+            return _terms(node, parts)
         case "mul":
             total = parts[0]
             for part in parts[1:]:
@@ -143,6 +147,24 @@ def _node(node: Expr, parts: list[Dimensions], names: Names) -> Dimensions:
             return _call(node.name, parts, names)
         case _:
             return ANY
+
+
+def _terms(node: Expr, parts: list[Dimensions]) -> Dimensions:
+    """The dimensions of a sum. The term that is not like the others is named."""
+    try:
+        return agreed(parts, "the terms of a sum")
+    except Mismatch as fault:
+        known = [n for n, part in enumerate(parts) if isinstance(part, Unit)]
+        if len(known) < 2 or any(isinstance(part, tuple) for part in parts):
+            raise
+        usual = max(known, key=lambda n: parts.count(parts[n]))
+        odd = next(n for n in known if parts[n] != parts[usual])
+        if odd < usual and parts.count(parts[odd]) == parts.count(parts[usual]):
+            odd, usual = usual, odd
+        named = [graph_to_latex(graph_of(node.parts[n])) for n in (usual, odd)]
+        if max(map(len, named)) > MOST_CHARACTERS:
+            raise
+        raise Mismatch(f"{fault}: {named[1]} is not like {named[0]}") from None
 
 
 def _over(above: Dimensions, below: Dimensions) -> Dimensions:

@@ -2,12 +2,21 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
+from dataclasses import replace
+from fractions import Fraction
+from math import isclose
+
 from gainproof.verify.judge.claim.record import Claim
-from gainproof.verify.judge.exact.statement import Rel, Statement
+from gainproof.verify.judge.exact.enclose import NoValue, Unresolved, enclosed
+from gainproof.verify.judge.exact.statement import Rel, Statement, Witness
 from gainproof.verify.judge.formula import Reading, Relation
 from gainproof.verify.judge.kinds.framing import framed, only_plain
+from gainproof.verify.judge.meaning.value import shape
 from gainproof.verify.judge.scope import Scope
 from gainproof.verify.judge.verdict import Finding, finding_of
+
+BITS = 128
 
 
 def judge_identity(claim: Claim, reading: Reading, scope: Scope) -> Finding:
@@ -15,7 +24,34 @@ def judge_identity(claim: Claim, reading: Reading, scope: Scope) -> Finding:
     relations = resolved(reading.relations, scope)
     printed = resolved(reading.conditions, scope)
     frame = framed(claim, scope, printed, relations if claim.kind == "recursion" else ())
-    return finding_of(frame.decide(Statement(relations, (), "if", tuple(scope.needed))))
+    found = finding_of(frame.decide(Statement(relations, (), "if", tuple(scope.needed))))
+    if found.witness is None or len(relations) == len(reading.relations):
+        return found
+    note = _entry(found.witness, reading.relations, scope, frame.labels)
+    return replace(found, witness=replace(found.witness, note=found.witness.note or note))
+
+
+def _entry(
+    witness: Witness, printed: tuple[Relation, ...], scope: Scope, labels: Mapping[str, str]
+) -> str:
+    """In which entry of matrices both sides are what the witness shows; empty if in none."""
+    names = {label: name for name, label in labels.items()}
+    try:
+        at = {names.get(label, label): Fraction(v) for label, v in witness.point.items()}
+        shown = [float(side.midpoint) for side in (witness.left, witness.right)]
+    except ValueError:
+        return ""
+    for relation in printed:
+        columns = max(shape(scope.value(side))[1] for side in (relation.left, relation.right))
+        rels = scope.relations(relation)
+        for place, rel in enumerate(rels) if len(rels) > 1 else ():
+            try:
+                values = [float(enclosed(side, at, BITS).mid()) for side in (rel.left, rel.right)]
+            except (NoValue, Unresolved):
+                continue
+            if all(isclose(a, b, rel_tol=1e-9) for a, b in zip(values, shown, strict=True)):
+                return f"entry ({place // columns + 1}, {place % columns + 1})"
+    return ""
 
 
 def resolved(relations: tuple[Relation, ...], scope: Scope) -> tuple[Rel, ...]:

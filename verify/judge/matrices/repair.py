@@ -7,9 +7,10 @@ nearly all of them; of what is left, only what is proved is offered, by the way 
 from __future__ import annotations
 
 import time
-from collections.abc import Iterator
+from collections import Counter
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, replace
-from itertools import islice
+from itertools import groupby, islice
 from typing import Any
 
 from gainproof.verify.judge.claim.record import Claim, Setting
@@ -24,6 +25,7 @@ from gainproof.verify.judge.matrices.shapes import ShapeFault, Shapes
 from gainproof.verify.judge.matrices.slips import Slip, slips
 from gainproof.verify.judge.matrices.tree import REGULAR, Chain, Statement
 from gainproof.verify.judge.reader.errors import ReaderError
+from gainproof.verify.judge.repair.edit import LARGE
 from gainproof.verify.judge.task import Models, Solved
 from gainproof.verify.judge.trial import Trial, proofs_in
 
@@ -31,7 +33,7 @@ SECONDS = 20.0
 """Time for the search; more than it needs where proofs are short."""
 OVERTIME = 10.0
 FEW_INSTANCES = 3
-MOST_PROVED = 5
+MOST_PROVED = 12
 """Offers of one weight."""
 
 
@@ -67,22 +69,38 @@ class MatrixRepairTask:
 def repairs(
     latex: str, claim: MatrixClaim, setting: MatrixSetting, proofs: Proofs, deadline: float
 ) -> list[Slip]:
-    """The nearest changes that make a claim true, all of one weight; none after the deadline."""
-    found: list[Slip] = []
-    for slip, other in _true_at_instances(latex, claim, setting, deadline):
-        if found and (slip.weight > found[0].weight or len(found) == MOST_PROVED):
-            break
-        if decide(other, setting, proofs).verdict == "proved":
-            found.append(slip)
-    return found
+    """The nearest changes that make a claim true, all of one weight, first those after which most
+    is printed as in other places; none after the deadline.
+    """
+    for _, alike in groupby(slips(latex, setting), key=lambda slip: slip.weight):
+        found: list[tuple[Slip, MatrixClaim]] = []
+        for slip, other in _true_at_instances(alike, claim, setting, deadline):
+            if decide(other, setting, proofs).verdict == "proved":
+                found.append((slip, other))
+            if len(found) == MOST_PROVED:
+                break
+        if found:
+            found.sort(key=lambda pair: -_agreeing(pair[1].statement, setting))
+            return [slip for slip, _ in found]
+    return []
+
+
+def _agreeing(statement: Statement, setting: MatrixSetting) -> int:
+    """How many composed parts of a statement stand in a definition too, or twice in it."""
+    chains = (*statement.chains, *statement.after)
+    parts = [n for chain in chains for side in chain.sides for n in side.walk() if n.parts]
+    defined = [letter.definition for letter in setting.letters.values()]
+    known = {n for body in defined if body is not None for n in body.walk() if n.parts}
+    times = Counter(parts)
+    return sum((part in known) + (times[part] > 1) for part in parts)
 
 
 def _true_at_instances(
-    latex: str, claim: MatrixClaim, setting: MatrixSetting, deadline: float
+    changed: Iterable[Slip], claim: MatrixClaim, setting: MatrixSetting, deadline: float
 ) -> Iterator[tuple[Slip, MatrixClaim]]:
     shapes = Shapes(setting.letters, setting.sizes)
     tried: dict[tuple[Any, ...], list[Instance]] = {}
-    for slip in slips(latex, setting):
+    for slip in changed:
         if time.perf_counter() > deadline:
             return
         try:
@@ -90,6 +108,8 @@ def _true_at_instances(
             other = replace(claim, statement=statement)
             cases = cases_of(other, shapes)
         except (ReaderError, ShapeFault, RecursionError):
+            continue
+        if slip.weight == LARGE and _is_free(other, shapes, setting):
             continue
         if not _says_nothing(statement) and all(_holds(case, setting, tried) for case in cases):
             yield slip, other
@@ -104,6 +124,15 @@ def _says_nothing(statement: Statement) -> bool:
         for one, other in zip(chain.sides, chain.sides[1:], strict=False)
     )
     return same or (bool(statement.connective) and statement.chains == statement.after)
+
+
+def _is_free(claim: MatrixClaim, shapes: Shapes, setting: MatrixSetting) -> bool:
+    """Whether a statement with a part put in holds for letters of any values: B + B = 2 B."""
+    free = {
+        name: replace(letter, definition=None, facts=()) for name, letter in setting.letters.items()
+    }
+    anything = replace(setting, letters=free)
+    return all(_holds(case, anything, {}) for case in cases_of(claim, shapes))
 
 
 def _holds(

@@ -7,14 +7,16 @@ from dataclasses import dataclass
 from itertools import pairwise
 
 from gainproof.verify.judge.matrices.bounds import split_bounds
-from gainproof.verify.judge.matrices.letter import MatrixSetting
+from gainproof.verify.judge.matrices.letter import Letter, MatrixSetting
 from gainproof.verify.judge.matrices.lexer import Token, tokens_of
 from gainproof.verify.judge.matrices.symbol import skip_blanks
 from gainproof.verify.judge.repair.edit import LARGE, PLAIN, SLIGHT
 
-MOST_SLIPS = 600
+MOST_SLIPS = 800
 _ENDS = frozenset(("name", ")", "]", "}"))
 _BEGINS = frozenset(("(", "[", "{", "relation", ",", "&", "row", "wide", "arrow", "begin"))
+_OPEN, _CLOSE = frozenset("([{"), frozenset(")]}")
+_AFTER_A_TERM = frozenset(("+", "-", "relation", ",", "&", "row", "arrow", "end"))
 _OPPOSITE = {"<": ">", ">": "<", "<=": ">=", ">=": "<="}
 _WEAKER = {"<": "<=", ">": ">=", "<=": "<", ">=": ">"}
 _PRINTED = {"<": "<", ">": ">", "<=": r"\leq", ">=": r"\geq"}
@@ -71,6 +73,92 @@ def _changes(latex: str, tokens: list[Token], setting: MatrixSetting) -> Iterato
         if token.kind == "name":
             yield from _letters(latex, token, setting)
     yield from _swapped(latex, tokens)
+    yield from _reaching(latex, tokens)
+    yield from _too_many(latex, tokens)
+    yield from _missing(latex, tokens, setting)
+
+
+def _reaching(latex: str, tokens: list[Token]) -> Iterator[Slip]:
+    """A transposition or inverse of one factor that is one of the factor before it as well, or one
+    of what is in brackets that is one of the last factor there.
+    """
+    begins: list[int] = []
+    opened: list[int] = []
+    for at, token in enumerate(tokens):
+        if token.kind in ("(", "["):
+            opened.append(at)
+        if token.kind == "name":
+            begins.append(at)
+        elif token.kind in (")", "]") and opened:
+            begins.append(opened.pop())
+        elif token.kind == "power" and begins and at:
+            factor = begins[-1]
+            if tokens[factor].kind in ("(", "[") and tokens[at - 1].kind in (")", "]"):
+                opening, closing = tokens[factor], tokens[at - 1]
+                inside = latex[opening.end : closing.position].strip()
+                bare = f"{latex[: opening.position]}{inside}{latex[closing.end :]}"
+                what = f"{latex[token.position : token.end].strip()} reaches over the last factor"
+                yield Slip(bare, SLIGHT, what)
+            before = [b for b in begins if b < factor and _ends_before(tokens, b, factor)]
+            if before:
+                start, power = tokens[before[-1]].position, token.position
+                inner = latex[start:power].strip()
+                text = f"{latex[:start]}({inner}){latex[power:]}"
+                what = f"{latex[power : token.end].strip()} reaches over {inner}"
+                yield Slip(text, SLIGHT, what)
+
+
+def _ends_before(tokens: list[Token], begin: int, following: int) -> bool:
+    """Whether what begins at one token, powers included, ends where the other begins."""
+    depth, at = 0, begin
+    while at < following:
+        depth += (tokens[at].kind in ("(", "[")) - (tokens[at].kind in (")", "]"))
+        at += 1
+        if depth == 0:
+            break
+    while at < following and tokens[at].kind == "power":
+        at += 1
+    return at == following
+
+
+def _too_many(latex: str, tokens: list[Token]) -> Iterator[Slip]:
+    """A term of a sum left out, that is not its first one."""
+    for at, token in enumerate(tokens):
+        if token.kind not in ("+", "-") or at == 0 or tokens[at - 1].kind in _BEGINS:
+            continue
+        depth, end = 0, token.end
+        for other in tokens[at + 1 :]:
+            depth += (other.kind in _OPEN) - (other.kind in _CLOSE)
+            if depth < 0 or (depth == 0 and (other.kind in _AFTER_A_TERM)):
+                break
+            end = other.end
+        term = latex[token.position : end].strip()
+        text = f"{latex[: token.position].rstrip()}{latex[end:]}"
+        yield Slip(text.strip(), LARGE, f"a term too many: {term}")
+
+
+def _missing(latex: str, tokens: list[Token], setting: MatrixSetting) -> Iterator[Slip]:
+    """A term X, X Y X^T or X^T Y X that is missing at the end of a side."""
+    letters = [a for a in setting.letters.values() if a.variance is None]
+    squares = [a for a in letters if a.shape[0] == a.shape[1]]
+    terms = [y.name for y in squares]
+    terms += [f"{x.name} {y.name} {x.name}^T" for y in squares for x in letters if _fits(x, y, 1)]
+    terms += [f"{x.name}^T {y.name} {x.name}" for y in squares for x in letters if _fits(x, y, 0)]
+    depth = 0
+    ends = []
+    for token in tokens:
+        depth += (token.kind in _OPEN) - (token.kind in _CLOSE)
+        if token.kind in ("relation", ",", "arrow") and depth == 0:
+            ends.append(token.position)
+    for end in (*ends, max((token.end for token in tokens), default=0)):
+        for term in terms:
+            for sign in "+-":
+                text = " ".join(_put(latex, end, end, f" {sign} {term} ").split())
+                yield Slip(text, LARGE, f"a missing term: {sign} {term}")
+
+
+def _fits(one: Letter, square: Letter, side: int) -> bool:
+    return one.name != square.name and one.shape[side] == square.shape[0]
 
 
 def _put(latex: str, start: int, end: int, text: str) -> str:

@@ -4,13 +4,19 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from gainproof.verify.judge.repair.asked import asked_sides, open_places
 from gainproof.verify.judge.repair.brackets import brackets
-from gainproof.verify.judge.repair.construct import places, replaced
-from gainproof.verify.judge.repair.edit import LARGE, SYMBOL, SYMBOL_EVERYWHERE, Edits, Table
+from gainproof.verify.judge.repair.construct import replaced
+from gainproof.verify.judge.repair.edit import LARGE, OF_SYMBOLS, Edits, Table
 from gainproof.verify.judge.repair.numbers import constants, exponents, factor_two
 from gainproof.verify.judge.repair.printed import Printed
 from gainproof.verify.judge.repair.signs import operators, signs
-from gainproof.verify.judge.repair.symbols import dropped, inserted, other_symbols
+from gainproof.verify.judge.repair.symbols import (
+    dropped,
+    inserted,
+    other_functions,
+    other_symbols,
+)
 from gainproof.verify.judge.repair.whole import Change, Step, changes_of_whole
 
 EDITS: tuple[Edits, ...] = (
@@ -21,6 +27,7 @@ EDITS: tuple[Edits, ...] = (
     constants,
     factor_two,
     other_symbols,
+    other_functions,
     dropped,
     inserted,
 )
@@ -47,7 +54,7 @@ def changes_of_bound(
     that is meant cannot be told from those that are true by chance. An index is told.
     """
     for change in changes(formula, table, numbers, most):
-        if not any(step.what in (SYMBOL, SYMBOL_EVERYWHERE) for step in change.steps):
+        if not any(step.what in OF_SYMBOLS for step in change.steps):
             yield change
 
 
@@ -56,9 +63,10 @@ def _all(formula: Printed, table: Table, numbers: frozenset[str], most: int) -> 
     edits_of = [edits for edits in EDITS if most >= LARGE or edits not in LARGE_ONLY]
     both = formula.connective != "if"
     chosen = range(len(formula.sides)) if both else formula.claimed()
+    asked = asked_sides(formula)
     for n in chosen:
         side = formula.sides[n]
-        for path, node in places(side):
+        for path, node in open_places(side) if n not in asked else ():
             for edits in edits_of:
                 for edit in edits(node, table):
                     if edit.weight > most:

@@ -9,22 +9,32 @@ from typing import Protocol
 
 import flint
 
-from gainproof.verify.judge.exact.expression import Expr
+from gainproof.verify.judge.exact.expression import Expr, symbols_of
 from gainproof.verify.judge.exact.poly import Ball, rational
-from gainproof.verify.judge.repair.construct import Path, places, replaced
+from gainproof.verify.judge.repair.asked import open_places, open_sides
+from gainproof.verify.judge.repair.construct import (
+    ONE,
+    Path,
+    multiplied,
+    product,
+    quotient,
+    replaced,
+    without,
+)
 from gainproof.verify.judge.repair.edit import LARGE, PLAIN, Table
 from gainproof.verify.judge.repair.filled import (
     exponent_filled,
     number_filled,
     plus_filled,
-    times_filled,
 )
 from gainproof.verify.judge.repair.printed import Printed
 from gainproof.verify.judge.repair.recognise import monomial
-from gainproof.verify.judge.repair.values import Values, combined
+from gainproof.verify.judge.repair.values import PRECISION, Values, combined
 from gainproof.verify.judge.repair.whole import Change, Step
 
 STEPS = 40
+LEAST_POINTS = 4
+"""At fewer points anything is a monomial."""
 Rule = Callable[[Ball, Ball], Ball]
 
 
@@ -45,14 +55,19 @@ class Context(Protocol):
 def closings(context: Context) -> Iterator[Change]:
     """Formulas with one thing solved for; only for one equation."""
     formula = context.formula
-    if len(formula.links) != 1 or formula.links[0].operator != "=" or len(context.points) < 4:
+    if len(formula.links) != 1 or formula.links[0].operator != "=":
+        return
+    yield from _numbers(context)
+    if len(context.points) < LEAST_POINTS:
         return
     names = context.table.symbols
     at = [[values.symbol(name) for values in context.points] for name in names]
     known = [(n, column) for n, column in zip(names, at, strict=True) if None not in column]
     tokens, columns = [n for n, _ in known], [column for _, column in known]
-    for side in formula.claimed():
-        for path, node in places(formula.sides[side]):
+    for side in open_sides(formula):
+        for path, node in (
+            open_places(formula.sides[side]) if symbols_of(formula.sides[side]) else ()
+        ):
             if context.is_late:
                 return
             above = _above(formula.sides[side], path)
@@ -60,10 +75,49 @@ def closings(context: Context) -> Iterator[Change]:
                 found = _solved(context, side, path, rule)
                 if found is None:
                     continue
-                new = make(found, tokens, columns)
-                if new is not None and new != node:
-                    changed = replaced(formula.sides[side], path, new)
-                    yield Change(formula.with_side(side, changed), weight, (Step(what, node, new),))
+                # a rational number is told by more bits than flint works with by itself
+                with flint.ctx.workprec(PRECISION):
+                    new = make(found, tokens, columns)
+                if new is None or new == node:
+                    continue
+                changed = formula.with_side(side, replaced(formula.sides[side], path, new))
+                step = Step(what, node, new)
+                if not path and (turned := _turned(formula, side, new)) is not None:
+                    changed, step = turned
+                yield Change(changed, weight, (step,))
+
+
+def _turned(formula: Printed, side: int, new: Expr) -> tuple[Printed, Step] | None:
+    """A side that was a symbol x and would be y/x, put the way it was printed: x = y over the other
+    side.
+    """
+    before = formula.sides[side]
+    if before.kind != "symbol" or new.kind != "div":
+        return None
+    above, below = new.parts
+    factors = below.parts if below.kind == "mul" else (below,)
+    if before not in factors:
+        return None
+    kept = quotient(above, product(*without(factors, factors.index(before))))
+    link = formula.links[0]
+    other = link.right if side == link.left else link.left
+    old = formula.sides[other]
+    top, bottom = old.parts if old.kind == "div" else (old, ONE)
+    made = multiplied(quotient(bottom, top), kept)
+    return formula.with_side(other, made), Step("upside down, with a factor", old, made)
+
+
+def _numbers(context: Context) -> Iterator[Change]:
+    """A side that is a number, however printed, as the number that the other side is."""
+    formula = context.formula
+    for side in open_sides(formula):
+        before = formula.sides[side]
+        if symbols_of(before):
+            continue
+        found = _solved(context, side, (), lambda _, h: h)
+        new = None if found is None else number_filled(found)
+        if new is not None and new != before:
+            yield Change(formula.with_side(side, new), PLAIN, (Step("a number", before, new),))
 
 
 Make = Callable[[Sequence[Ball], Sequence[str], Sequence[Sequence[Ball]]], Expr | None]
@@ -94,7 +148,7 @@ def _holes(node: Expr, above: str) -> Iterator[tuple[Rule, Make, int, str]]:
     if above not in ("mul", "div", "neg"):
         yield (
             lambda x, h: h * x,
-            lambda found, names, at: times_filled(node, monomial(found, names, at)),
+            lambda found, names, at: _times(node, monomial(found, names, at)),
             LARGE,
             "a factor",
         )
@@ -104,6 +158,10 @@ def _holes(node: Expr, above: str) -> Iterator[tuple[Rule, Make, int, str]]:
         LARGE,
         "a missing term",
     )
+
+
+def _times(node: Expr, factor: Expr | None) -> Expr | None:
+    return None if factor is None else multiplied(node, factor)
 
 
 def _solved(context: Context, side: int, path: Path, rule: Rule) -> list[Ball] | None:

@@ -81,6 +81,30 @@ def remade(kind: str, value: Value, parts: tuple[Expr, ...]) -> Expr:
             return Expr(kind, value, parts)
 
 
+def multiplied(node: Expr, factor: Expr) -> Expr:
+    """The node times a factor, numbers multiplied out, equal bases once."""
+    if "neg" in (factor.kind, node.kind):
+        inner = multiplied(*(x.parts[0] if x.kind == "neg" else x for x in (node, factor)))
+        return inner if factor.kind == node.kind else opposite(inner)
+    above, below = factor.parts if factor.kind == "div" else (factor, ONE)
+    top, bottom = node.parts if node.kind == "div" else (node, ONE)
+    size = Fraction(1)
+    powers: dict[Expr, Fraction] = {}
+    for side, sign in ((product(above, top), 1), (product(below, bottom), -1)):
+        for factor in side.parts if side.kind == "mul" else (side,):
+            if factor.kind == "number" and factor.fraction:
+                size *= factor.fraction**sign
+                continue
+            whole = factor.kind == "pow" and factor.fraction.denominator == 1
+            base, exponent = (factor.parts[0], factor.fraction) if whole else (factor, Fraction(1))
+            powers[base] = powers.get(base, Fraction(0)) + sign * exponent
+    tops = [raised(base, e) for base, e in powers.items() if e > 0]
+    bottoms = [raised(base, -e) for base, e in powers.items() if e < 0]
+    return quotient(
+        product(number(size.numerator), *tops), product(number(size.denominator), *bottoms)
+    )
+
+
 def is_of_one_number(node: Expr) -> bool:
     """Whether it is a function's value, as e^{-x} or sin x."""
     return node.kind == "call" and len(node.parts) == 1

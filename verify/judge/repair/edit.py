@@ -12,6 +12,9 @@ SLIGHT, PLAIN, LARGE = 1, 2, 3
 something put in or left out.
 """
 SYMBOL, SYMBOL_EVERYWHERE = "a symbol", "a symbol everywhere"
+SQUARE, ROOT = "a deviation that is a variance", "a variance that is a deviation"
+OF_SYMBOLS = frozenset((SYMBOL, SYMBOL_EVERYWHERE, SQUARE, ROOT))
+"""Changes that put something else for a symbol."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -29,11 +32,12 @@ class Edit:
 @dataclass(frozen=True)
 class Table:
     """What may be put for a symbol: the symbols of the source, those that differ from a symbol in
-    an index only.
+    an index only, and pairs of the same unit.
     """
 
     symbols: tuple[str, ...] = ()
     siblings: frozenset[tuple[str, str]] = frozenset()
+    alike: frozenset[tuple[str, str]] = frozenset()
 
 
 Edits = Callable[[Expr, Table], Iterator[Edit]]

@@ -8,9 +8,7 @@ from fractions import Fraction
 from gainproof.verify.judge.exact.expression import Expr, number, power
 from gainproof.verify.judge.exact.poly import Ball
 from gainproof.verify.judge.repair.construct import (
-    ONE,
     opposite,
-    product,
     quotient,
     raised,
     total,
@@ -34,42 +32,6 @@ def exponent_filled(node: Expr, found: Sequence[Ball]) -> Expr | None:
     if value is None or max(abs(value), Fraction(value.denominator)) > MOST_EXPONENT:
         return None
     return raised(node.parts[0], value) if value else power(node.parts[0], 0)
-
-
-def times_filled(node: Expr, factor: Expr | None) -> Expr | None:
-    """The node times a factor, its numbers multiplied out."""
-    if factor is None:
-        return None
-    if factor.kind == "neg":
-        inner = times_filled(node, factor.parts[0])
-        return None if inner is None else opposite(inner)
-    above, below = factor.parts if factor.kind == "div" else (factor, ONE)
-    top, bottom = node.parts if node.kind == "div" else (node, ONE)
-    (a, tops), (b, bottoms) = _gathered(above, top), _gathered(below, bottom)
-    size = a / b
-    return quotient(
-        product(number(size.numerator), *tops), product(number(size.denominator), *bottoms)
-    )
-
-
-def _gathered(*factors: Expr) -> tuple[Fraction, list[Expr]]:
-    """The numbers among the factors multiplied, and the others."""
-    flat = product(*factors)
-    parts = flat.parts if flat.kind == "mul" else (flat,)
-    value = Fraction(1)
-    for part in parts:
-        value *= part.fraction if part.kind == "number" else 1
-    return value, _powers([part for part in parts if part.kind != "number"])
-
-
-def _powers(factors: Sequence[Expr]) -> list[Expr]:
-    """Equal bases once, their whole exponents added."""
-    found: dict[Expr, Fraction] = {}
-    for factor in factors:
-        is_power = factor.kind == "pow" and factor.fraction.denominator == 1
-        base, exponent = (factor.parts[0], factor.fraction) if is_power else (factor, Fraction(1))
-        found[base] = found.get(base, Fraction(0)) + exponent
-    return [raised(base, exponent) for base, exponent in found.items()]
 
 
 def plus_filled(node: Expr, term: Expr | None) -> Expr | None:

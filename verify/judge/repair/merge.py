@@ -1,8 +1,10 @@
-"""Offers that say the same: one equation is the other times a number."""
+"""Offers that say the same: one equation is the other times a number or a factor."""
 
 from __future__ import annotations
 
 from fractions import Fraction
+
+import flint
 
 from gainproof.verify.judge.exact.expression import Expr, number
 from gainproof.verify.judge.exact.limits import Malformed, Undecided
@@ -11,28 +13,39 @@ from gainproof.verify.judge.hypothesis import settle
 from gainproof.verify.judge.repair.printed import Printed
 from gainproof.verify.judge.repair.recognise import common_rational
 from gainproof.verify.judge.repair.trivial import OffTheModel
+from gainproof.verify.judge.repair.values import PRECISION
 
 
 def same_equation(a: Printed, b: Printed, off: OffTheModel) -> bool:
-    """Whether left - right of one is a number times that of the other, shown exactly and whatever
-    the symbols stand for.
+    """Whether left - right of one is a number times that of the other, or left over right is the
+    same in both, shown exactly and whatever the symbols stand for.
     """
     if any(len(f.links) != 1 or f.links[0].operator != "=" or f.conditions for f in (a, b)):
         return False
     first, second = _difference(a), _difference(b)
     ratio = _ratio(first, second, off)
-    if ratio is None:
-        return False
-    statement = Statement((Rel("=", first, number(ratio) * second),))
+    if ratio is not None and _identical(first, number(ratio) * second):
+        return True
+    (left, right), (other_left, other_right) = _ends(a), _ends(b)
+    crossed = left * other_right, other_left * right
+    return _ratio(*crossed, off) == 1 and _identical(*crossed)
+
+
+def _identical(first: Expr, second: Expr) -> bool:
     try:
-        return settle(statement, {}, None, {}).verdict == "proved"
+        return settle(Statement((Rel("=", first, second),)), {}, None, {}).verdict == "proved"
     except (Undecided, Malformed):
         return False
 
 
-def _difference(formula: Printed) -> Expr:
+def _ends(formula: Printed) -> tuple[Expr, Expr]:
     link = formula.links[0]
-    return formula.sides[link.left] - formula.sides[link.right]
+    return formula.sides[link.left], formula.sides[link.right]
+
+
+def _difference(formula: Printed) -> Expr:
+    left, right = _ends(formula)
+    return left - right
 
 
 def _ratio(first: Expr, second: Expr, off: OffTheModel) -> Fraction | None:
@@ -40,5 +53,6 @@ def _ratio(first: Expr, second: Expr, off: OffTheModel) -> Fraction | None:
     for values in off.values:
         a, b = values.ball(first), values.ball(second)
         if a is not None and b is not None and not b.contains(0):
-            found.append(a / b)
+            with flint.ctx.workprec(PRECISION):
+                found.append(a / b)
     return common_rational(found) if len(found) > 2 else None

@@ -8,10 +8,11 @@ from fractions import Fraction
 from gainproof.verify.judge.exact.expression import Expr, number
 from gainproof.verify.judge.repair.construct import (
     HALF,
+    ONE,
     TWO,
     exchanged,
     is_of_one_number,
-    product,
+    multiplied,
     quotient,
     raised,
     remade,
@@ -60,7 +61,7 @@ def factor_two(node: Expr, _: Table) -> Iterator[Edit]:
     if node.kind not in ("add", "pow") and not is_of_one_number(node):
         return
     for k, part in enumerate(node.parts):
-        for new in (product(TWO, part), quotient(part, TWO)):
+        for new in (multiplied(part, TWO), multiplied(part, quotient(ONE, TWO))):
             parts = exchanged(node.parts, k, new)
             made = remade(node.kind, node.value, parts)
             yield Edit(made, PLAIN, "a factor 2", part)

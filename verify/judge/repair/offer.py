@@ -6,6 +6,7 @@ from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import replace
 from typing import Any
 
+from gainproof.verify.judge.choice import admitted_for
 from gainproof.verify.judge.claim.record import Claim, Setting
 from gainproof.verify.judge.matrices.repair import MatrixRepairTask
 from gainproof.verify.judge.repair.edit import SLIGHT
@@ -24,7 +25,7 @@ def repair_tasks(
     claims: Sequence[Claim],
     setting: Setting,
     verdicts: Iterable[ClaimVerdict],
-    environments: Sequence[str],
+    trials: Sequence[Trial],
 ) -> list[Task]:
     """One for each claim with a formula that is not true as stated. One that is true wherever it
     has a value has no slip but in its conditions.
@@ -38,7 +39,11 @@ def repair_tasks(
             if wrong[claim.id].only_lacks_values and not _has_conditions(claim):
                 continue
             others = tuple(c for c in claims if c.setting == claim.setting and c.id != claim.id)
-            found.append(RepairTask(claim, setting, others, tuple(environments)))
+            under = tuple(admitted_for(claim, trials))
+            tried = next((t.findings for t in trials if t.claim.id == claim.id), {})
+            verdict = wrong[claim.id].verdict
+            partly = verdict == "conditional" and all(f.verdict == verdict for f in tried.values())
+            found.append(RepairTask(claim, setting, others, under, partly))
     return found
 
 
@@ -51,24 +56,24 @@ def with_repair(verdict: ClaimVerdict, trial: Trial) -> ClaimVerdict:
     """The verdict with the repair that was found; that none was found is said in the reason."""
     offers: Sequence[Mapping[str, Any]] = (trial.repair or {}).get("offers", ())
     seconds = verdict.seconds + trial.seconds
-    if not offers:
-        why = NONE_FOUND if trial.failure is None else f"no repair: {trial.failure}"
-        truth = (trial.repair or {}).get("truth")
-        if truth:
-            why += f"; what is true is {truth}"
-        return replace(verdict, reason=f"{verdict.reason}; {why}", seconds=seconds)
-    first, *rest = offers
-    told: dict[str, Any] = {"changes": list(first["changes"]), "under": first["convention"]}
-    if rest:
-        told["alternatives"] = [
-            {"latex": offer["latex"], "changes": list(offer["changes"])} for offer in rest
-        ]
-    return replace(
-        verdict,
-        repair={"latex": first["latex"], "verdict": "proved"},
-        certificate={**verdict.certificate, "repair": told},
-        seconds=seconds,
-    )
+    if offers:
+        repairs = tuple(
+            repair_as_told(offer["latex"], "proved", offer["changes"], offer["convention"])
+            for offer in offers
+        )
+        return replace(verdict, repairs=repairs, seconds=seconds)
+    why = NONE_FOUND if trial.failure is None else f"no repair: {trial.failure}"
+    truth = (trial.repair or {}).get("truth")
+    if truth:
+        why += f"; what is true is {truth}"
+    return replace(verdict, reason=f"{verdict.reason}; {why}", truth=truth, seconds=seconds)
+
+
+def repair_as_told(
+    latex: str, verdict: str, changes: Sequence[str], under: str = ""
+) -> dict[str, Any]:
+    """A repair as it stands in a verdict."""
+    return {"latex": latex, "verdict": verdict, "changes": list(changes), "under": under}
 
 
 def explains(definition: Mapping[str, Any], single: Mapping[str, Trial]) -> bool:
@@ -97,12 +102,12 @@ def with_definition_repair(
     for verdict in verdicts:
         if verdict.id in (*explained, printed_in):
             certificate = {**verdict.certificate, "repair of a definition": dict(repair)}
-            own = {"latex": latex, "verdict": repair["verdict"]}
+            own = repair_as_told(latex, repair["verdict"], repair["changes"])
             verdict = replace(
                 verdict,
                 reason=f"{verdict.reason}; {told}",
                 certificate=certificate,
-                repair=own if verdict.id == printed_in else verdict.repair,
+                repairs=(own,) if verdict.id == printed_in else verdict.repairs,
             )
         found.append(verdict)
     return found

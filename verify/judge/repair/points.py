@@ -12,7 +12,7 @@ from gainproof.verify.judge.domain import bounded
 from gainproof.verify.judge.exact.box import Box
 from gainproof.verify.judge.exact.calculus import substituted
 from gainproof.verify.judge.exact.enclose import NoValue, Unresolved, enclosed
-from gainproof.verify.judge.exact.expression import Expr, symbols_of
+from gainproof.verify.judge.exact.expression import Expr, number, symbols_of
 from gainproof.verify.judge.exact.limits import Undecided
 from gainproof.verify.judge.exact.statement import Rel
 from gainproof.verify.judge.formula import Relation
@@ -22,6 +22,9 @@ from gainproof.verify.judge.scope import Scope
 SEED = 7
 TRIES = 300
 PRECISION = 128
+ROOT_BITS = 256
+"""So near to it is a root that is no small rational number."""
+GRID = 97
 Point = Mapping[str, Fraction]
 
 
@@ -95,13 +98,58 @@ def _solved(
         rest.remove(equation)
         if not symbols_of(equation.left, equation.right):
             continue
-        name, value = solved(equation, boxes, scope.environment.parameter, scope.labels())
+        names = symbols_of(equation.left, equation.right)
+        if len(names) == 1:
+            (name,) = names
+            value = _only_root(equation.left - equation.right, name, boxes.get(name, Box()))
+        else:
+            name, value = solved(equation, boxes, scope.environment.parameter, scope.labels())
         put_in = {name: value}
         found = {n: substituted(e, put_in) for n, e in found.items()} | put_in
         rest = [
             Rel(r.operator, substituted(r.left, put_in), substituted(r.right, put_in)) for r in rest
         ]
     return found, rest
+
+
+def _only_root(expr: Expr, name: str, box: Box) -> Expr:
+    """Where an expression in one variable changes its sign on a grid over its box, if it does so
+    once: a small rational number if it is 0 there, else one near enough to tell numbers by. Raises
+    Undecided.
+    """
+
+    def inside(share: Fraction) -> Fraction:
+        low, high = box.lower, box.upper
+        if low is not None and high is not None:
+            return low + (high - low) * share
+        if low is None and high is None:
+            return (2 * share - 1) / (share * (1 - share))
+        return low + share / (1 - share) if low is not None else (high or 0) - share / (1 - share)
+
+    def sign(share: Fraction) -> int | None:
+        try:
+            value = enclosed(expr, {name: inside(share)}, ROOT_BITS + PRECISION)
+        except (NoValue, Unresolved):
+            return None
+        return 0 if value.contains(0) else 1 if value > 0 else -1
+
+    # a prime number of parts: roots at nice places lie between
+    grid = [Fraction(n, GRID) for n in range(1, GRID)]
+    signs = [sign(share) for share in grid]
+    steps = list(zip(grid, signs, grid[1:], signs[1:], strict=False))
+    changes = [(a, b, s) for a, s, b, t in steps if s and t and s != t]
+    if len(changes) != 1:
+        raise Undecided("a hypothesis with one root on the domain is wanted")
+    ((low, high, start),) = changes
+    while high - low > Fraction(1, 2**ROOT_BITS):
+        middle = (low + high) / 2
+        low, high = (middle, high) if sign(middle) == start else (low, middle)
+    near = inside(low).limit_denominator(10**6)
+    try:
+        exact = enclosed(expr, {name: near}, ROOT_BITS + PRECISION).contains(0)
+    except (NoValue, Unresolved):
+        exact = False
+    return number(near if exact else inside(low))
 
 
 def _random(boxes: Mapping[str, Box], tries: int, *, far: bool) -> Iterator[Point]:

@@ -28,10 +28,11 @@ class Offer:
     environment: str
 
 
-def reread(formula: Printed, symbols: Mapping[str, SymbolEntry]) -> Formula | None:
+def reread(formula: Printed | Reading, symbols: Mapping[str, SymbolEntry]) -> Formula | None:
     """The formula as the reader reads its own print; None if it has no print with one reading."""
     try:
-        latex = reading_to_latex(formula.reading())
+        reading = formula if isinstance(formula, Reading) else formula.reading()
+        latex = reading_to_latex(reading)
         read = read_formula(latex, symbols)
     except (ReaderError, ValueError, KeyError):
         return None

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator
+from dataclasses import replace
 from fractions import Fraction
 
 from gainproof.verify.judge.claim.record import Claim
@@ -15,6 +16,9 @@ from gainproof.verify.judge.repair.printed import Link, Printed
 from gainproof.verify.judge.repair.whole import Change, Step
 from gainproof.verify.judge.verdict import Finding
 
+FEW = 2
+"""So many digits that mean something are kept, if so many are printed."""
+MOST_DECIMALS = 30
 Judge = Callable[[Printed], Finding | None]
 
 
@@ -34,8 +38,10 @@ def rounded(claim: Claim, formula: Printed, judge: Judge) -> Iterator[Change]:
         if is_long(finding.witness.left):
             break
         exact = Fraction(finding.witness.left.midpoint)
-        before, after = formula.sides[side], _written(exact, decimals)
-        formula = formula.with_side(side, after)
+        before = formula.sides[side]
+        decimals = _shown(exact, before, decimals)
+        after = _written(exact, decimals)
+        formula = _with_decimals(formula.with_side(side, after), side, decimals)
         steps = (*steps, Step("a printed number", before, after))
     if steps and claim.kind == "value":
         yield Change(formula, PLAIN, steps)
@@ -59,6 +65,30 @@ def _numbers(link: Link) -> Iterator[tuple[int, int]]:
     for side, decimals in ((link.right, link.right_decimals), (link.left, link.left_decimals)):
         if decimals is not None:
             yield side, decimals
+
+
+def _shown(exact: Fraction, before: Expr, decimals: int) -> int:
+    """The decimals of the printed number; more where these show of the true one fewer digits than
+    were printed, and fewer than `FEW`.
+    """
+    printed = constant_value(before) or Fraction(0)
+    digits = min(FEW, len(str(abs(round(printed * 10**decimals)))))
+    needed = decimals
+    while abs(exact) * 10**needed < 10 ** (digits - 1) and needed < MOST_DECIMALS:
+        needed += 1
+    return needed
+
+
+def _with_decimals(formula: Printed, side: int, decimals: int) -> Printed:
+    def changed(link: Link) -> Link:
+        left, right = link.left_decimals, link.right_decimals
+        return replace(
+            link,
+            left_decimals=decimals if link.left == side and left is not None else left,
+            right_decimals=decimals if link.right == side and right is not None else right,
+        )
+
+    return replace(formula, links=tuple(map(changed, formula.links)))
 
 
 def _written(exact: Fraction, decimals: int) -> Expr:

@@ -22,10 +22,10 @@ from gainproof.verify.judge.repair.further_bound import with_further_bound
 from gainproof.verify.judge.repair.merge import same_equation
 from gainproof.verify.judge.repair.points import generic_points
 from gainproof.verify.judge.repair.printed import MOST_NODES, Printed, printed
-from gainproof.verify.judge.repair.proof import Offer, is_of_use, reread, with_formula
-from gainproof.verify.judge.repair.rank import parts_of_claims, rank
+from gainproof.verify.judge.repair.proof import CONNECTING, Offer, is_of_use, reread, with_formula
+from gainproof.verify.judge.repair.rank import parts_of_source, rank
 from gainproof.verify.judge.repair.rounded import rounded
-from gainproof.verify.judge.repair.senseless import is_more_senseless
+from gainproof.verify.judge.repair.senseless import is_more_senseless, lacks_more
 from gainproof.verify.judge.repair.sharp import is_sharp, is_weaker
 from gainproof.verify.judge.repair.table import sample_numbers, table_of
 from gainproof.verify.judge.repair.trivial import OffTheModel
@@ -41,7 +41,7 @@ FAR_POINTS = 80
 LEAST_AGREED = 3
 MOST_TRIED = 20_000
 MOST_PROOFS = 30
-MOST_OFFERED = 4
+MOST_OFFERED = 12
 STAGES = (0, 1, 2)
 BY_VALUES = frozenset(("identity", "inequality", "recursion"))
 """Kinds of claims that are what their relations say at each point of the domain."""
@@ -49,7 +49,10 @@ BY_VALUES = frozenset(("identity", "inequality", "recursion"))
 
 @dataclass
 class Search:
-    """One reading of one claim in one environment."""
+    """One reading of one claim in one environment; `partly` says that it is true on a part of its
+    domain, so that it has no slip but in signs, numbers and conditions; `own_scope` has a symbol
+    more than the source.
+    """
 
     claim: Claim
     reading: Reading
@@ -57,6 +60,8 @@ class Search:
     environment: Environment
     others: Sequence[Claim]
     deadline: float
+    partly: bool = False
+    own_scope: Scope | None = None
     formula: Printed = field(init=False)
     scope: Scope = field(init=False)
     points: list[Values] = field(init=False, default_factory=list)
@@ -64,10 +69,11 @@ class Search:
 
     def __post_init__(self) -> None:
         self.formula = printed(self.reading)
-        self.scope = Scope(self.setting, self.environment, held=self.claim.held)
+        plain = Scope(self.setting, self.environment, held=self.claim.held)
+        self.scope = plain if self.own_scope is None else self.own_scope
         self.table = table_of(self.setting, self.formula, self.others)
         self.numbers = sample_numbers(self.setting)
-        self.said = parts_of_claims(self.others)
+        self.said = parts_of_source(self.others, self.setting)
         self.by_values = self._by_values()
         if self.by_values:
             self._prepare()
@@ -116,8 +122,9 @@ class Search:
         if stage == 0:
             if further := with_further_bound(self):
                 return further
-            listed = changes_of_bound if self.claim.kind == "inequality" else changes
-            most = LARGE if self.is_equation else PLAIN
+            is_bound = self.partly or self.claim.kind == "inequality"
+            listed = changes_of_bound if is_bound else changes
+            most = LARGE if self.is_equation and not self.partly else PLAIN
             edited = listed(self.formula, self.table, self.numbers, most)
             # only where the formula itself is right well inside its domain is its edge at fault
             inside = self.by_values and self.agrees(self.formula)
@@ -125,9 +132,25 @@ class Search:
             found = [*self._first(edited), *narrowed]
             least = min((offer.change.weight for offer in found), default=0)
             return [offer for offer in found if offer.change.weight == least]
-        if not self.is_equation:
+        if not self.is_equation or self.partly:
             return []
         return self._first(closings(self) if stage == 1 else two_changes(self))
+
+    def near(self, stage: int) -> list[Change]:
+        """The changes of the least weight with which an equation agrees at points, best first."""
+        if not self.is_equation:
+            return []
+        if stage == 0:
+            candidates = changes(self.formula, self.table, self.numbers)
+        else:
+            candidates = closings(self) if stage == 1 else two_changes(self)
+        agreed = list(self._filtered(candidates))
+        least = min((change.weight for change in agreed), default=0)
+        found: list[Change] = []
+        for change in sorted((c for c in agreed if c.weight == least), key=self._rank):
+            if not any(same_equation(f.printed, change.printed, self.off) for f in found):
+                found.append(change)
+        return found[:MOST_OFFERED]
 
     def agrees(self, formula: Printed) -> bool:
         """Whether the formula is seen to hold at generic points and nowhere seen to fail."""
@@ -161,7 +184,10 @@ class Search:
             if self.is_late:
                 return
             holds = not self.by_values or self.agrees(change.printed)
-            if holds and not is_more_senseless(change.printed, self.formula):
+            if not holds or is_more_senseless(change.printed, self.formula):
+                continue
+            whole = self.partly or self.claim.kind in CONNECTING
+            if not (whole and lacks_more(change.printed, self.formula)):
                 yield change
 
     def _proved(self, ordered: Sequence[Change]) -> list[Offer]:

@@ -1,13 +1,15 @@
-"""Parts that no source prints: a factor zero, a term against itself, a divisor that cancels. A
-change that makes one is no misprint undone, however true the formula then is.
+"""Parts that no source prints: a factor zero, a term against itself, a divisor that cancels, one
+factor on both sides. A change that makes one is no misprint undone, however true the formula then
+is.
 """
 
 from __future__ import annotations
 
 from collections.abc import Iterator
+from fractions import Fraction
 from functools import lru_cache
 
-from gainproof.verify.judge.exact.expression import Expr
+from gainproof.verify.judge.exact.expression import Expr, walk
 from gainproof.verify.judge.repair.construct import ONE, places
 from gainproof.verify.judge.repair.printed import Printed
 from gainproof.verify.judge.repair.trivial import sorted_key
@@ -16,8 +18,15 @@ _NUMBER = b"a number"
 
 
 def is_more_senseless(formula: Printed, than: Printed) -> bool:
-    """Whether it has more such parts than the formula as printed."""
-    return senseless_parts(formula) > senseless_parts(than)
+    """Whether it has more such parts than the formula as printed, or a factor put in that stands on
+    both sides.
+    """
+    if senseless_parts(formula) > senseless_parts(than):
+        return True
+    if _shared_factors(formula) <= _shared_factors(than):
+        return False
+    # a factor that another one was exchanged for may well stand on both sides
+    return _number_of_factors(formula) > _number_of_factors(than)
 
 
 def senseless_parts(formula: Printed) -> int:
@@ -31,6 +40,55 @@ def senseless_parts(formula: Printed) -> int:
     return inside + across
 
 
+def lacks_more(formula: Printed, than: Printed) -> bool:
+    """Whether something stands under a fraction bar, an even root or a logarithm that does not in
+    the other: the values that one part lacks are no better lacking in another.
+    """
+    return not _may_lack(formula) <= _may_lack(than)
+
+
+def _may_lack(formula: Printed) -> frozenset[bytes]:
+    found = set()
+    for node in walk(*formula.sides):
+        if node.kind == "div":
+            found |= {key for key, above in powers_of(node.parts[1]) if above}
+            continue
+        is_root = node.kind == "pow" and (node.fraction < 0 or node.fraction.denominator % 2 == 0)
+        if is_root or (node.kind == "call" and node.name in ("log", "ln")):
+            found.add(sorted_key(node.parts[0]))
+    return frozenset(found)
+
+
+def _shared_factors(formula: Printed) -> int:
+    """How many factors both sides of an equation have above or both below their fraction bars."""
+    return sum(
+        len(set(powers_of(formula.sides[link.left])) & set(powers_of(formula.sides[link.right])))
+        for link in formula.links
+        if link.operator == "="
+    )
+
+
+def _number_of_factors(formula: Printed) -> int:
+    return sum(len(list(powers_of(formula.sides[n]))) for n in formula.claimed())
+
+
+def powers_of(expr: Expr, above: bool = True) -> Iterator[tuple[bytes, bool]]:
+    """The bases of a product or quotient that are no numbers, each with whether it stands above."""
+    match expr.kind:
+        case "number":
+            return
+        case "neg" | "mul":
+            for part in expr.parts:
+                yield from powers_of(part, above)
+        case "div":
+            yield from powers_of(expr.parts[0], above)
+            yield from powers_of(expr.parts[1], not above)
+        case "pow" if expr.fraction.denominator == 1:
+            yield from powers_of(expr.parts[0], above == (expr.fraction > 0))
+        case _:
+            yield sorted_key(expr), above
+
+
 def _is_sum(formula: Printed, *sides: int) -> bool:
     return any(formula.sides[n].kind == "add" for n in sides)
 
@@ -42,24 +100,32 @@ def _at_node(node: Expr) -> int:
             terms = list(_terms(node))
             return len(terms) - len(set(terms))
         case "mul":
-            return sum(_is_zero(part) for part in node.parts)
+            return sum(_is_zero(part) for part in node.parts) + _cancelling(node)
         case "neg":
             return int(_is_zero(node.parts[0]))
         case "div":
-            top, bottom = ({sorted_key(f) for f in _factors(part)} for part in node.parts)
-            return int(_is_zero(node.parts[0])) + len(top & bottom)
+            top, bottom = (set(_numbers(part)) for part in node.parts)
+            return int(_is_zero(node.parts[0])) + len(top & bottom) + _cancelling(node)
         case "pow":
             (base,) = node.parts
-            undone = base.kind == "pow" and base.fraction * node.fraction == 1
+            inner = base.fraction if base.kind == "pow" else Fraction(0)
+            both_whole = inner != 0 and inner.denominator == node.fraction.denominator == 1
+            undone = both_whole or inner * node.fraction == 1
             return int(node.fraction == 0 or undone or _is_zero(base) or base == ONE)
         case "call" if node.name == "power":
             base, exponent = node.parts
-            return int(_is_zero(base) or base == ONE or _is_zero(exponent))
+            return int(_is_zero(base) or ONE in (base, exponent) or _is_zero(exponent))
         case "derivative" | "at":
             last = node.parts[-1]
             return int(last.kind == "symbol" and last.name == node.name)
         case _:
             return 0
+
+
+def _cancelling(node: Expr) -> int:
+    """How many bases stand both above and below."""
+    found = set(powers_of(node))
+    return sum((key, False) in found for key, above in found if above)
 
 
 def _is_zero(expr: Expr) -> bool:
@@ -89,11 +155,10 @@ def _without_number(term: Expr) -> bytes:
     return sorted_key(term)
 
 
-def _factors(expr: Expr) -> Iterator[Expr]:
-    if expr.kind == "neg":
-        yield from _factors(expr.parts[0])
-    elif expr.kind == "mul":
+def _numbers(expr: Expr) -> Iterator[Fraction]:
+    """The factors that are numbers, 1 apart."""
+    if expr.kind in ("neg", "mul"):
         for part in expr.parts:
-            yield from _factors(part)
-    elif expr != ONE:
-        yield expr
+            yield from _numbers(part)
+    elif expr.kind == "number" and expr != ONE:
+        yield expr.fraction

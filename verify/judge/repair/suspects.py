@@ -8,7 +8,10 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
 from gainproof.verify.judge.claim.record import Claim, Setting
-from gainproof.verify.judge.reach import reached
+from gainproof.verify.judge.exact.limits import Malformed
+from gainproof.verify.judge.exact.tree import read_tree
+from gainproof.verify.judge.reach import closure, reached
+from gainproof.verify.judge.repair.asked import asked_names
 from gainproof.verify.judge.verdict import ClaimVerdict
 
 NOT_TRUE = ("refuted", "conditional")
@@ -36,7 +39,9 @@ class Suspect:
 def suspects_of(
     setting: Setting, claims: Sequence[Claim], verdicts: Mapping[str, ClaimVerdict]
 ) -> tuple[Suspect, ...]:
-    """The definitions of numbers that claims use which are not true; `verdicts` by id."""
+    """The definitions of numbers that claims use which are not true; `verdicts` by id. A claim that
+    asks for the derivative or mean of what is defined does not speak against the definition.
+    """
     suspects: list[Suspect] = []
     for token, entry in setting.symbols.items():
         if entry.role != "definition" or entry.arguments:
@@ -47,10 +52,26 @@ def suspects_of(
         partly = frozenset(n for n, v in found.items() if v.verdict == "conditional")
         wrong = tuple(c for c in users if _is(c, found, *NOT_TRUE) and c not in kept)
         right = tuple(c for c in users if _is(c, found, "proved"))
-        if wrong:
+        against = [c for c in wrong if not _asks(c, token, setting)]
+        # what as many claims bear out as speak against it is right
+        if len(against) > len(right):
             suspects.append(Suspect(token, wrong, right, partly, kept))
     return tuple(suspects)
 
 
 def _is(claim: Claim, found: Mapping[str, ClaimVerdict], *verdicts: str) -> bool:
     return claim.id in found and found[claim.id].verdict in verdicts
+
+
+def _asks(claim: Claim, token: str, setting: Setting) -> bool:
+    """Whether what the claim asks for is computed from the symbol."""
+    if claim.formula is None:
+        return False
+    names: set[str] = set()
+    for reading in claim.formula.readings:
+        for relation in reading.relations:
+            try:
+                names |= asked_names(read_tree(relation.left), read_tree(relation.right))
+            except Malformed:
+                continue
+    return token in closure(names, setting.symbols)

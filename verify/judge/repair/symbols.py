@@ -1,4 +1,4 @@
-"""One symbol for another; parts dropped or put in."""
+"""One symbol or function for another; parts dropped or put in."""
 
 from __future__ import annotations
 
@@ -17,6 +17,13 @@ from gainproof.verify.judge.repair.construct import (
 )
 from gainproof.verify.judge.repair.edit import LARGE, PLAIN, SLIGHT, SYMBOL, Edit, Table
 
+PAIRS = (
+    *(("sin", "cos"), ("tan", "cot"), ("sec", "csc"), ("sinh", "cosh")),
+    *(("asin", "acos"), ("max", "min")),
+)
+EXCHANGED = {one: other for pair in PAIRS for one, other in (pair, pair[::-1])}
+"""Functions that are mistaken for one another."""
+
 
 def other_symbols(node: Expr, table: Table) -> Iterator[Edit]:
     """Another declared symbol; one that differs in an index only is a slighter slip."""
@@ -27,6 +34,12 @@ def other_symbols(node: Expr, table: Table) -> Iterator[Edit]:
             is_sibling = (node.name, name) in table.siblings
             what = "an index" if is_sibling else SYMBOL
             yield Edit(symbol(name), SLIGHT if is_sibling else PLAIN, what)
+
+
+def other_functions(node: Expr, _: Table) -> Iterator[Edit]:
+    """The function that is taken for this one: the cosine for the sine."""
+    if node.kind == "call" and (name := EXCHANGED.get(node.name)) is not None:
+        yield Edit(Expr("call", name, node.parts), PLAIN, "a function")
 
 
 def dropped(node: Expr, _: Table) -> Iterator[Edit]:

@@ -5,7 +5,9 @@ from __future__ import annotations
 from collections.abc import Iterable
 
 from gainproof.verify.judge.claim.record import Claim, Setting, SymbolEntry
-from gainproof.verify.judge.exact.expression import symbols_of
+from gainproof.verify.judge.dimensions.formula import dimension_of
+from gainproof.verify.judge.exact.expression import symbol, symbols_of
+from gainproof.verify.judge.exact.graph_writing import graph_of
 from gainproof.verify.judge.repair.edit import Table
 from gainproof.verify.judge.repair.printed import Printed
 
@@ -20,7 +22,9 @@ def table_of(setting: Setting, formula: Printed, others: Iterable[Claim]) -> Tab
     chosen = [n for n in names if n in setting.symbols and _is_scalar(setting.symbols[n])]
     chosen = chosen[:MOST_SYMBOLS]
     pairs = {(a, b) for a in chosen for b in chosen if a != b and _bare(a) == _bare(b)}
-    return Table(tuple(chosen), frozenset(pairs))
+    units = {name: dimension_of(graph_of(symbol(name)), setting) for name in chosen}
+    alike = {(a, b) for a in chosen for b in chosen if a != b and units[a] == units[b]}
+    return Table(tuple(chosen), frozenset(pairs), frozenset(alike))
 
 
 def _is_scalar(entry: SymbolEntry) -> bool:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import time
+from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any
 
@@ -11,6 +12,8 @@ from gainproof.verify.judge.convention import Convention, conventions
 from gainproof.verify.judge.dimensions.claim import fitting_readings
 from gainproof.verify.judge.exact.limits import Malformed, Undecided
 from gainproof.verify.judge.repair.edit import PLAIN
+from gainproof.verify.judge.repair.entries import PrintedMatrix, printed_matrix
+from gainproof.verify.judge.repair.merge import same_equation
 from gainproof.verify.judge.repair.proof import Offer
 from gainproof.verify.judge.repair.search import STAGES, Search
 from gainproof.verify.judge.repair.true_value import true_value
@@ -23,19 +26,22 @@ from gainproof.verify.judge.trial import Trial
 SECONDS = 30.0
 """Time for the search, which has tried enough long before on any machine."""
 OVERTIME = 10.0
+MOST_NAMED = 3
+"""Conventions under which one formula is true."""
 """Seconds more before it is stopped: it looks at the clock between two formulas only."""
 
 
 @dataclass(frozen=True)
 class RepairTask:
     """A claim that is not proved, the source's other claims on the same setting, the conventions
-    under which a repair may hold.
+    under which a repair may hold, and whether it is true on a part of its domain.
     """
 
     claim: Claim
     setting: Setting
     others: tuple[Claim, ...]
     conventions: tuple[str, ...]
+    partly: bool = False
     seconds: float = SECONDS
     most: float = SECONDS + OVERTIME
 
@@ -44,10 +50,15 @@ class RepairTask:
         formula with its changes in words.
         """
         start = time.perf_counter()
-        searches = [
-            search
+        chosen = [
+            convention
             for convention in conventions(self.setting, models, solved)
             if isinstance(convention, Convention) and convention.name in self.conventions
+        ]
+        is_open = any(convention.open for convention in chosen)
+        searches = [
+            search
+            for convention in chosen
             for search in _searches(self, convention, start + self.seconds)
         ]
         found: list[Offer] = []
@@ -56,34 +67,56 @@ class RepairTask:
                 for search in searches:
                     found += search.offers(stage)
         least = min((offer.change.weight for offer in found), default=0)
-        best = [_plain(offer) for offer in found if offer.change.weight == least]
+        best = _told([o for o in found if o.change.weight == least], searches, is_open)
         seconds = time.perf_counter() - start
         told: dict[str, Any] = {"offers": best}
         if not best and searches:
-            told["truth"] = true_value(searches[0])
+            first = searches[0]
+            told["truth"] = true_value(first) if isinstance(first, Search) else first.truth()
         return Trial(self.claim, {}, (), False, seconds, repair=told)
 
 
-def _searches(task: RepairTask, convention: Convention, deadline: float) -> list[Search]:
+def _searches(
+    task: RepairTask, convention: Convention, deadline: float
+) -> list[Search | PrintedMatrix]:
     """One for each reading of the claim that can be searched."""
     claim, setting, environment = task.claim, convention.setting, convention.environment
     if claim.formula is None:
         return []
     fitting, _ = fitting_readings(claim.formula, setting)
-    found: list[Search] = []
+    found: list[Search | PrintedMatrix] = []
     # where no reading has dimensions that agree, any may be the one with the slip
     for reading in fitting or claim.formula.readings:
         try:
-            found.append(Search(claim, reading, setting, environment, task.others, deadline))
+            parts = (claim, reading, setting, environment, task.others, deadline)
+            matrix = printed_matrix(*parts)
+            found.append(Search(*parts, task.partly) if matrix is None else matrix)
         except (Undecided, Malformed, NotEstablished, UndefinedSymbol, ArithmeticError):
             continue  # no claim is worse off for a repair that was not found
     return found
 
 
-def _plain(offer: Offer) -> dict[str, Any]:
-    return {
-        "latex": offer.formula.latex,
-        "changes": in_words(offer.change),
-        "weight": offer.change.weight,
-        "convention": offer.environment,
-    }
+def _told(
+    offers: Sequence[Offer], searches: Sequence[Search | PrintedMatrix], is_open: bool
+) -> list[dict[str, Any]]:
+    """Each formula once, with the conventions under which it is true where one is open."""
+    off = next((search.off for search in searches if isinstance(search, Search)), None)
+    chosen: list[Offer] = []
+    under: dict[str, list[str]] = {}
+    for offer in offers:
+        names = under.setdefault(offer.formula.latex, [])
+        same = off is not None and any(
+            same_equation(o.change.printed, offer.change.printed, off) for o in chosen
+        )
+        if not same and all(o.formula.latex != offer.formula.latex for o in chosen):
+            chosen.append(offer)
+        names += [offer.environment] if is_open and offer.environment not in names else []
+    return [
+        {
+            "latex": offer.formula.latex,
+            "changes": in_words(offer.change),
+            "weight": offer.change.weight,
+            "convention": " or ".join(under[offer.formula.latex][:MOST_NAMED]),
+        }
+        for offer in chosen
+    ]

@@ -1,48 +1,138 @@
-"""What a quantity is, where a formula for it is wrong and no misprint explains it."""
+"""What a quantity, or what is computed, truly is where a formula for it is wrong and no misprint
+explains it.
+"""
 
 from __future__ import annotations
 
+from fractions import Fraction
 from typing import TYPE_CHECKING
 
-from gainproof.verify.judge.exact.calculus import substituted
-from gainproof.verify.judge.exact.expression import Expr, symbol, symbols_of
+from gainproof.verify.judge.exact.calculus import rebuilt, substituted
+from gainproof.verify.judge.exact.expression import Expr, mul, number, symbol, symbols_of
 from gainproof.verify.judge.exact.graph_writing import graph_of
 from gainproof.verify.judge.exact.limits import Malformed, Undecided
-from gainproof.verify.judge.exact.tidy import tidied
+from gainproof.verify.judge.exact.poly import Poly, fraction
+from gainproof.verify.judge.exact.tidy import expression_of
+from gainproof.verify.judge.exact.tower_building import build_tower
 from gainproof.verify.judge.reader.latex import graph_to_latex
-from gainproof.verify.judge.repair.construct import places
+from gainproof.verify.judge.repair.asked import asked_sides
+from gainproof.verify.judge.repair.construct import places, quotient, raised, total
+from gainproof.verify.judge.repair.recognise import common_rational
 from gainproof.verify.judge.scope import UndefinedSymbol
 
 if TYPE_CHECKING:
     from gainproof.verify.judge.repair.search import Search
 
 MOST_NODES = 60
+MOST_FACTORED = 400
+"""So many nodes are multiplied out and factored."""
+DIGITS = 6
+STATED = ("quantity", "definition")
+"""Roles of symbols whose meaning is known."""
 
 
 def true_value(search: Search) -> str | None:
-    """`symbol = formula` in the source's own symbols if one side of an equation is the symbol of a
-    quantity and the formula is short; None for others.
+    """`side = formula` in the source's own symbols if one side of an equation is computed, or is
+    the symbol of something known, and the formula is short; where the other side is a number,
+    the number. None for others.
     """
     formula, scope = search.formula, search.scope
     if not search.by_values or len(formula.links) != 1 or formula.links[0].operator != "=":
         return None
     link = formula.links[0]
-    for side in (formula.sides[link.left], formula.sides[link.right]):
+    asked = asked_sides(formula)
+    for n, other in ((link.left, link.right), (link.right, link.left)):
+        side = formula.sides[n]
         entry = scope.setting.symbols.get(side.name) if side.kind == "symbol" else None
-        if entry is None or entry.role != "quantity":
+        if n not in asked and (entry is None or entry.role not in STATED):
             continue
+        if not symbols_of(formula.sides[other]) and (text := _number_there(search, side)):
+            return f"{_latex(side)} {text}"
         try:
-            meaning = scope.symbol(side.name)
-        except (Undecided, Malformed, UndefinedSymbol):
+            meaning = scope.expression(graph_of(side))
+        except (Undecided, Malformed, UndefinedSymbol, ValueError):
             continue
-        if not isinstance(meaning, Expr):
-            continue
-        value = tidied(meaning)
-        tokens = scope.labels()
-        names = symbols_of(value)
-        known = all(tokens.get(n, n) in scope.setting.symbols for n in names)
-        if value.kind == "symbol" or not known or sum(1 for _ in places(value)) > MOST_NODES:
-            continue
-        shown = substituted(value, {n: symbol(tokens[n]) for n in names if n in tokens})
-        return f"{side.name} = {graph_to_latex(graph_of(shown))}"
+        shown = in_symbols(short_form(meaning), search)
+        if shown is not None and shown != side:
+            return f"{_latex(side)} = {_latex(shown)}"
     return None
+
+
+def in_symbols(value: Expr, search: Search) -> Expr | None:
+    """A short expression of base variables in the source's symbols; None if it is long or if the
+    source has no symbols for it.
+    """
+    tokens = search.scope.labels()
+    names = symbols_of(value)
+    known = all(tokens.get(n, n) in search.setting.symbols for n in names)
+    if not known or sum(1 for _ in places(value)) > MOST_NODES:
+        return None
+    return substituted(value, {n: symbol(tokens[n]) for n in names if n in tokens})
+
+
+def short_form(expr: Expr) -> Expr:
+    """The shorter of the expression multiplied out and factored, common divisors cancelled; roots
+    and functions stay as they are.
+    """
+    if sum(1 for _ in places(expr)) > MOST_FACTORED:
+        return expr
+    atoms: dict[str, Expr] = {}
+
+    def frozen(node: Expr, parts: tuple[Expr, ...]) -> Expr:
+        made = Expr(node.kind, node.value, parts)
+        if node.kind != "call" and not (node.kind == "pow" and node.fraction.denominator > 1):
+            return made
+        inside = substituted(made, atoms) if symbols_of(made) & atoms.keys() else made
+        name = next((n for n, atom in atoms.items() if atom == inside), f"atom {len(atoms)}")
+        atoms[name] = inside
+        return symbol(name)
+
+    plain = rebuilt(expr, frozen)
+    names = tuple(sorted(symbols_of(plain)))
+    try:
+        element = build_tower([plain], None, names, frozenset()).element(plain)
+    except Undecided:
+        return expr
+    top, bottom = (_short(p, names) for p in (element.num, element.den))
+    return substituted(quotient(top, bottom), atoms)
+
+
+def _short(p: Poly, names: tuple[str, ...]) -> Expr:
+    whole = expression_of(p, names)
+    content, factors = p.factor()
+    parts = [expression_of(f, names) for f, _ in factors]
+    made = [raised(part, Fraction(int(e))) for part, (_, e) in zip(parts, factors, strict=True)]
+    size = fraction(content)
+    odd = [n for n, (_, times) in enumerate(factors) if times % 2]
+    if size < 0 and odd:
+        turned = odd[-1]
+        opposed, times = factors[turned]
+        made[turned] = raised(_positive_first(expression_of(-opposed, names)), Fraction(int(times)))
+        size = -size
+    product = mul(*([] if size == 1 and made else [number(size)]), *made)
+    return min((whole, product), key=lambda one: sum(1 for _ in places(one)))
+
+
+def _positive_first(expr: Expr) -> Expr:
+    """A sum that does not begin with a minus sign, if it can."""
+    return (
+        total(*sorted(expr.parts, key=lambda part: part.kind == "neg"))
+        if expr.kind == "add"
+        else expr
+    )
+
+
+def _number_there(search: Search, side: Expr) -> str | None:
+    """`= 2/9` or `\\approx 0.208712` for a side that has one value where the claim is made."""
+    found = [values.ball(side) for values in search.points]
+    balls = [ball for ball in found if ball is not None and ball.is_finite()]
+    if not balls or len(balls) < len(found) or not all(b.overlaps(balls[0]) for b in balls):
+        return None
+    value = common_rational(balls)
+    if value is not None:
+        return f"= {_latex(quotient(number(value.numerator), number(value.denominator)))}"
+    return f"\\approx {balls[0].str(DIGITS, radius=False)}"
+
+
+def _latex(expr: Expr) -> str:
+    return graph_to_latex(graph_of(expr))

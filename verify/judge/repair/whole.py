@@ -10,20 +10,33 @@ from fractions import Fraction
 
 from gainproof.verify.judge.exact.calculus import substituted
 from gainproof.verify.judge.exact.expression import Expr, symbol, symbols_of
+from gainproof.verify.judge.repair.asked import asked_names, open_sides
 from gainproof.verify.judge.repair.construct import (
     HALF,
     ONE,
     TWO,
+    multiplied,
     opposite,
+    places,
     product,
     quotient,
     raised,
 )
-from gainproof.verify.judge.repair.edit import LARGE, PLAIN, SLIGHT, SYMBOL_EVERYWHERE, Table
+from gainproof.verify.judge.repair.edit import (
+    LARGE,
+    PLAIN,
+    ROOT,
+    SLIGHT,
+    SQUARE,
+    SYMBOL_EVERYWHERE,
+    Table,
+)
 from gainproof.verify.judge.repair.printed import Printed
 from gainproof.verify.judge.repair.shift import shifted
 
-SIDE = "sign of a side"
+SIDE, DOUBLED, TURNED = "sign of a side", "a factor 2 of a side", "a side upside down"
+OF_SIDES = frozenset((SIDE, DOUBLED, TURNED))
+"""Changes of a whole side that would do on the other side as well."""
 COMPARISONS = ("<", "<=", ">", ">=")
 
 
@@ -38,12 +51,15 @@ class Change:
 
 @dataclass(frozen=True)
 class Step:
-    """One change in words; `before` and `after` are what it made of a part, where that helps."""
+    """One change in words; `before` and `after` are what it made of a part, where that helps;
+    `times` is in how many places.
+    """
 
     what: str
     before: Expr | None = None
     after: Expr | None = None
     part: Expr | None = None
+    times: int = 1
 
 
 def changes_of_whole(
@@ -62,7 +78,7 @@ def changes_of_whole(
                     weight = SLIGHT
                     step = Step(f"the sign {link.operator} that is {operator}")
                     yield Change(replace(formula, links=links), weight, (step,))
-    for n in formula.claimed():
+    for n in open_sides(formula):
         side = formula.sides[n]
         for new, weight, what in _sides(side, table, numbers, most):
             yield Change(formula.with_side(n, new), weight, (Step(what, side, new),))
@@ -74,10 +90,10 @@ def _sides(
 ) -> Iterator[tuple[Expr, int, str]]:
     yield opposite(side), SLIGHT, SIDE
     if most >= PLAIN:
-        yield product(TWO, side), PLAIN, "a factor 2"
-        yield quotient(side, TWO), PLAIN, "a factor 2"
+        for factor in (TWO, quotient(ONE, TWO)):
+            yield multiplied(side, factor), PLAIN, DOUBLED
         if side.kind != "div":
-            yield quotient(ONE, side), PLAIN, "a side upside down"
+            yield quotient(ONE, side), PLAIN, TURNED
     for name in table.symbols if most >= LARGE else ():
         yield product(side, symbol(name)), LARGE, "a missing factor"
         yield quotient(side, symbol(name)), LARGE, "a missing divisor"
@@ -90,28 +106,31 @@ def _everywhere(
     formula: Printed, table: Table, numbers: frozenset[str], most: int
 ) -> Iterator[Change]:
     """One symbol changed wherever it stands in the claim."""
-    claimed = formula.claimed()
+    claimed = [n for n in open_sides(formula) if not asked_names(formula.sides[n])]
     used = [symbols_of(side) for side in formula.sides]
     for name in sorted({s for n in claimed for s in used[n]}):
         x = symbol(name)
+        times = sum(node == x for n in claimed for _, node in places(formula.sides[n]))
         new: list[tuple[Expr, int, str]] = []
         for shift in (1, -1) if name in numbers else ():
             sides = tuple(
                 shifted(side, name, shift) if n in claimed else side
                 for n, side in enumerate(formula.sides)
             )
-            step = Step("the number of the first sample", x, shifted(x, name, shift))
+            step = Step("the number of the first sample", x, shifted(x, name, shift), times=times)
             yield Change(formula.with_sides(sides), SLIGHT, (step,))
         if most < PLAIN:
             continue
-        new.append((raised(x, Fraction(2)), PLAIN, "a deviation that is a variance"))
-        new.append((raised(x, HALF), PLAIN, "a variance that is a deviation"))
+        new.append((raised(x, Fraction(2)), PLAIN, SQUARE))
+        new.append((raised(x, HALF), PLAIN, ROOT))
         new += [
-            (symbol(other), PLAIN, SYMBOL_EVERYWHERE) for other in table.symbols if other != name
+            (symbol(other), PLAIN, SYMBOL_EVERYWHERE)
+            for other in table.symbols
+            if (name, other) in table.alike
         ]
         for value, weight, what in new:
             sides = tuple(
                 substituted(side, {name: value}) if n in claimed and name in used[n] else side
                 for n, side in enumerate(formula.sides)
             )
-            yield Change(formula.with_sides(sides), weight, (Step(what, x, value),))
+            yield Change(formula.with_sides(sides), weight, (Step(what, x, value, times=times),))

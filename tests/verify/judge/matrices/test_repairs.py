@@ -66,8 +66,7 @@ def test_the_nearest_true_formula_is_offered(
         assert "no misprint-like repair found" in found.reason
         return
     assert found.repair is not None
-    told = found.certificate["repair"]
-    offers = [found.repair["latex"], *(a["latex"] for a in told.get("alternatives", ()))]
+    offers = [told["latex"] for told in found.repairs]
     assert repair in offers
     for offer in offers:
         assert judged_matrices(offer, kind, more).verdict == "proved", offer
@@ -79,7 +78,8 @@ def slipped(
     """Claims with a slip that is refuted, one for each claim for which one is found."""
     for claim in claims:
         setting = settings[claim.setting]
-        pool = slips(claim.latex, setting)
+        # a term put in may be made up for by less than leaving it out
+        pool = [s for s in slips(claim.latex, setting) if not s.what.startswith("a missing term")]
         source.shuffle(pool)
         assert claim.matrices is not None
         for slip in pool:

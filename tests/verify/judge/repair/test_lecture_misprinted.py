@@ -71,11 +71,8 @@ def judged(relation: Relation, mutants: list[Sides]) -> tuple[ClaimVerdict, ...]
 
 
 def offered(verdict: ClaimVerdict, relation: Relation) -> list[Sides]:
-    """Repair and alternatives as trees."""
-    if verdict.repair is None:
-        return []
-    told = verdict.certificate["repair"]
-    texts = [verdict.repair["latex"], *[entry["latex"] for entry in told.get("alternatives", [])]]
+    """All repairs as trees."""
+    texts = [repair["latex"] for repair in verdict.repairs]
     setting = next(c.setting for c in lecture().claims if relation.name.endswith(" " + c.id))
     table = lecture().settings[setting].symbols
     found = [read_formula(text, table).readings[0].relations[0] for text in texts]

@@ -43,7 +43,7 @@ def test_the_bound_that_makes_it_exact(latex: str) -> None:
     assert found.repair is not None
     wanted = rf"{latex} \quad \left( \beta < 2 \right)"
     assert found.repair == {"latex": wanted, "verdict": "proved"}
-    assert found.certificate["repair"]["changes"] == ["a condition is missing"]
+    assert found.repairs[0]["changes"] == ["a condition is missing"]
 
 
 def test_a_bound_that_was_not_tried_is_not_offered() -> None:

@@ -22,7 +22,7 @@ def test_row(printed: str, repaired: str, change: str) -> None:
     assert verdict.repair is not None
     found = verdict.repair["latex"].replace("\\left", "").replace("\\right", "")
     assert " ".join(found.split()) == repaired
-    assert verdict.certificate["repair"]["changes"][0].startswith(change)
+    assert verdict.repairs[0]["changes"][0].startswith(change)
 
 
 def test_there_are_rows() -> None:

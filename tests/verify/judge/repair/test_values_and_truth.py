@@ -29,6 +29,25 @@ def test_digits_are_rounded_anew(latex: str, expected: str) -> None:
     assert verdict.repair == {"latex": expected, "verdict": "proved"}
 
 
+@pytest.mark.parametrize(
+    ("printed_number", "expected"),
+    [
+        # (0.3 pi/180)^2 = 2.74156e-5 (mpmath): as many digits as are printed, at most two
+        ("0.0052", "0.000027"),
+        ("0.5", "0.00003"),
+        ("0.0000283", "0.0000274"),
+        ("0.000031", "0.000027"),
+        ("17.25", "0.000027"),
+    ],
+)
+def test_digits_are_not_lost(printed_number: str, expected: str) -> None:
+    latex = rf"(0.3 \cdot \frac{{\pi}}{{180}})^2 \approx {printed_number}"
+    (verdict,) = judged(algebra("'x' = { unit = '1', meaning = 'a number' }\n"), ("value", latex))
+    assert verdict.verdict == "refuted"
+    assert verdict.repair is not None
+    assert verdict.repair["latex"].endswith(rf"\approx {expected}")
+
+
 def test_the_true_formula_is_told_where_no_misprint_explains_a_claim() -> None:
     (verdict,) = judged(
         memory(1), ("identity", r"\beta = \frac{k^3 + 11}{k^4 + 7 k + 3} \quad (1 \le k)")
