@@ -54,7 +54,11 @@ class FromFile:
         """
         unit, size = self.table.units["bearing"]
         bearings = self.scans.polar.bearing
-        if unit != "deg" or len(bearings) < LEAST_ASKED or np.abs(bearings / size).max() > 2 * np.pi:
+        if (
+            unit != "deg"
+            or len(bearings) < LEAST_ASKED
+            or np.abs(bearings / size).max() > 2 * np.pi
+        ):
             return ()
         least, most = (f"{value / size:.3g}" for value in (bearings.min(), bearings.max()))
         return (
