@@ -13,8 +13,6 @@ from gainproof.claim_template import template
 from gainproof.draft import draft
 
 MOST_BYTES = 2**20
-MOST_KEY = 80
-"""Characters; those of a claim file's key."""
 
 
 def begin(name: str) -> str:
@@ -50,6 +48,8 @@ def begin_from(tex: str, out: str | None) -> str:
 
 def _key(path: Path) -> str:
     """The file's name as the key of its source, which has no spaces or signs."""
+    from gainproof.verify.judge.claim.file import MOST_KEY
+
     shown = re.sub(r"[^\w.:+-]", "-", path.stem).lstrip("_.:+-")
     return shown[:MOST_KEY] or "source"
 

@@ -98,7 +98,7 @@ def test_a_file_that_changes_while_it_is_read_is_refused(
         return found
 
     monkeypatch.setattr(os, "fstat", look)
-    with pytest.raises(BadInputError, match="file: (changes while it is read|more than)"):
+    with pytest.raises(BadInputError, match=r"file: (changes while it is read|more than)"):
         given_file.content(path, 99)
 
 
