@@ -62,6 +62,8 @@ Steady-state gains of tracking filters: derived step by step, proved by certific
 NumPy kernels with proved error bounds; and a judge that says whether a printed formula is right."""
 
 
+PLACES = ("out", "report", "state", "plot", "html", "new", "draft", "covariance")
+"""Options that name a file or folder: of an empty name the working folder would come."""
 FULL = (errno.ENOSPC, errno.EDQUOT, errno.EFBIG)
 """What is wrong with an output that takes no more."""
 
@@ -117,6 +119,9 @@ def main(arguments: Sequence[str] | None = None, asked: Callable[[], bool] = lam
         if given and not given[0].startswith("-") and given[0] not in COMMANDS:
             raise unknown_name("command", given[0], COMMANDS)
         options = _options(given)
+        for name in PLACES:
+            if getattr(options, name, None) == "":
+                raise BadInputError(f"--{name}: a name is wanted, got ''")
         status: int = options.run(options)
         sys.stdout.flush()
     except KeyboardInterrupt:

@@ -85,6 +85,37 @@ def test_an_empty_name_begins_nothing_and_judges_nothing(
     assert not any(tmp_path.iterdir())
 
 
+@pytest.mark.parametrize(
+    "words",
+    [
+        ["generate", "random-velocity", "--out", ""],
+        ["run", "--report", ""],
+        ["design", "--lag", "1", "--plot", ""],
+        ["campaign", "float32", "--state", ""],
+        ["locate", "a.csv", "b.csv", "--covariance", ""],
+    ],
+)
+def test_an_empty_name_of_a_place_is_refused(
+    words: list[str],
+    tmp_path: Path,
+    monkeypatch: pytest.MonkeyPatch,
+    capsys: pytest.CaptureFixture[str],
+) -> None:
+    """It would be the working folder."""
+    monkeypatch.chdir(tmp_path)
+    assert cli.main(words) == 2
+    assert capsys.readouterr().err == f"gainproof: {words[-2]}: a name is wanted, got ''\n"
+    assert not any(tmp_path.iterdir())
+
+
+@pytest.mark.parametrize("seconds", ["nan", "inf", "0", "-1", "1e9", "x"])
+def test_times_that_are_none_are_refused(seconds: str) -> None:
+    for words in (["check", "suzuki"], ["explain", "suzuki", "1"], ["certify", "random-velocity"]):
+        with pytest.raises(SystemExit) as end:
+            cli.main([*words, "--seconds", seconds])
+        assert end.value.code == 2
+
+
 def test_an_empty_name_is_no_wish_to_judge_all(capsys: pytest.CaptureFixture[str]) -> None:
     assert cli.main(["check", ""]) == 2
     assert "no claim file is called ''" in capsys.readouterr().err

@@ -51,7 +51,7 @@ LINES: Sequence[Sequence[str]] = (
     ("design", "--tracking-index", "0.4", "--acceleration", "5", "--interval", "1"),
     *(("check", "--new", "n.toml"), ("check", "--draft", "p.tex", "--out", "n.toml")),
     *(("check", "--draft", "p.tex"), ("figure", "patent"), ("figure", "x")),
-    *(("campaign",), ("campaign", "x"), ("campaign", "float32", "--blocks", "9-1")),
+    *(("campaign",), ("campaign", "x", "y", "--blocks", "9-1", "--jobs", "2")),
 )
 """Commands that take no time: nothing of them is derived, judged or measured."""
 
