@@ -189,6 +189,7 @@ def test_a_place_that_free_biases_alone_explain_is_no_other(size: int) -> None:
             cost = plain_cost(given, observed, found, other)
             assert cost == pytest.approx(other.cost, rel=1e-6, abs=1e-6)
             assert cost <= found.convergence.cost + 9
+            assert np.abs(other.position - found.position).max() > 1
         if not found.others:
             assert np.abs(found.position - truth[:2]).max() < 500
     assert second
