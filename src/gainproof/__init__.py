@@ -13,10 +13,9 @@ Three folders lie under this name: `gainproof.derive` (what is true, and why), `
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
-
 from gainproof.version import VERSION as __version__
 
+TYPE_CHECKING = False  # to checkers of types it is true; `typing` takes a while to import
 if TYPE_CHECKING:
     from gainproof.notebook.front_door import Derivation
     from gainproof.notebook.judged_file import JudgedFile

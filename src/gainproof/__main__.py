@@ -2,7 +2,7 @@
 
 import sys
 
-from gainproof.cli import main
+from gainproof.start import main
 
 if __name__ == "__main__":
     sys.exit(main())

@@ -3,9 +3,11 @@
 from __future__ import annotations
 
 import os
+import re
+import shlex
 from pathlib import Path
 
-from gainproof import atomic_file, places
+from gainproof import atomic_file, given_file, places
 from gainproof.bad_input import BadInputError
 from gainproof.claim_template import template
 from gainproof.draft import draft
@@ -16,16 +18,18 @@ MOST_BYTES = 2**20
 def begin(name: str) -> str:
     """Write the template to `name`; what to tell the user. Raises BadInputError."""
     path = _new_file(name)
-    _write(path, template(path.stem))
+    _write(path, template(_key(path)))
     shown = places.shown(path)
-    return f"{shown}: written; say what your source says, then: gainproof check {name}\n"
+    return (
+        f"{shown}: written; say what your source says, then: gainproof check {shlex.quote(name)}\n"
+    )
 
 
 def begin_from(tex: str, out: str | None) -> str:
     """Draft a claim file from a LaTeX file; to `out`, or returned. Raises BadInputError."""
     path = None if out is None else _new_file(out)
     source = Path(tex)
-    found = draft(_text(source), source.name, (path or source).stem)
+    found = draft(_text(source), source.name, _key(path or source))
     if not found.equations:
         raise BadInputError(
             f"{places.shown(source)}: no displayed equation found (between \\[ and \\], $$, or in "
@@ -38,8 +42,16 @@ def begin_from(tex: str, out: str | None) -> str:
     equations = f"{found.equations} equation{'s' if found.equations != 1 else ''}"
     return (
         f"{places.shown(path)}: {equations}, {read} read, {found.unread} left as "
-        f"comments; say what is marked TODO, then: gainproof check {out}\n"
+        f"comments; say what is marked TODO, then: gainproof check {shlex.quote(str(out))}\n"
     )
+
+
+def _key(path: Path) -> str:
+    """The file's name as the key of its source, which has no spaces or signs."""
+    from gainproof.verify.judge.claim.file import MOST_KEY
+
+    shown = re.sub(r"[^\w.:+-]", "-", path.stem).lstrip("_.:+-")
+    return shown[:MOST_KEY] or "source"
 
 
 def _new_file(name: str) -> Path:
@@ -61,13 +73,5 @@ def _write(path: Path, text: str) -> None:
 
 def _text(path: Path) -> str:
     """The text of a LaTeX file; what is not UTF-8 in it is replaced."""
-    shown = places.shown(path)
-    places.require_file(path)
-    try:
-        with path.open("rb") as stream:
-            content = stream.read(MOST_BYTES + 1)
-    except OSError as error:
-        raise BadInputError(f"{shown}: cannot be read: {error.strerror or error}") from None
-    if len(content) > MOST_BYTES:
-        raise BadInputError(f"{shown}: more than {MOST_BYTES} bytes")
+    content = given_file.content(path, MOST_BYTES)
     return content.decode("utf-8", errors="replace").replace("\r\n", "\n").replace("\r", "\n")

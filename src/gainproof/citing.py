@@ -6,10 +6,15 @@ from collections.abc import Iterable, Mapping
 from pathlib import Path
 from typing import Any
 
-from gainproof import derivations, places
+from gainproof import derivations, given_file, places
 from gainproof.bad_input import BadInputError, unknown_name
 from gainproof.page import WIDTH, filled
-from gainproof.verify.judge.claim.file import ClaimFile, ClaimFileError, read_claim_file
+from gainproof.verify.judge.claim.file import (
+    MOST_BYTES,
+    ClaimFile,
+    ClaimFileError,
+    read_claim_text,
+)
 from gainproof.workshop import Workshop
 
 Subject = Mapping[str, Any]
@@ -125,6 +130,6 @@ def _claim_files() -> list[ClaimFile]:
 
 def _claim_file(path: Path) -> ClaimFile:
     try:
-        return read_claim_file(path)
+        return read_claim_text(given_file.text(path, MOST_BYTES), str(path))
     except ClaimFileError as error:
         raise BadInputError(str(error)) from None

@@ -1,7 +1,7 @@
 """The command line: `gainproof COMMAND`. Nothing heavy is imported before a command needs it.
 
-Exit status: 0 all is well, 1 the answer is no (see each command), 2 bad input, 3 a fault of the
-program, 130 interrupted.
+Exit status: 0 all is well, 1 the answer is no (see each command), 2 bad input or a lack of memory,
+open files or room, 3 a fault of the program, 130 interrupted.
 """
 
 from __future__ import annotations
@@ -11,11 +11,9 @@ import errno
 import gc
 import io
 import os
-import signal
 import sys
-import threading
-from collections.abc import Mapping, Sequence
-from types import FrameType, ModuleType
+from collections.abc import Callable, Mapping, Sequence
+from types import ModuleType
 from typing import NoReturn
 
 from gainproof.bad_input import BadInputError, harmless, unknown_name
@@ -36,6 +34,7 @@ from gainproof.commands import (
     run,
     track,
 )
+from gainproof.scarcity import lack
 from gainproof.version import VERSION
 
 COMMANDS: Mapping[str, ModuleType] = {
@@ -63,6 +62,8 @@ Steady-state gains of tracking filters: derived step by step, proved by certific
 NumPy kernels with proved error bounds; and a judge that says whether a printed formula is right."""
 
 
+PLACES = ("out", "report", "state", "plot", "html", "new", "draft", "covariance")
+"""Options that name a file or folder: of an empty name the working folder would come."""
 FULL = (errno.ENOSPC, errno.EDQUOT, errno.EFBIG)
 """What is wrong with an output that takes no more."""
 
@@ -102,14 +103,10 @@ def make_parser() -> argparse.ArgumentParser:
     return parser
 
 
-def main(arguments: Sequence[str] | None = None) -> int:
-    """Run one command and return its exit status."""
+def main(arguments: Sequence[str] | None = None, asked: Callable[[], bool] = lambda: False) -> int:
+    """Run one command and return its exit status; `asked` says whether an interrupt has come."""
     gc.set_threshold(COLLECTED)
     given = list(sys.argv[1:] if arguments is None else arguments)
-    if threading.current_thread() is threading.main_thread():
-        for name in ("SIGTERM", "SIGHUP"):
-            if hasattr(signal, name):
-                signal.signal(getattr(signal, name), _interrupted)
     # Python has None for a stream that is closed; opened first, nothing else takes its descriptor
     for name in ("stdout", "stderr"):
         if getattr(sys, name) is None:
@@ -122,27 +119,41 @@ def main(arguments: Sequence[str] | None = None) -> int:
         if given and not given[0].startswith("-") and given[0] not in COMMANDS:
             raise unknown_name("command", given[0], COMMANDS)
         options = _options(given)
+        for name in PLACES:
+            if getattr(options, name, None) == "":
+                raise BadInputError(f"--{name}: a name is wanted, got ''")
         status: int = options.run(options)
         sys.stdout.flush()
-    except BadInputError as error:
+    except KeyboardInterrupt:
+        return _interrupted()
+    except Exception as error:  # noqa: BLE001 (the last stop: every fault gets its own exit status)
+        # what was being imported may have made another error of an interrupt
+        return _interrupted() if asked() else _told(error)
+    return status
+
+
+def _interrupted() -> int:
+    print("gainproof: interrupted", file=sys.stderr)
+    return 130
+
+
+def _told(error: Exception) -> int:
+    """Says what is wrong; the status."""
+    if isinstance(error, BadInputError):
         print(f"gainproof: {harmless(str(error))}", file=sys.stderr)
         return 2
-    except KeyboardInterrupt:
-        print("gainproof: interrupted", file=sys.stderr)
-        return 130
-    except BrokenPipeError:
+    if isinstance(error, BrokenPipeError):
         # whoever read our output has stopped
         _leave_output()
         return 0
-    except OSError as error:
-        if error.errno not in FULL or error.filename is not None:
-            return _fault(error)
+    if isinstance(error, OSError) and error.errno in FULL and error.filename is None:
         _leave_output()
         print(f"gainproof: the output cannot be written: {error.strerror}", file=sys.stderr)
         return 2
-    except Exception as error:  # noqa: BLE001 (the last stop: every fault gets its own exit status)
-        return _fault(error)
-    return status
+    if lacks := lack(error):
+        print(f"gainproof: {lacks}", file=sys.stderr)
+        return 2
+    return _fault(error)
 
 
 def _leave_output() -> None:
@@ -163,10 +174,6 @@ def _options(given: list[str]) -> argparse.Namespace:
     if more is not None:
         setattr(options, more, [*getattr(options, more), *beyond])
     return options
-
-
-def _interrupted(_number: int, _frame: FrameType | None) -> None:
-    raise KeyboardInterrupt
 
 
 def _fault(error: Exception) -> int:

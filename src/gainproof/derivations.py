@@ -6,12 +6,14 @@ from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
 
-from gainproof import workers
+from gainproof import given_file, workers
 from gainproof.bad_input import BadInputError, unknown_name
 from gainproof.derived import Derived, derived_from
 from gainproof.rechecking import expected_of
 from gainproof.workshop import Workshop
 
+MOST_BYTES = 2**20
+"""Of a model file."""
 CATALOGUE = workers.Job("the catalogue", "catalogue", {})
 
 
@@ -58,8 +60,9 @@ def require_names(names: Sequence[str], shop: Workshop) -> None:
 
 def derive_file(path: Path, shop: Workshop) -> Derived:
     """The subject of a user's model file, which is executed. Raises BadInputError."""
+    text = model_text(path)
     job = workers.Job(str(path), "derive_file", {"path": str(path.resolve())})
-    (found,) = shop.results("derived", [job], model_text(path))
+    (found,) = shop.results("derived", [job], text)
     return derived_from(found)
 
 
@@ -68,10 +71,7 @@ def model_text(path: Path) -> bytes:
     which nobody means to have executed.
     """
     _refuse_claims(str(path))
-    try:
-        return path.read_bytes()
-    except OSError as error:
-        raise BadInputError(f"{path}: cannot be read: {error.strerror or error}") from None
+    return given_file.content(path, MOST_BYTES)
 
 
 def _refuse_claims(name: str) -> None:

@@ -35,6 +35,7 @@ def target(name: str) -> Path:
             f"an errata sheet is a file .md or .tex, not {name!r} (the claim file comes first: "
             "gainproof check FILE --errata SHEET)"
         )
+    places.require_file(path)
     try:
         with path.open(encoding="utf-8", errors="replace") as stream:
             first = stream.readline(200).rstrip("\n")

@@ -40,11 +40,41 @@ def run(work: Coroutine[Any, Any, Result]) -> Result:
 
 
 @contextmanager
+def held() -> Iterator[None]:
+    """What comes here waits until the end, for processes that are started here too: these have to
+    `release` it once they handle it, so that none breaks off the imports of a new interpreter.
+    """
+    if not hasattr(signal, "pthread_sigmask"):
+        yield
+        return
+    from multiprocessing import resource_tracker
+
+    # it is a process too, and as it is started it lets through what is held
+    resource_tracker.ensure_running()
+    before = signal.pthread_sigmask(signal.SIG_BLOCK, numbers())
+    try:
+        yield
+    finally:
+        signal.pthread_sigmask(signal.SIG_SETMASK, before)
+
+
+def release() -> None:
+    """Let through what was held when this process was started."""
+    if hasattr(signal, "pthread_sigmask"):
+        signal.pthread_sigmask(signal.SIG_UNBLOCK, numbers())
+
+
+def numbers() -> list[int]:
+    """Of the signals, those that there are here."""
+    return [getattr(signal, name) for name in SIGNALS if hasattr(signal, name)]
+
+
+@contextmanager
 def _handled(breaking_off: _BreakingOff) -> Iterator[None]:
     """In the main thread the signals that are not ignored or left to the system are handed over."""
     found: dict[int, Callable[[int, FrameType | None], object]] = {}
     if threading.current_thread() is threading.main_thread():
-        for number in (getattr(signal, name) for name in SIGNALS if hasattr(signal, name)):
+        for number in numbers():
             before = signal.getsignal(number)
             if callable(before):
                 found[number] = before

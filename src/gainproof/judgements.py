@@ -8,7 +8,7 @@ from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
-from gainproof import claim_proofs, derivations, places, workers
+from gainproof import claim_proofs, derivations, given_file, places, workers
 from gainproof.bad_input import BadInputError, unknown_name
 from gainproof.commands.time_limit import DEFAULT
 from gainproof.workshop import Workshop
@@ -101,18 +101,7 @@ def read(file: Path) -> str:
     """The text of a claim file, within the judge's limit of size. Raises BadInputError."""
     from gainproof.verify.judge.claim.file import MOST_BYTES
 
-    places.require_file(file)
-    try:
-        with file.open("rb") as stream:
-            content = stream.read(MOST_BYTES + 1)
-        if len(content) > MOST_BYTES:
-            raise BadInputError(f"{places.shown(file)}: more than {MOST_BYTES} bytes")
-        return content.decode("utf-8")
-    except OSError as error:
-        why = error.strerror or error
-        raise BadInputError(f"{places.shown(file)}: cannot be read: {why}") from None
-    except UnicodeDecodeError as error:
-        raise BadInputError(f"{places.shown(file)}: cannot be read: {error}") from None
+    return given_file.text(file, MOST_BYTES)
 
 
 def find(name: str) -> Path:

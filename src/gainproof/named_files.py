@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import os
 import stat
-from collections.abc import Mapping, Sequence
-from pathlib import Path
+from collections.abc import Iterable, Mapping, Sequence
+from pathlib import Path, PurePosixPath
 
 from gainproof import atomic_file, places
 from gainproof.bad_input import BadInputError
@@ -35,6 +35,32 @@ def require_new(paths: Sequence[Path]) -> None:
     for path in paths:
         if os.path.lexists(path):
             raise BadInputError(f"{places.shown(path)}: exists already; it is left as it is")
+
+
+def is_within(name: str) -> bool:
+    """Whether a name that is given in a folder lies in it, on every system."""
+    parts = PurePosixPath(name).parts
+    elsewhere = name.startswith("/") or ".." in parts or "\\" in name or ":" in name
+    return bool(parts) and not elsewhere
+
+
+def require_within(folder: Path, names: Iterable[str]) -> None:
+    """That these files lie in the folder, and what is in it on the way to them are files and
+    folders: what a link leads to, or a device, would be written or deleted. Raises BadInputError.
+    """
+    for name in sorted(names):
+        if not is_within(name):
+            raise BadInputError(f"{places.shown(folder)}: {name!r} would lie outside of it")
+        for path in (folder / name, *(folder / name).parents):
+            if path == folder:
+                break
+            mode = os.lstat(path).st_mode if os.path.lexists(path) else stat.S_IFREG
+            if not (stat.S_ISREG(mode) or stat.S_ISDIR(mode)):
+                what = "a link, which leads elsewhere" if stat.S_ISLNK(mode) else "no file"
+                raise BadInputError(
+                    f"{places.shown(folder)}: {path.relative_to(folder)} in it is {what}; it is "
+                    "left as it is, and nothing is written"
+                )
 
 
 def write(contents: Mapping[Path, bytes]) -> list[str]:

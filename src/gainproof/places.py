@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import stat
+import tempfile
 from collections.abc import Callable
 from pathlib import Path
 
@@ -47,6 +48,20 @@ def shown(path: str | Path) -> str:
 def require_folder(path: Path) -> None:
     """Raises BadInputError where something else than a folder lies, or none can."""
     _require(path, stat.S_ISDIR, "a folder")
+
+
+def require_writable(folder: Path) -> None:
+    """Raises BadInputError where no file can be made in a folder, which need not be there yet: told
+    before long work whose results would go there. Nothing is left of the trial.
+    """
+    require_folder(folder)
+    there = next(path for path in (folder, *folder.absolute().parents) if path.exists())
+    try:
+        with tempfile.TemporaryDirectory(prefix=".gainproof-", dir=there):
+            pass
+    except OSError as error:
+        reason = error.strerror or error
+        raise BadInputError(f"{shown(folder)}: cannot be written: {reason}") from None
 
 
 def require_file(path: Path) -> None:

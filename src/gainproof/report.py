@@ -8,7 +8,7 @@ from dataclasses import asdict, dataclass
 from pathlib import Path
 from typing import Any
 
-from gainproof import atomic_file, verdict_text
+from gainproof import named_files, verdict_text
 from gainproof.claim_words import Words
 from gainproof.drift import CURE, Difference
 from gainproof.lecture import count
@@ -50,9 +50,9 @@ class Findings:
 
 
 def write(findings: Findings, folder: Path) -> None:
-    """Write report.json and report.txt."""
-    atomic_file.write_text(folder / "report.json", as_json(findings))
-    atomic_file.write_text(folder / "report.txt", as_text(findings))
+    """Write report.json and report.txt. Raises BadInputError where they cannot be written."""
+    texts = {"report.json": as_json(findings), "report.txt": as_text(findings)}
+    named_files.write({folder / name: text.encode("utf-8") for name, text in texts.items()})
 
 
 def as_json(findings: Findings) -> str:

@@ -18,6 +18,7 @@ from typing import Any
 from gainproof import interrupts
 from gainproof.bad_input import BadInputError
 from gainproof.process import BrokenOffError, Process
+from gainproof.scarcity import lack_in
 from gainproof.tasks import DERIVING
 from gainproof.waiting import Waiting
 
@@ -170,10 +171,20 @@ async def _asked(process: Process, job: Job, on_told: Told | None, *, last: bool
             job.request(), lambda text: on_told and on_told(job, text), last=last
         )
     except BrokenOffError as error:
-        raise JobError(f"{job.label}: {error}") from None
+        raise _failed(job, str(error)) from None
     if "result" in answer:
         return answer["result"]
     kind, message = answer.get("error"), answer.get("message")
     if kind == BadInputError.__name__:
         raise BadInputError(str(message), answer.get("errors", ()))
-    raise JobError(f"{job.label}: {kind}: {message}\n{answer.get('trace')}")
+    raise _failed(job, f"{kind}: {message}\n{answer.get('trace')}")
+
+
+def _failed(job: Job, text: str) -> Exception:
+    """The error of a job that ended with these words."""
+    lines = text.strip().splitlines()
+    # a word of the trace between them is no reason
+    lacks = lack_in("\n".join([*lines[:1], *lines[-3:]]))
+    if lacks is not None:
+        return BadInputError(f"{job.label}: {lacks}")
+    return JobError(f"{job.label}: {text}")

@@ -266,9 +266,37 @@ def test_an_altered_list_removes_nothing_outside(tmp_path: Path) -> None:
     site.write({site.MARK: b"", "index.html": b"a"}, folder)
     with (folder / site.MARK).open("a") as stream:
         stream.write("../precious\n")
-    with pytest.raises(BadInputError, match="names a file outside"):
-        site.write({site.MARK: b"", "index.html": b"b"}, folder)
+    for write in (site.require_own, lambda found: site.write({"index.html": b"b"}, found)):
+        with pytest.raises(BadInputError, match="would lie outside of it"):
+            write(folder)
     assert (tmp_path / "precious").read_text() == "mine"
+    assert (folder / "index.html").read_bytes() == b"a"
+
+
+@pytest.mark.parametrize("path", ["../x.html", "sources/../../x.html", "/tmp/x.html"])
+def test_a_page_elsewhere_is_not_written(path: str, tmp_path: Path) -> None:
+    folder = tmp_path / "book"
+    with pytest.raises(BadInputError, match="would lie outside of it"):
+        site.write({site.MARK: b"", "index.html": b"a", path: b"b"}, folder)
+    assert not any(tmp_path.iterdir())
+
+
+@pytest.mark.parametrize("link", ["sources", "sources/s.html", site.MARK])
+def test_links_in_an_old_book_are_not_followed(link: str, tmp_path: Path) -> None:
+    """Not by what is renewed, nor by what is removed."""
+    folder, other = tmp_path / "book", tmp_path / "other"
+    site.write({site.MARK: b"", "index.html": b"a", "sources/s.html": b"a"}, folder)
+    (folder / link).rename(other)
+    (folder / link).symlink_to(other)
+    before = other.read_bytes() if other.is_file() else (other / "s.html").read_bytes()
+    for files in ({"index.html": b"b"}, {"index.html": b"b", "sources/s.html": b"b"}):
+        with pytest.raises(BadInputError, match=f"{link} in it is a link"):
+            site.write({site.MARK: b"", **files}, folder)
+        with pytest.raises(BadInputError, match=f"{link} in it is a link"):
+            site.require_own(folder)
+    after = other.read_bytes() if other.is_file() else (other / "s.html").read_bytes()
+    assert after == before
+    assert (folder / "index.html").read_bytes() == b"a"
 
 
 @pytest.mark.parametrize(

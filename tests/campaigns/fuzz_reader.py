@@ -1,7 +1,8 @@
-"""Very many random inputs for the reader of formulas and of claim files: nothing but their own
-errors may come out.
+"""Very many random inputs for the reader of formulas and of claim files, for the judge, and for the
+command line: nothing but their own errors may come out.
 
-    python tests/campaigns/fuzz_reader.py [--inputs N] [--files N] [--executor WHERE] [--state FILE]
+    python tests/campaigns/fuzz_reader.py [--inputs N] [--files N] [--judged N] [--commands N]
+        [--executor WHERE] [--state FILE]
 
 Prints how many were read, the crashes, the worst time and the worst growth of memory of one input.
 A campaign that was interrupted goes on, and one with more inputs adds to what is done, as long as
@@ -22,6 +23,7 @@ sys.path.insert(0, str(Path(__file__).resolve().parent.parent / "support"))
 
 from files_digest import files_digest
 from fuzz_tally import Tally
+from input_fuzz import fuzz_commands, fuzz_judged, fuzz_tables
 from reader_campaign import CLAIMS, fuzz_files, fuzz_formulas, fuzz_made
 
 import gainproof.verify.judge
@@ -29,8 +31,15 @@ from gainproof.campaign.campaign import Campaign, Done, Report
 from gainproof.campaign.carrying_out import carry_out
 from gainproof.campaign.options import add_options
 
-HELP = "very many random inputs for the reader: nothing but its own errors may come out"
-KINDS = {"made": (fuzz_made, 5000), "formulas": (fuzz_formulas, 5000), "files": (fuzz_files, 100)}
+HELP = "very many random inputs for reader, judge and command line: only their own errors come out"
+KINDS = {
+    "made": (fuzz_made, 5000),
+    "formulas": (fuzz_formulas, 5000),
+    "files": (fuzz_files, 100),
+    "tables": (fuzz_tables, 100),
+    "judged": (fuzz_judged, 20),
+    "commands": (fuzz_commands, 100),
+}
 """Function and inputs of one chunk."""
 SHOWN = 200
 
@@ -43,11 +52,22 @@ def main() -> int:
         default=1_000_000,
         help="formulas, half of them made, half of the repository's broken",
     )
-    parser.add_argument("--files", type=int, default=20_000, help="claim files")
+    parser.add_argument(
+        "--files", type=int, default=20_000, help="claim files, as many with broken tables"
+    )
+    parser.add_argument("--judged", type=int, default=1000, help="claim files that are judged")
+    parser.add_argument("--commands", type=int, default=20_000, help="command lines with files")
     add_options(parser)
     options = parser.parse_args()
     half = options.inputs // 2
-    wanted = {"made": half, "formulas": options.inputs - half, "files": options.files}
+    wanted = {
+        "made": half,
+        "formulas": options.inputs - half,
+        "files": options.files,
+        "tables": options.files,
+        "judged": options.judged,
+        "commands": options.commands,
+    }
     code = digest()
     blocks = [
         (kind, seed, code)
@@ -87,9 +107,11 @@ def shown(kind: str, tally: Tally) -> str:
 
 
 def digest() -> str:
-    """A digest of the judge's code and of the claim files that inputs are made of."""
+    """A digest of the code and of the claim files that inputs are made of."""
     judge = Path(gainproof.verify.judge.__file__).parent
-    return files_digest((*sorted(judge.rglob("*.py")), *sorted(CLAIMS.rglob("*.toml"))))
+    front = Path(gainproof.__file__).parent
+    code = (path for folder in (judge, front) for path in folder.rglob("*.py"))
+    return files_digest((*sorted({*code}), *sorted(CLAIMS.rglob("*.toml"))))
 
 
 if __name__ == "__main__":

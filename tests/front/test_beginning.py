@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+import shlex
 from pathlib import Path
 
 import pytest
 
 from gainproof import cli
 from gainproof.claim_template import template
+from gainproof.verify.judge.claim.file import read_claim_file
 from gainproof.verify.judge.claim.settings import SETTING_KINDS
 from gainproof.verify.judge.claim.vocabulary import CLAIM_KINDS
 
@@ -19,9 +21,30 @@ TEX = r"\begin{equation} \beta = \frac{\alpha^2}{2 - \alpha} \end{equation}"
 def test_the_template_checks_as_it_is(tmp_path: Path, capsys: Capture) -> None:
     path = tmp_path / "my paper's.toml"
     assert cli.main(["check", "--new", str(path)]) == 0
-    assert f"gainproof check {path}" in capsys.readouterr().out
+    assert f"gainproof check {shlex.quote(str(path))}" in capsys.readouterr().out
     assert cli.main(["check", str(path)]) == 0
     assert "2 claims: 2 proved" in capsys.readouterr().out
+
+
+@pytest.mark.parametrize(
+    ("name", "key"),
+    [
+        ("my paper's", "my-paper-s"),
+        ("..x", "x"),
+        ("(1)", "1-"),
+        ("?", "source"),
+        ("a" * 99, "a" * 80),
+    ],
+)
+def test_the_key_of_what_is_begun_is_one(name: str, key: str, tmp_path: Path) -> None:
+    """Any name of a file will do."""
+    path = tmp_path / f"{name}.toml"
+    assert cli.main(["check", "--new", str(path)]) == 0
+    assert read_claim_file(path).source.key == key
+    paper, drafted = tmp_path / "p.tex", tmp_path / "d" / path.name
+    paper.write_text(TEX, encoding="utf-8")
+    assert cli.main(["check", "--draft", str(paper), "--out", str(drafted)]) == 0
+    assert f"key = '{key}'" in drafted.read_text(encoding="utf-8")
 
 
 def test_the_template_names_every_kind() -> None:

@@ -8,11 +8,13 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from gainproof.location import locate
+from gainproof.fixed_gain.arguments import Reals
+from gainproof.location import LocationError, locate
 from gainproof.location.example import STATIONS, example_observations, example_stations
 from gainproof.location.noise import diagonal, whitening
+from gainproof.location.result import Location, Place
 from gainproof.location.selection import detection, exceeded, threshold
-from gainproof.location.stations import Observations, observations, stations
+from gainproof.location.stations import Observations, Stations, observations, stations
 
 
 @pytest.mark.parametrize("false_alarm", [1e-200, 1e-12, 1e-3, 0.05, 0.5, 0.999])
@@ -141,3 +143,69 @@ def test_a_probability_that_no_number_holds_is_not_told_as_none() -> None:
     found = locate(example_stations(), sure, "range-doppler")
     (told,) = [each for each in found.warnings if "larger than their noise" in each]
     assert " in less than 2e-308 of all cases" in told
+
+
+def places_that_explain(seed: int, size: int) -> tuple[Stations, Observations, Reals]:
+    """A target among stations, noise of 20 m and 0.5 m/s, no multipath; its state."""
+    chance = np.random.default_rng(seed)
+    given = stations(chance.uniform(-20e3, 30e3, (size, 2)))
+    place, velocity = chance.uniform(-10e3, 20e3, 2), chance.uniform(-150, 150, 2)
+    apart = place - given.positions
+    far = np.linalg.norm(apart, axis=1)
+    ranges = far + 20 * chance.standard_normal(size)
+    rates = (apart @ velocity) / far + 0.5 * chance.standard_normal(size)
+    noise = diagonal([20.0] * size + [0.5] * size)
+    return given, observations(given, ranges, rates, noise), np.concatenate([place, velocity])
+
+
+def plain_cost(given: Stations, observed: Observations, found: Location, other: Place) -> float:
+    """At a place, with the ranges that are clean in what was found; by the plain formula."""
+    assert other.velocity is not None
+    assert found.selection is not None
+    apart = other.position - given.positions
+    far = np.linalg.norm(apart, axis=1)
+    rest = observed.values - np.concatenate([far, (apart @ other.velocity) / far])
+    size = len(far)
+    kept = [name in found.selection.clean for name in given.names] + [True] * size
+    white = rest / np.sqrt(np.diag(observed.covariance))
+    return float(np.square(white[np.array(kept)]).sum())
+
+
+@pytest.mark.parametrize("size", [4, 5, 6])
+def test_a_place_that_free_biases_alone_explain_is_no_other(size: int) -> None:
+    """Range rates have second solutions; where the ranges have no bias they are none."""
+    second = 0
+    for seed in range(40):
+        given, observed, truth = places_that_explain(seed, size)
+        try:
+            found = locate(given, observed)
+        except LocationError:
+            continue
+        assert found.first is not None
+        second += bool(found.first.others)
+        told = [each for each in found.warnings if each.startswith("ambiguous")]
+        assert len(told) == len(found.others)
+        for other in found.others:
+            cost = plain_cost(given, observed, found, other)
+            assert cost == pytest.approx(other.cost, rel=1e-6, abs=1e-6)
+            assert cost <= found.convergence.cost + 9
+            assert np.abs(other.position - found.position).max() > 1
+        if not found.others:
+            assert np.abs(found.position - truth[:2]).max() < 500
+    assert second
+
+
+def test_places_with_clean_ranges_of_their_own_are_both_told() -> None:
+    """Two of four ranges fit the one place, two the other, and the rates fit both."""
+    given, alone = example_stations(), example_observations(biases=(0.0,) * 4)
+    free = locate(given, alone, "doppler-only")
+    (other,) = free.others
+    far = np.linalg.norm(other.position - given.positions, axis=1)
+    near = np.linalg.norm(free.position - given.positions, axis=1)
+    mixed = observations(given, [*near[:2], *far[2:]], alone.values[4:], alone.covariance)
+    found = locate(given, mixed)
+    assert found.selection is not None
+    assert len(found.selection.clean) == 2
+    (told,) = [each for each in found.warnings if each.startswith("ambiguous")]
+    also = ("B3", "B4") if found.selection.clean == ("B1", "B2") else ("B1", "B2")
+    assert f"with {also[0]} and {also[1]} taken as clean, explains the observations" in told

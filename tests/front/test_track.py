@@ -36,6 +36,32 @@ def tracked(*arguments: str, file: str = "detections.csv") -> int:
     return cli.main(["track", file, *arguments])
 
 
+@pytest.mark.parametrize(
+    ("unit", "turn", "count", "asked"),
+    [
+        ("deg", 2 * math.pi, 8, True),
+        ("deg", math.pi, 3, True),
+        ("deg", 2 * math.pi, 2, False),
+        ("deg", 6.6, 8, False),
+        ("deg", 360.0, 8, False),
+        ("rad", 2 * math.pi, 8, False),
+        ("mrad", 2 * math.pi, 8, False),
+    ],
+)
+def test_bearings_that_look_like_radians_are_asked_about(
+    unit: str, turn: float, count: int, asked: bool, tmp_path: Path, capsys: Capture
+) -> None:
+    """All around a radar, the last one at the whole turn."""
+    rows = [f"{5 * i},20,{turn * (i + 1) / count:.6f},50" for i in range(count)]
+    head = f"time [s],range [km],bearing [{unit}],sigma_range [m]"
+    file = tmp_path / "d.csv"
+    file.write_text("\n".join([head, *rows]) + "\n", encoding="utf-8")
+    words = f"between {turn / count:.3g} and {turn:.3g} deg: are these radians?"
+    for more in ((), ("--json",)):
+        tracked("--sigma-bearing", "1", *more, file=str(file))
+        assert (words in " ".join(capsys.readouterr().out.split())) == asked
+
+
 def refused(capsys: Capture, *arguments: str, file: str = "d.csv") -> str:
     """The message of status 2."""
     assert tracked(*arguments, file=file) == 2

@@ -121,14 +121,14 @@ def random_formula(random: Random) -> tuple[str, Symbols]:
     if kind < 25:
         other, _ = random.choice(corpus())
         text = text[: random.randrange(len(text) + 1)] + other[random.randrange(len(other) + 1) :]
-    return _broken(text, PIECES, random), symbols
+    return broken(text, PIECES, random), symbols
 
 
 def random_file(random: Random) -> str:
     """A text for the reader of claim files."""
     text = random.choice(files())
     for _ in range(random.randrange(1, 4)):
-        text = _broken(text, TOML_PIECES, random)
+        text = broken(text, TOML_PIECES, random)
     if random.random() < 0.2:
         lines = text.split("\n")
         lines.insert(random.randrange(len(lines)), random.choice(lines))
@@ -136,7 +136,7 @@ def random_file(random: Random) -> str:
     return text
 
 
-def _broken(text: str, pieces: Sequence[str], random: Random) -> str:
+def broken(text: str, pieces: Sequence[str], random: Random) -> str:
     """With up to three pieces put in place of a few characters."""
     for _ in range(random.randrange(0, 4)):
         start = random.randrange(len(text) + 1)

@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 import json
+import os
 from collections.abc import Mapping, Sequence
 from dataclasses import asdict, dataclass, field
 from pathlib import Path
 from typing import Any
 
-from gainproof import code_digest, places
+from gainproof import code_digest, given_file, places
 from gainproof.bad_input import BadInputError
 from gainproof.bench import machine
 from gainproof.bench.measure import SECONDS, SIZE, Options
@@ -16,6 +17,7 @@ from gainproof.bench.memory import bandwidth
 from gainproof.bench.timing import ROUNDS
 
 FORMAT = "gainproof bench 1"
+MOST_BYTES = 10**8
 KEYS = frozenset(
     (
         *("subject", "kernel", "domain", "inputs", "outputs"),
@@ -100,12 +102,11 @@ def _kept(path: Path, now: Mapping[str, Any]) -> tuple[list[dict[str, Any]], lis
     not belong in one table.
     """
     shown = places.shown(path)
-    try:
-        data = json.loads(path.read_text("utf-8"))
-    except FileNotFoundError:
+    if not os.path.lexists(path):
         return [], []
-    except OSError as error:
-        raise BadInputError(f"{shown}: cannot be read: {error.strerror}") from None
+    content = given_file.content(path, MOST_BYTES)
+    try:
+        data = json.loads(content)
     except (ValueError, RecursionError):
         data = None
     if not isinstance(data, dict) or data.get("format") != FORMAT:

@@ -9,13 +9,15 @@ from typing import Any
 
 import jinja2
 
-from gainproof import atomic_file, places
+from gainproof import atomic_file, given_file, named_files, places
 from gainproof.bad_input import BadInputError
 from gainproof.book.page import Page
 from gainproof.book.words import LANGUAGES, in_language
 
 MARK = "gainproof-book.txt"
 """A file that every site has: a folder with other things in it is never written into."""
+MOST_LISTED = 10**7
+"""Bytes."""
 _TOLD = "Made by: gainproof book\n"
 _HERE = Path(__file__).resolve().parent
 STATIC = ("style.css", "play.css", "site.js", "theme.js")
@@ -50,11 +52,13 @@ def files(
 def write(contents: Mapping[str, bytes], folder: Path) -> None:
     """Write the files; those of an earlier site that are no longer of it are removed.
 
-    Raises BadInputError for a folder that holds something else, or that cannot be written.
+    Raises BadInputError, and writes nothing, for a folder that holds something else, for a file
+    that would lie elsewhere or behind a link; BadInputError where the folder cannot be written.
     """
     require_own(folder)
+    before = _listed(folder)
+    named_files.require_within(folder, {MARK, *contents, *before})
     try:
-        before = _listed(folder)
         # the mark comes first, with the names of the files: a site that was interrupted is ours
         names = "\n".join(sorted(contents))
         atomic_file.write_text(folder / MARK, f"{_TOLD}{names}\n")
@@ -62,14 +66,16 @@ def write(contents: Mapping[str, bytes], folder: Path) -> None:
             if path != MARK:
                 _renew(folder / path, content)
         for path in before - set(contents):
-            _within(folder, path).unlink(missing_ok=True)
+            (folder / path).unlink(missing_ok=True)
     except OSError as error:
         shown = places.shown(error.filename or folder)
         raise BadInputError(f"{shown}: cannot be written: {error.strerror or error}") from None
 
 
 def require_own(folder: Path) -> None:
-    """Raises BadInputError unless the folder is new, empty or a site made before."""
+    """Raises BadInputError unless the folder is new, empty or a site made before, without a link in
+    it: the list of its files is a file that anybody may have altered.
+    """
     places.require_folder(folder)
     try:
         empty = not folder.is_dir() or not any(folder.iterdir())
@@ -81,12 +87,14 @@ def require_own(folder: Path) -> None:
             f"{places.shown(folder)}: holds other things; a new folder, an empty one or a book "
             "made before is wanted"
         )
+    if not empty:
+        named_files.require_within(folder, {MARK, *_listed(folder)})
 
 
 def _is_mark(path: Path) -> bool:
     try:
-        return path.read_text(encoding="utf-8").startswith(_TOLD)
-    except (OSError, UnicodeDecodeError):
+        return given_file.text(path, MOST_LISTED).startswith(_TOLD)
+    except BadInputError:
         return False
 
 
@@ -94,15 +102,7 @@ def _listed(folder: Path) -> set[str]:
     """The files of the site that is there."""
     if not _is_mark(folder / MARK):
         return set()
-    return set((folder / MARK).read_text(encoding="utf-8").splitlines()[1:]) - {""}
-
-
-def _within(folder: Path, path: str) -> Path:
-    """A file of the site; the list of files is a file that anybody may have altered."""
-    found = folder / path
-    if not found.resolve().is_relative_to(folder.resolve()):
-        raise BadInputError(f"{places.shown(folder / MARK)}: names a file outside: {path}")
-    return found
+    return set(given_file.text(folder / MARK, MOST_LISTED).splitlines()[1:]) - {""}
 
 
 def _renew(path: Path, content: bytes) -> None:

@@ -35,9 +35,9 @@ class ShownRepair:
 @dataclass(frozen=True)
 class ShownClaim:
     """A claim: where it comes from, the words or the excerpt of the source, the formula or the
-    words as which it is judged, and under what; why it has its verdict, notes, the nearest
-    true formulas, and the parts of its proof or witness, each a title with lines, true for those that are
-    set in.
+    words as which it is judged, and under what; why it has its verdict, notes, the nearest true
+    formulas, and the parts of its proof or witness, each a title with lines, true for those that
+    are set in.
     """
 
     id: str

@@ -9,6 +9,7 @@ from pathlib import Path
 from gainproof.bad_input import BadInputError
 from gainproof.campaign import executors, state
 from gainproof.campaign.campaign import Campaign, Done
+from gainproof.campaign.options import require_jobs
 from gainproof.campaign.running import run
 from gainproof.progress import Progress
 
@@ -18,8 +19,7 @@ def carry_out(campaign: Campaign, options: argparse.Namespace) -> int:
 
     Raises BadInputError for options that do not fit, and a state file that cannot be used.
     """
-    if options.jobs is not None and options.jobs < 1:
-        raise BadInputError(f"--jobs is a number from 1 on, got {options.jobs}")
+    require_jobs(options.jobs)
     if not campaign.blocks:
         raise BadInputError(f"{campaign.name}: nothing is chosen")
     wanted = _numbers(options.blocks, len(campaign.blocks))

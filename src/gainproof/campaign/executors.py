@@ -12,6 +12,7 @@ from importlib import import_module
 from multiprocessing import get_context, parent_process
 from types import FrameType
 
+from gainproof import interrupts
 from gainproof.bad_input import BadInputError
 from gainproof.campaign.options import EXECUTORS
 from gainproof.workers import processors
@@ -45,9 +46,10 @@ def _begin() -> None:
     """What is to end all processes of a terminal or a job reaches each: the first alone decides,
     and the others end with it, however it ends.
     """
-    for number in (signal.SIGINT, signal.SIGTERM):
+    for number in interrupts.numbers():
         # not SIG_IGN, which processes that a block starts would inherit
         signal.signal(number, _pass)
+    interrupts.release()
     threading.Thread(target=_end_with_the_first, daemon=True).start()
 
 

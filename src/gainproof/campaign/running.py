@@ -7,6 +7,7 @@ from collections.abc import Callable, Sequence
 from concurrent.futures import Executor, as_completed
 from typing import Any
 
+from gainproof import interrupts
 from gainproof.campaign.campaign import Arguments, Campaign, Done
 
 
@@ -21,10 +22,11 @@ def run(
     The first error ends the campaign, an interrupt too: what no process has begun is not begun any
     more. Raises what `work` or the executor raises, with the block it was about.
     """
-    blocks = {
-        executor.submit(_timed, campaign.work, campaign.blocks[number]): number
-        for number in numbers
-    }
+    with interrupts.held():
+        blocks = {
+            executor.submit(_timed, campaign.work, campaign.blocks[number]): number
+            for number in numbers
+        }
     number = -1
     try:
         for future in as_completed(blocks):

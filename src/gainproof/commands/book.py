@@ -60,6 +60,7 @@ def run(options: argparse.Namespace) -> int:
 
     folder = Path(options.out)
     site.require_own(folder)
+    places.require_writable(folder)
     shop = open_workshop(fresh=options.fresh)
     found = contents.gather(shop)
     more = None

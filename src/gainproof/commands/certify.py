@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import argparse
 
+from gainproof.commands import time_limit
+
 HELP = "put certificates and error bounds before Coq, Gappa, Singular and python-flint"
 DESCRIPTION = """\
 Hands the shipped certificates and the printed error bounds to tools that share no code with
@@ -27,7 +29,7 @@ def configure(parser: argparse.ArgumentParser) -> None:
     )
     parser.add_argument(
         "--seconds",
-        type=float,
+        type=time_limit.seconds_of,
         default=600.0,
         metavar="S",
         help="of a tool and subject; of Coq and six statements, of Gappa and an output; 600",
@@ -44,14 +46,13 @@ def run(options: argparse.Namespace) -> int:
     """0, or 1 where a tool rejects something."""
     from pathlib import Path
 
-    from gainproof.bad_input import BadInputError
+    from gainproof.campaign.options import require_jobs
     from gainproof.certify import table, tools
     from gainproof.certify.carrying_out import carry_out
     from gainproof.certify.outcome import Outcome
     from gainproof.certify.subjects import chosen
 
-    if options.jobs < 1:
-        raise BadInputError(f"--jobs is a number from 1 on, got {options.jobs}")
+    require_jobs(options.jobs)
     subjects = list(chosen(options.subjects))
     present, absent = tools.chosen(options.tool or ())
     for line in absent:

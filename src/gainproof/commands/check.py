@@ -50,7 +50,7 @@ def run(options: argparse.Namespace) -> int:
     """0 if every claim is settled, else 1; 2 if a file has errors; 0 for a file that was begun."""
     from gainproof.bad_input import BadInputError
 
-    if options.new or options.draft or options.out:
+    if any(each is not None for each in (options.new, options.draft, options.out)):
         print(_begun(options), end="")
         return 0
     try:
@@ -74,7 +74,9 @@ def _check(options: argparse.Namespace) -> int:
         raise BadInputError("an errata sheet is made of files without errors: not --keep-going")
     _say_what_is_not_limited()
     sheet = errata.target(options.errata) if options.errata else None
-    files = [judgements.find(options.file)] if options.file else list(places.claim_files())
+    files = (
+        [judgements.find(options.file)] if options.file is not None else list(places.claim_files())
+    )
     shop = open_workshop(fresh=options.fresh, only_terminal=True)
     judged = judgements.judge(files, shop, options.seconds, keep_going=options.keep_going)
     texts = [judgements.read(file) for file in files]
@@ -121,13 +123,13 @@ def _begun(options: argparse.Namespace) -> str:
     from gainproof import beginning
     from gainproof.bad_input import BadInputError
 
-    if options.file or options.json or options.errata is not None:
+    if options.file is not None or options.json or options.errata is not None:
         raise BadInputError("--new and --draft begin a claim file; they do not judge one")
-    if options.new and (options.draft or options.out):
+    if options.new is not None and (options.draft is not None or options.out is not None):
         raise BadInputError("--new writes a template; a draft is --draft PAPER.tex --out NEW.toml")
-    if options.new:
+    if options.new is not None:
         return beginning.begin(options.new)
-    if not options.draft:
+    if options.draft is None:
         raise BadInputError("--out says where to write a draft: --draft PAPER.tex is missing")
     return beginning.begin_from(options.draft, options.out)
 
@@ -143,7 +145,7 @@ def _shown(
     from gainproof import page, verdict_text
 
     if options.json:
-        return json.dumps(judged[0] if options.file else judged, indent=2) + "\n"
+        return json.dumps(judged[0] if options.file is not None else judged, indent=2) + "\n"
     columns = page.width()
     return "\n".join(
         verdict_text.overview(judgement, columns, said)

@@ -8,7 +8,8 @@ HELP = "derive all, compare kernels, check certificates, judge claim files, writ
 DESCRIPTION = """\
 Derives every subject afresh, compares generated/ byte for byte, checks every certificate again,
 judges every claim file against its snapshot of verdicts, and writes report/report.txt and
-report.json. Exit status 1 on drift, on a rejected certificate or on a verdict that changed."""
+report.json. Exit status 1 on drift, on a rejected certificate or on a verdict that changed; 2
+where all is well and the report cannot be written."""
 
 
 def configure(parser: argparse.ArgumentParser) -> None:
@@ -18,18 +19,28 @@ def configure(parser: argparse.ArgumentParser) -> None:
 
 
 def run(options: argparse.Namespace) -> int:
-    """0 if all is as it should be, else 1."""
+    """0 if all is as it should be, else 1; 2 where only the report is missing."""
+    import sys
     from pathlib import Path
 
     from gainproof import places, report
+    from gainproof.bad_input import BadInputError
     from gainproof.everything import find
     from gainproof.workshop import open_workshop
 
+    folder = Path(options.report)
+    try:
+        places.require_writable(folder)
+    except BadInputError as error:
+        print(f"gainproof: {error}; the summary will be printed", file=sys.stderr)
     shop = open_workshop(fresh=options.fresh)
     findings = find(shop, accept=options.accept)
-    folder = Path(options.report)
-    report.write(findings, folder)
     print(report.summary(findings), end="")
     seconds = f"{shop.progress.elapsed():.1f} s"
+    try:
+        report.write(findings, folder)
+    except BadInputError as error:
+        print(f"{'report:':<18}none: {error} ({seconds})")
+        return 2 if findings.good else 1
     print(f"{'report:':<18}{places.shown(folder)}/report.txt, report.json ({seconds})")
     return 0 if findings.good else 1

@@ -13,13 +13,14 @@ def configure(parser: argparse.ArgumentParser) -> None:
     parser.add_argument(
         "--seconds",
         metavar="N",
-        type=_seconds,
+        type=seconds_of,
         default=DEFAULT,
         help=f"time for one claim, which is undecided after that (default: {DEFAULT:g})",
     )
 
 
-def _seconds(text: str) -> float:
+def seconds_of(text: str) -> float:
+    """Of an option. Raises argparse.ArgumentTypeError."""
     try:
         seconds = float(text)
     except ValueError:

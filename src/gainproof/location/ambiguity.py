@@ -26,11 +26,14 @@ LEVEL = 1e-6
 
 @dataclass(frozen=True, eq=False)
 class Candidate:
-    """A place where the iteration settled: its number among the starts, unknowns (k,), cost."""
+    """A place where the iteration settled: its number among the starts, unknowns (k,), cost; the
+    stations whose ranges are clean there, if others than at the place chosen.
+    """
 
     number: int
     unknowns: Reals
     cost: float
+    clean: tuple[str, ...] = ()
 
 
 def candidates(asked: Problem, iterated: Iterated) -> list[Candidate]:

@@ -9,6 +9,8 @@ from numpy.typing import ArrayLike
 
 from gainproof.fixed_gain.arguments import Reals
 from gainproof.location.accuracy import accuracy
+from gainproof.location.ambiguity import AS_GOOD, SAME, Candidate, apart
+from gainproof.location.errors import LocationError
 from gainproof.location.failure import not_observed
 from gainproof.location.methods import CHOSEN, Method, method_of, require_counts
 from gainproof.location.observability import observability
@@ -20,7 +22,7 @@ from gainproof.location.settling import Settled, settle
 from gainproof.location.starts import starts
 from gainproof.location.stations import Observations, Stations, bounded, from_the_first
 from gainproof.location.unsettled import UNSETTLED, unsettled_words
-from gainproof.location.warning_words import AMBIGUOUS, few_clean, refuted, too_short, warnings
+from gainproof.location.warning_words import few_clean, refuted, too_short, warnings
 
 DEFAULT = "unknown-reduction"
 FALSE_ALARM = 0.05
@@ -83,7 +85,8 @@ def _reduced(
     """Bias detection, the test (55), and the iteration again from there with fewer unknowns.
 
     Where bias detection leaves several places open, the test is made at each, and the one with the
-    most clean ranges is followed; of equals the first.
+    most clean ranges is followed; of equals the first. What is told besides explains the
+    observations with as many clean ranges, not only with a free bias for each.
     """
     free = problem(given, observed, method_of("bias-detection"))
     first = settle(free, observed, starts(free, observed, near), near)
@@ -92,18 +95,49 @@ def _reduced(
     most = max(range(len(tests)), key=lambda i: (len(tests[i].clean), -i))
     biased = [given.names.index(each.station) for each in tests[most].decisions if not each.clean]
     asked = problem(given, observed, method, biased)
-    found = _told(settle(asked, observed, places[most].unknowns[None, :], near))
-    begun = _told(replace(first, best=places[most], others=first.all_but(places[most])))
-    found = replace(found, warnings=(*refuted(found, begun), *_open(first), *found.warnings))
-    if not found.others:
+    begin = [places[most].unknowns]
+    if first.unsettled is not None:
+        # where bias detection came to no end, these biases alone may
+        begin.append(first.iterated.unknowns[first.unsettled.number])
+    reported = settle(asked, observed, np.array(begin), near)
+    if not reported.others:
         # where as many ranges are clean elsewhere, the choice among the places was none
         count = len(tests[most].clean)
-        also = [i for i, test in enumerate(tests) if i != most and len(test.clean) == count]
-        told = _told(replace(first, best=places[most], others=tuple(places[i] for i in also)))
-        words = tuple(each for each in told.warnings if each.startswith(AMBIGUOUS))
-        found = replace(found, others=told.others, warnings=(*words, *found.warnings))
+        rivals = [
+            _as_good(given, observed, method, reported, place, test)
+            for i, (place, test) in enumerate(zip(places, tests, strict=True))
+            if i != most and len(test.clean) == count
+        ]
+        reported = replace(reported, others=tuple(each for each in rivals if each is not None))
+    found = _told(reported)
+    begun = _told(replace(first, best=places[most], others=first.all_but(places[most])))
+    if missed := refuted(found, begun):
+        found = replace(found, warnings=(*missed, *_open(first), *found.warnings))
     few = few_clean(len(tests[most].clean), len(tests[most].decisions))
     return replace(found, selection=tests[most], first=begun, warnings=(*found.warnings, *few))
+
+
+def _as_good(
+    given: Stations,
+    observed: Observations,
+    method: Method,
+    reported: Settled,
+    place: Candidate,
+    test: Selection,
+) -> Candidate | None:
+    """Where the iteration from another place comes to with the ranges that are clean there, if that
+    is another place and explains the observations as well: free biases explain what noise does not.
+    """
+    biased = [given.names.index(each.station) for each in test.decisions if not each.clean]
+    asked = problem(given, observed, method, biased)
+    try:
+        best = settle(asked, observed, place.unknowns[None, :], None).best
+    except LocationError:
+        return None
+    near = apart(reported.asked, reported.best.unknowns, best.unknowns) <= SAME
+    if near or best.cost > reported.best.cost + AS_GOOD:
+        return None
+    return replace(best, clean=() if biased == list(reported.asked.biases) else test.clean)
 
 
 def _selection(biases: tuple[Bias, ...], false_alarm: float) -> Selection:

@@ -10,6 +10,7 @@ import numpy as np
 from gainproof.fixed_gain.arguments import Reals
 from gainproof.location.ambiguity import Candidate, mirror_words
 from gainproof.location.gauss_newton import rounding
+from gainproof.location.geometry_words import listed
 from gainproof.location.methods import CHOSEN, EACH, Method
 from gainproof.location.observability import bending
 from gainproof.location.problem import Problem
@@ -124,6 +125,8 @@ def _other(asked: Problem, best: Candidate, other: Candidate) -> str:
     if asked.velocity:
         where += f" with velocity ({_numbers(velocity[0], 3)}) m/s"
     mirror = mirror_words(asked, best.unknowns, other.unknowns)
+    if other.clean:
+        where += f", with {listed(other.clean)} taken as clean,"
     costs = f"cost {_cost(other.cost)} against {_cost(best.cost)}"
     if mirror:
         return f"{AMBIGUOUS}: {where}, {mirror}, explains the observations as well ({costs})"

@@ -4,13 +4,14 @@ from __future__ import annotations
 
 import os
 from collections.abc import Iterable, Mapping
-from pathlib import Path, PurePosixPath
+from pathlib import Path
 
-from gainproof import drift, named_files, places
+from gainproof import drift, given_file, named_files, places
 from gainproof.bad_input import BadInputError
 from gainproof.drift import Difference
 
 RECORD = "FILES.txt"
+MOST_BYTES = 10**6
 FIRST = "# written by gainproof generate, which replaces and deletes these files and no others"
 
 
@@ -28,14 +29,13 @@ def recorded(folder: Path) -> frozenset[str]:
     if not os.path.lexists(path):
         return frozenset()
     try:
-        first, *names = path.read_text(encoding="utf-8").splitlines()
-    except (OSError, ValueError):
+        first, *names = given_file.text(path, MOST_BYTES).splitlines()
+    except BadInputError:
         first, names = "", []
     if first != FIRST:
         raise BadInputError(f"{places.shown(path)}: not a record of gainproof; it is left as it is")
     for name in names:
-        parts = PurePosixPath(name).parts
-        if not parts or name.startswith("/") or ".." in parts or "\\" in name or ":" in name:
+        if not named_files.is_within(name):
             raise BadInputError(f"{places.shown(path)}: names {name!r}, which lies elsewhere")
     return frozenset((*names, RECORD))
 
@@ -58,7 +58,7 @@ def put(files: Mapping[str, bytes], folder: Path) -> int:
     Raises BadInputError, and changes nothing, where a file stands that no run has written.
     """
     former = recorded(folder)
-    _require_no_links(folder, {*files, *former, RECORD})
+    named_files.require_within(folder, {*files, *former, RECORD})
     found = differences(files, folder)
     for each in found:
         path = folder / each.name
@@ -78,21 +78,6 @@ def put(files: Mapping[str, bytes], folder: Path) -> int:
     if stale:
         named_files.write({folder / RECORD: record_of(files)})
     return len(found)
-
-
-def _require_no_links(folder: Path, names: Iterable[str]) -> None:
-    """That nothing in the folder on the way to these files is a link: what it leads to is not of
-    the package, and would be written or deleted.
-    """
-    for name in sorted(names):
-        for path in (folder / name, *(folder / name).parents):
-            if path == folder:
-                break
-            if os.path.islink(path):
-                raise BadInputError(
-                    f"{places.shown(folder)}: {path.relative_to(folder)} in it is a link, which "
-                    "leads elsewhere; it is left as it is, and nothing is written"
-                )
 
 
 def _delete(path: Path) -> None:

@@ -9,7 +9,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from pathlib import Path
 
-from gainproof import places
+from gainproof import given_file, places
 from gainproof.bad_input import BadInputError, nearest
 from gainproof.tables import cell_text
 from gainproof.tables.kind import LEAST_DEVIATION, MOST_DEVIATION, Kind
@@ -76,13 +76,7 @@ def read(path: Path, kinds: Mapping[str, Kind]) -> CsvTable:
 
 def text_of(path: Path, file: str) -> str:
     """The file's text. Raises BadInputError where it cannot be read."""
-    try:
-        if path.stat().st_size > LARGEST_FILE:
-            raise BadInputError(f"{file}: has more than {LARGEST_FILE} bytes")
-        text = path.read_text(encoding="utf-8-sig")
-    except (OSError, ValueError) as error:
-        reason = error.strerror if isinstance(error, OSError) else "is no UTF-8 text"
-        raise BadInputError(f"{file}: cannot be read: {reason}") from None
+    text = given_file.text(path, LARGEST_FILE).removeprefix("\ufeff")
     if "\0" in text:
         raise BadInputError(f"{file}: cannot be read: is no text")
     return text

@@ -72,7 +72,7 @@ def answered(options: argparse.Namespace) -> int:
             {**data, **({"files": files} if files else {})}, indent=1, allow_nan=False
         )
     else:
-        text = "\n".join([page(given.scans, settings, found, told), *files])
+        text = "\n".join([page(given, settings, found, told), *files])
     named_files.write(contents)
     print(text)
     return 0 if told else 1

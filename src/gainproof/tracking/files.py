@@ -29,6 +29,8 @@ COLUMNS = {
     "sigma_range": Kind(LENGTHS, above_zero=True, blank=True),
     "sigma_bearing": Kind(ANGLES, above_zero=True, blank=True),
 }
+LEAST_ASKED = 3
+"""Detections from which their bearings are looked at as a whole."""
 SIGMAS = ("sigma_range", "sigma_bearing")
 
 
@@ -44,6 +46,27 @@ class FromFile:
         """What is said of a detection, with file, line and column."""
         row = int(self.rows[self.scans.row[problem.place]])
         return self.table.error(row, problem.field, str(problem))
+
+    @property
+    def questions(self) -> tuple[str, ...]:
+        """What the file may mean otherwise than it says: numbers within one turn of radians are
+        hardly those of degrees around a radar.
+        """
+        unit, size = self.table.units["bearing"]
+        bearings = self.scans.polar.bearing
+        if (
+            unit != "deg"
+            or len(bearings) < LEAST_ASKED
+            or np.abs(bearings / size).max() > 2 * np.pi
+        ):
+            return ()
+        least, most = (f"{value / size:.3g}" for value in (bearings.min(), bearings.max()))
+        return (
+            (
+                f"all bearings lie between {least} and {most} deg: are these radians? Then the "
+                "column is bearing [rad], and sigma_bearing has a unit of its own"
+            ),
+        )
 
 
 def read_file(path: Path, given: tuple[float | None, float | None] = (None, None)) -> FromFile:

@@ -63,6 +63,7 @@ def plain(
         "scans": len(scans.times),
         "interval_s": scans.interval,
         "limited_updates": found.limited,
+        "questions": list(given.questions),
         "tracks": [
             {
                 "track": each.number,

@@ -6,7 +6,7 @@ import textwrap
 from collections.abc import Sequence
 
 from gainproof.page import width as columns
-from gainproof.tracking.scans import Scans
+from gainproof.tracking.files import FromFile
 from gainproof.tracking.settings import Settings
 from gainproof.tracking.summary import Course
 from gainproof.tracking.time_text import time_text
@@ -17,8 +17,9 @@ HEADS = ("track", "from, s", "to, s", "detections", "missed", "x, m", "y, m", "1
 MORE = ("speed, m/s", "course, deg")
 
 
-def page(scans: Scans, settings: Settings, found: Followed, told: Sequence[Course]) -> str:
+def page(given: FromFile, settings: Settings, found: Followed, told: Sequence[Course]) -> str:
     """The whole page."""
+    scans = given.scans
     taken = int((found.track >= 0).sum())
     total = len(found.track)
     empty = int((scans.first[1:] == scans.first[:-1]).sum())
@@ -38,13 +39,14 @@ def page(scans: Scans, settings: Settings, found: Followed, told: Sequence[Cours
     else:
         needed, of = settings.confirm
         lines += ["", f"no track: nothing was detected {needed} times in {of} scans"]
+    warnings = list(given.questions)
     if found.limited:
-        lines += textwrap.wrap(
-            f"warning: {_counted(found.limited, 'update')} with exact gains: those of first order "
-            "were not stable with alpha at most 1 there, so far from the nominal point",
-            columns(),
-            subsequent_indent="  ",
+        warnings.append(
+            f"{_counted(found.limited, 'update')} with exact gains: those of first order were not "
+            "stable with alpha at most 1 there, so far from the nominal point"
         )
+    for warning in warnings:
+        lines += textwrap.wrap(f"warning: {warning}", columns(), subsequent_indent="  ")
     return "\n".join(lines)
 
 

@@ -44,6 +44,7 @@ from gainproof.verify.judge.dimensions.declared import shared_fault
 FORMAT = "gainproof claims 1"
 MOST_BYTES = 2**20
 MOST_AUTHORS = 50
+MOST_KEY = 80
 GREATEST_BASE = 1000
 TABLES = ("format", "source", "symbols", "settings", "claims")
 SOURCE_FIELDS = (
@@ -80,9 +81,9 @@ def read_claim_file(path: str | Path) -> ClaimFile:
     it.
     """
     name = str(path)
-    if Path(path).exists() and not Path(path).is_file():
-        raise ClaimFileError(name, "", "cannot be read: a regular file is wanted")
     try:
+        if Path(path).exists() and not Path(path).is_file():
+            raise ClaimFileError(name, "", "cannot be read: a regular file is wanted")
         with Path(path).open("rb") as stream:
             content = stream.read(MOST_BYTES + 1)
     except OSError as error:
@@ -183,6 +184,16 @@ def _not_toml(path: str, text: str, problem: str) -> ClaimFileError:
     return ClaimFileError(path, "", f"not TOML: {what}{hint}", int(line), int(column))
 
 
+def _key(fields: Fields) -> str:
+    """The key is the name of a page too: it is no path, and shows on a page as it stands."""
+    key = fields.required_text("key")
+    allowed = key[0].isalnum() and all(c.isalnum() or c in "-_.:+" for c in key)
+    if not allowed or len(key) > MOST_KEY:
+        problem = "letters, digits, - _ . : + are wanted, a letter or digit first"
+        raise fields.fail("key", f"{problem}, at most {MOST_KEY}")
+    return key
+
+
 def _source(text: FileText, table: object) -> SourceRecord | None:
     """The record, or None where it has errors, which are noted."""
     if table is None:
@@ -199,7 +210,7 @@ def _source(text: FileText, table: object) -> SourceRecord | None:
     if not authors:
         text.note(fields.fail("authors", "at least one author is wanted"))
     record = SourceRecord(
-        key=required("key"),
+        key=text.attempt(lambda: _key(fields), ""),
         title=required("title"),
         authors=authors,
         publication=required("publication"),

@@ -273,11 +273,30 @@ def test_sizes() -> None:
     assert "2003 claims" in refusal(claim, claim + claims).problem
 
 
+@pytest.mark.parametrize(
+    "key", ["../x", "/etc/x", "a/b", "..", ".x", "-x", "a b", "a\\\\b", "<x>", "x" * 81, "a&b"]
+)
+def test_a_key_is_no_path_and_no_markup(key: str) -> None:
+    """Pages are named after it."""
+    found = refusal('key = "someone-2001"', f'key = "{key}"')
+    assert found.where == "source.key"
+    assert "letters, digits, - _ . : + are wanted" in found.problem
+    assert found.line
+
+
+@pytest.mark.parametrize("key", ["a", "2001", "Müller_2001", "kalata:1984", "a.b+c", "x" * 80])
+def test_keys_as_they_are_in_use(key: str) -> None:
+    text = TEXT.replace('key = "someone-2001"', f'key = "{key}"')
+    assert read_claim_text(text).source.key == key
+
+
 def test_files_that_cannot_be_read(tmp_path: Path) -> None:
     with pytest.raises(ClaimFileError, match="cannot be read"):
         read_claim_file(tmp_path / "none.toml")
     with pytest.raises(ClaimFileError, match="cannot be read"):
         read_claim_file(tmp_path)
+    with pytest.raises(ClaimFileError, match="cannot be read: File name too long"):
+        read_claim_file("a" * 300)
     (tmp_path / "latin.toml").write_bytes(b"x = 1\ny = '\xff'")
     with pytest.raises(ClaimFileError, match="line 2: the text is not UTF-8"):
         read_claim_file(tmp_path / "latin.toml")
