@@ -14,9 +14,9 @@ from contextlib import contextmanager
 from types import FrameType
 from typing import Any, TypeVar
 
+from gainproof.start import SIGNALS
+
 Result = TypeVar("Result")
-SIGNALS = ("SIGINT", "SIGTERM", "SIGHUP")
-"""Those that end a program; systems lack some."""
 
 
 def run(work: Coroutine[Any, Any, Result]) -> Result:

@@ -70,9 +70,11 @@ class _Heard:
             signal.signal(number, handler)
 
     def done(self) -> None:
-        """Nothing is left that could be broken off, and Python forgets its handlers now."""
-        if hasattr(signal, "pthread_sigmask"):
-            signal.pthread_sigmask(signal.SIG_BLOCK, self._numbers)
+        """Nothing is left that could be broken off, and Python forgets its handlers now: those of
+        ignored signals it leaves, in every thread.
+        """
+        for number in self._numbers:
+            signal.signal(number, signal.SIG_IGN)
 
     def leave(self, _number: int, _frame: FrameType | None) -> NoReturn:
         """At once: nothing has been begun yet, or all is done."""

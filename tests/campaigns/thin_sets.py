@@ -3,7 +3,8 @@
     python tests/campaigns/thin_sets.py [--claims N] [--seed N] [--executor WHERE] [--state FILE]
 
 Half of the claims have no value somewhere, on sets of every dimension in one to five symbols; the
-other half, like them, have one everywhere and should be proved. Prints what came of both, by kind
+other half, like them, have one everywhere and should be proved; a third of both holds sines,
+exponentials and logarithms. Prints what came of both, by kind
 of claim, number of symbols and dimension, and the seconds of the slowest. Status 1 for a claim that
 is proved where it has no value.
 """
@@ -23,6 +24,7 @@ sys.path.insert(0, str(Path(__file__).resolve().parent.parent / "support"))
 from files_digest import files_digest
 from small_claims import judged
 from thin_sets import claims
+from thin_sets_functions import claims as claims_with_functions
 
 import gainproof.verify.judge
 from gainproof.campaign.campaign import Campaign, Done, Report
@@ -31,6 +33,8 @@ from gainproof.campaign.options import add_options
 
 HELP = "random claims that have no value on a thin set of their domain: none may be proved"
 AT_ONCE = 50
+MADE = {"algebra": claims, "functions": claims_with_functions}
+"""Of every three blocks one holds claims with functions."""
 WORDS = {False: "without a value somewhere", True: "with one everywhere"}
 
 
@@ -42,17 +46,23 @@ def main() -> int:
     options = parser.parse_args()
     code = digest()
     blocks = [
-        (has_value, options.seed * 10**6 + number, min(AT_ONCE, options.claims - first), code)
+        (
+            "functions" if number % 3 == 2 else "algebra",
+            has_value,
+            options.seed * 10**6 + number,
+            min(AT_ONCE, options.claims - first),
+            code,
+        )
         for has_value in (False, True)
         for number, first in enumerate(range(0, options.claims, AT_ONCE))
     ]
     return carry_out(Campaign("thin_sets", judge, blocks, report), options)
 
 
-def judge(has_value: bool, seed: int, count: int, _code: str) -> list[dict[str, Any]]:
+def judge(kind: str, has_value: bool, seed: int, count: int, _code: str) -> list[dict[str, Any]]:
     """The claims of one block with their verdicts."""
     found = []
-    for claim in claims(seed, count, has_value=has_value):
+    for claim in MADE[kind](seed, count, has_value=has_value):  # type: ignore[operator]
         start = time.process_time()
         verdict = judged(claim.kind, claim.fields, claim.symbols, claim.setting)
         found.append(
@@ -73,7 +83,7 @@ def report(done: Sequence[Done]) -> Report:
     lines: list[str] = []
     wrong: list[str] = []
     for has_value, words in WORDS.items():
-        records = [r for each in done if each.arguments[0] == has_value for r in each.result]
+        records = [r for each in done if each.arguments[1] == has_value for r in each.result]
         verdicts = Counter(r["verdict"] for r in records)
         told = ", ".join(f"{number} {verdict}" for verdict, number in verdicts.most_common())
         slowest = max((r["seconds"] for r in records), default=0.0)
@@ -94,7 +104,9 @@ def digest() -> str:
     """A digest of the judge's code and of what makes the claims."""
     judge_files = sorted(Path(gainproof.verify.judge.__file__).parent.rglob("*.py"))
     here = Path(__file__).resolve()
-    return files_digest((*judge_files, here, here.parent.parent / "support" / "thin_sets.py"))
+    support = here.parent.parent / "support"
+    made = (support / "thin_sets.py", support / "thin_sets_functions.py")
+    return files_digest((*judge_files, here, *made))
 
 
 if __name__ == "__main__":

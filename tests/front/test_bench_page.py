@@ -235,7 +235,7 @@ def test_a_fault_is_the_status(
         (["--resume"], "--resume wants a file"),
         (["--html", "x.html", "--json", "x.html"], "name one file"),
         (["--json", "sub"], "cannot be written"),
-        (["--html", ""], "takes the name of a file"),
+        (["--html", ""], "--html: a name is wanted"),
         (["--json", "other.json", "--resume"], "is wanted"),
         (["--against", "size", "--json", "y.json"], "leave --html"),
     ],

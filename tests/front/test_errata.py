@@ -153,9 +153,8 @@ def test_several_readings_of_one_sentence_are_one_entry() -> None:
 
 
 def repaired(name: str, latex: str, *changes: str) -> dict[str, Any]:
-    fields = {"latex": latex, "repair": {"latex": latex + "+1", "verdict": "proved"}}
-    evidence = {"method": "", "certificate": {"repair": {"changes": [*changes]}}, "witness": None}
-    return claim(name, "refuted", **fields) | {"evidence": evidence}
+    repair = {"latex": latex + "+1", "verdict": "proved", "changes": [*changes], "under": ""}
+    return claim(name, "refuted", latex=latex, repairs=[repair])
 
 
 @pytest.mark.parametrize("formulas", ["ab", "abcde"])

@@ -68,9 +68,24 @@ def test_an_interrupt_while_something_is_imported(module: str) -> None:
     assert ran(script, "locate", "a.csv", "b.csv") == INTERRUPTED
 
 
+LATE = """
+class Late:
+    def find_spec(self, name, path, target=None):
+        if name == "gainproof.cli":
+            atexit.register(interrupt)
+sys.meta_path.insert(0, Late())
+"""
+
+
 def test_an_interrupt_when_all_is_done() -> None:
+    assert ran(f"MOMENT = ''\n{INTERRUPTING}\n{LATE}", "campaign") == INTERRUPTED
+
+
+@pytest.mark.parametrize("turn", range(3))
+def test_an_interrupt_while_python_ends(turn: int) -> None:
+    """What was registered before the program runs at the very last."""
     script = f"MOMENT = ''\n{INTERRUPTING}\natexit.register(interrupt)"
-    assert ran(script, "campaign") == INTERRUPTED
+    assert ran(script, "campaign") == (0, "")
 
 
 def test_an_interrupt_that_python_cannot_raise_comes_again() -> None:

@@ -198,7 +198,7 @@ class Search:
             if any(same_equation(o.change.printed, change.printed, self.off) for o in found):
                 continue
             weaker = any(is_weaker(change.printed, o.change.printed, self.off) for o in found)
-            if weaker and self.claim.kind == "inequality":
+            if weaker and self.claim.kind in ("inequality", "stability"):
                 continue
             offer = self._offer(change)
             if offer is not None and offer.formula.latex not in {o.formula.latex for o in found}:

@@ -183,12 +183,10 @@ def test_unstable_solution_is_not_established(monkeypatch: pytest.MonkeyPatch) -
 @pytest.mark.parametrize(
     ("change", "error"),
     [
-        ({"transition": [["0", "1"], ["0", "1"]]}, Undecided),
         ({"measurement": [["0", "1"]]}, Undecided),
         ({"measurement_noise": [["2"]]}, Undecided),
         ({"process_noise": [["1", "1/2"]]}, Malformed),
         ({"process_noise": [["1.5", "0"], ["0", "1"]]}, Malformed),
-        ({"transition": [["0"]], "process_noise": [["1"]], "measurement": [["1"]]}, Undecided),
         ({"measurement": [["1", "0"], ["0", "1"]], "measurement_noise": UNIT}, Undecided),
         ({**THREE, "process_noise": UNDRIVEN}, Undecided),
         ({**THREE, "process_noise": UNIT_OF_THREE, "transition": UNIT_OF_THREE}, Undecided),
