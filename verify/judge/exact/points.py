@@ -12,7 +12,7 @@ from gainproof.verify.judge.exact.calculus import substituted
 from gainproof.verify.judge.exact.constant_value import constant_value
 from gainproof.verify.judge.exact.enclose import Balls, NoValue, Unresolved, enclosed
 from gainproof.verify.judge.exact.enclosure import enclosure, separated
-from gainproof.verify.judge.exact.expression import Expr, number
+from gainproof.verify.judge.exact.expression import Expr, number, walk
 from gainproof.verify.judge.exact.limits import Undecided
 from gainproof.verify.judge.exact.poly import Ball
 from gainproof.verify.judge.exact.simple_points import at_bounds, at_ends, simple_points
@@ -70,7 +70,10 @@ def without_value(
     None if no such point is found. Only for statements of the form `relations if conditions`.
     """
     names = sorted(statement.symbols())
-    if statement.connective != "if" or not all(n in boxes and boxes[n].stated for n in names):
+    # the index of a sum is no symbol of a point: it runs between bounds
+    sums = any(node.kind == "call" and node.name == "sum" for node in walk(*statement.exprs()))
+    stated = all(n in boxes and boxes[n].stated for n in names)
+    if statement.connective != "if" or sums or not stated:
         return None
     points = chain(simple_points(names, boxes), at_ends(names, boxes))
     for tried, point in enumerate(points, start=1):

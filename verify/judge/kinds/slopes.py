@@ -283,8 +283,11 @@ class _Derivatives:
             return at
         given = (*statement.given, Rel("!=", place.zero, number(0)))
         apart = self.decided(replace(statement, given=given), boxes, places - 1)
-        if at is None or apart.verdict in ("refuted", "conditional"):
+        if at is None or apart.verdict == "refuted":
             return apart
+        if apart.verdict == "conditional":
+            kept = at.verdict == "proved"
+            return apart if kept else replace(apart, domain=_but(apart.domain, statement, place))
         if at.verdict == "proved":
             # what is told of the one place and of all others, each with its own certificate
             return replace(
@@ -300,10 +303,12 @@ class _Derivatives:
             reason = f"fails {witness.text()}; where it may hold is not determined"
             told = replace(at, verdict="refuted", domain="", certificate=_decided_as(at))
             return replace(told, reason=reason, witness=witness)
+        domain = _but(apart.domain, statement, place)
         return replace(
             apart,
             verdict="conditional",
-            reason=f"fails {witness.text()}; holds {apart.domain}",
+            domain=domain,
+            reason=f"fails {witness.text()}; holds {domain}",
             witness=witness,
             certificate=_decided_as(apart),
         )
@@ -362,6 +367,16 @@ class _Derivatives:
         except Undecided:
             return ""
         return found.domain if found.verdict == "proved" else ""
+
+
+def _but(domain: str, statement: Statement, place: _Place) -> str:
+    """A domain in words without a place, which conditions keep out of it. Of one symbol it tells
+    places one by one; otherwise conditions are not repeated in it.
+    """
+    if len(statement.symbols()) < 2:
+        return domain
+    but = f"except where {place.text}"
+    return f"everywhere {but}" if domain == "everywhere" else f"{domain}, {but}"
 
 
 def _without_slope(
@@ -451,8 +466,8 @@ def _side(expr: Expr, point: Mapping[str, Fraction]) -> Enclosure:
 
 
 def _decided_as(found: Outcome) -> dict[str, object]:
-    """The certificate of what is told as another verdict."""
-    return {**found.certificate, "decides": found.verdict}
+    """The certificate of what is told as another verdict; it may be told so already."""
+    return {"decides": found.verdict, **found.certificate}
 
 
 def _parts(found: Outcome, title: str) -> dict[str, object]:

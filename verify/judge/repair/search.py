@@ -118,7 +118,7 @@ class Search:
             # within the digits shown, other edits come out right by chance
             slight = changes(self.formula, self.table, self.numbers, SLIGHT)
             turned = [c for c in slight if all(s.what.startswith("sign of") for s in c.steps)]
-            return self._first([*turned, *rounded(self.claim, self.formula, self._judged)])
+            return self._first([*turned, *rounded(self.claim, self.formula, self.judged)])
         if stage == 0:
             if further := with_further_bound(self):
                 return further
@@ -198,7 +198,7 @@ class Search:
             if any(same_equation(o.change.printed, change.printed, self.off) for o in found):
                 continue
             weaker = any(is_weaker(change.printed, o.change.printed, self.off) for o in found)
-            if weaker and self.claim.kind in ("inequality", "stability"):
+            if weaker and self.claim.kind in ("inequality", "implication", "stability"):
                 continue
             offer = self._offer(change)
             if offer is not None and offer.formula.latex not in {o.formula.latex for o in found}:
@@ -217,7 +217,7 @@ class Search:
             return None
         return Offer(formula, change, self.environment.name)
 
-    def _judged(self, formula: Printed) -> Finding | None:
+    def judged(self, formula: Printed) -> Finding | None:
         if (read := reread(formula, self.setting.symbols)) is None:
             return None
         return judge_claim(with_formula(self.claim, read), self.setting, self.environment)

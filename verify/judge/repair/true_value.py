@@ -4,6 +4,7 @@ explains it.
 
 from __future__ import annotations
 
+from dataclasses import replace
 from fractions import Fraction
 from typing import TYPE_CHECKING
 
@@ -33,8 +34,8 @@ STATED = ("quantity", "definition")
 
 def true_value(search: Search) -> str | None:
     """`side = formula` in the source's own symbols if one side of an equation is computed, or is
-    the symbol of something known, and the formula is short; where the other side is a number,
-    the number. None for others.
+    the symbol of something known, and the formula is short and proved in the place of the claim;
+    where the other side is a number, the number. None for others.
     """
     formula, scope = search.formula, search.scope
     if not search.by_values or len(formula.links) != 1 or formula.links[0].operator != "=":
@@ -46,16 +47,31 @@ def true_value(search: Search) -> str | None:
         entry = scope.setting.symbols.get(side.name) if side.kind == "symbol" else None
         if n not in asked and (entry is None or entry.role not in STATED):
             continue
-        if not symbols_of(formula.sides[other]) and (text := _number_there(search, side)):
-            return f"{_latex(side)} {text}"
+        if not symbols_of(formula.sides[other]) and (value := _number_there(search, side)):
+            if isinstance(value, str):
+                return f"{_latex(side)} \\approx {value}"
+            if _is_proved(search, other, value):
+                return f"{_latex(side)} = {_latex(value)}"
         try:
             meaning = scope.expression(graph_of(side))
         except (Undecided, Malformed, UndefinedSymbol, ValueError):
             continue
         shown = in_symbols(short_form(meaning), search)
-        if shown is not None and shown != side:
+        if shown is None or shown == side:
+            continue
+        if _is_proved(search, other, shown):
             return f"{_latex(side)} = {_latex(shown)}"
     return None
+
+
+def _is_proved(search: Search, place: int, value: Expr) -> bool:
+    """Whether the claim is proved with this side: a form may lack a value where what it is the form
+    of has one, or be that of one branch, and a number that of all points that were tried.
+    """
+    formula = search.formula
+    sides = tuple(value if k == place else each for k, each in enumerate(formula.sides))
+    found = search.judged(replace(formula, sides=sides))
+    return found is not None and found.verdict == "proved"
 
 
 def in_symbols(value: Expr, search: Search) -> Expr | None:
@@ -122,16 +138,23 @@ def _positive_first(expr: Expr) -> Expr:
     )
 
 
-def _number_there(search: Search, side: Expr) -> str | None:
-    """`= 2/9` or `\\approx 0.208712` for a side that has one value where the claim is made."""
+def _number_there(search: Search, side: Expr) -> Expr | str | None:
+    """The rational number that a side is at all points that were tried, or a few digits of the one
+    value that it has where the claim is made.
+    """
     found = [values.ball(side) for values in search.points]
     balls = [ball for ball in found if ball is not None and ball.is_finite()]
     if not balls or len(balls) < len(found) or not all(b.overlaps(balls[0]) for b in balls):
         return None
     value = common_rational(balls)
     if value is not None:
-        return f"= {_latex(quotient(number(value.numerator), number(value.denominator)))}"
-    return f"\\approx {balls[0].str(DIGITS, radius=False)}"
+        return quotient(number(value.numerator), number(value.denominator))
+    boxes = search.scope.boxes()
+    free = [boxes[n] for n in symbols_of(search.scope.expression(graph_of(side))) if n in boxes]
+    if any(box.lower is None or box.lower != box.upper for box in free):
+        return None
+    digits: str = balls[0].str(DIGITS, radius=False)
+    return digits
 
 
 def _latex(expr: Expr) -> str:

@@ -13,6 +13,8 @@ import pytest
 from samples import samples
 from small_claims import check, judged
 
+from gainproof.verify.judge.replay import replay_json
+
 INSIDE, END = "-1 < y < 1", r"0 \leq y < 1"
 TWO = f"{INSIDE}, -1 < x < 1"
 SIZE, ROOT = r"\left|y\right|", r"\sqrt{y}"
@@ -199,3 +201,28 @@ def test_drawn_functions_against_difference_quotients() -> None:
             tally[each.verdict] = tally.get(each.verdict, 0) + 1
     assert tally["proved"] > sum(tally.values()) / 4, tally
     assert tally.get("undecided", 0) < sum(tally.values()) / 4, tally
+
+
+@pytest.mark.parametrize("names", ["xy", "xyz"])
+@pytest.mark.parametrize(
+    ("formula", "kind"),
+    [
+        (r"SLOPE \leq \frac{9}{BELOW}", "inequality"),
+        (r"SLOPE = \frac{2 x^3 BELOW}{ROOT BELOW}", "identity"),
+        (r"x < 1 \implies SLOPE \leq \frac{9}{BELOW}", "implication"),
+    ],
+)
+def test_a_place_where_something_else_has_no_value_is_left_out(
+    formula: str, kind: str, names: str
+) -> None:
+    """At the origin the slope is 0, but the right side has no value."""
+    root = rf"\sqrt{{{' + '.join(f'{name}^4' for name in names)}}}"
+    below = " + ".join(f"{name}^2" for name in names)
+    latex = formula.replace("SLOPE", rf"\frac{{\partial {root}}}{{\partial x}}")
+    latex = latex.replace("ROOT", root).replace("BELOW", f"({below})")
+    symbols = {n: f"{{ unit = '1', domain = '-1 < {n} < 1', meaning = 'a number' }}" for n in names}
+    found = judged(kind, latex, symbols)
+    assert found.verdict in ("conditional", "refuted", "undecided")
+    if found.verdict == "conditional":
+        assert "!= 0" in (found.domain or "") or "except where" in (found.domain or "")
+    assert replay_json(found.to_json()) is None

@@ -66,3 +66,25 @@ def test_the_term_after_the_last_one_is_not_asked_for(latex: str) -> None:
     """It would be 1/x at j = 1, or x/0; these are true and need not be proved."""
     found = judged("identity", f"latex = '{latex}'\ndomain = '{WIDE}, -1 < y < 2, j \\geq 1'")
     assert found.verdict not in ("refuted", "conditional"), found.reason
+
+
+@pytest.mark.parametrize("low", ["k", "k+1", "n"])
+@pytest.mark.parametrize(
+    "latex",
+    [
+        r"\sum_{j=LOW}^{2n} \frac{1}{j} > 0",
+        r"\sum_{j=LOW}^{2n} \sqrt{j} \sqrt{j} = \sum_{j=LOW}^{2n} j",
+        r"\sum_{j=LOW}^{2n} \ln j \geq 0",
+        r"\sum_{j=LOW}^{2n} \frac{j}{j} = \sum_{j=LOW}^{2n} 1",
+    ],
+)
+def test_the_index_of_a_sum_is_no_symbol_of_a_witness(latex: str, low: str) -> None:
+    """True: all terms have values from k >= 1 on, though 1/j has none at j = 0."""
+    fields = f"latex = '{latex.replace('LOW', low)}'\ndomain = '1 \\leq k \\leq n'"
+    assert judged(
+        "inequality" if ">" in latex or "geq" in latex else "identity", fields
+    ).verdict in (
+        "proved",
+        "held",
+        "undecided",
+    )

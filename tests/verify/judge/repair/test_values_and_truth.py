@@ -101,3 +101,27 @@ def test_formula_is_put_in_base_variables_once_for_all_points() -> None:
             assert found_here is not None
             assert abs(float(found_here.mid()) - expected) < 1e-12
             assert str(found_here) == str(alone)
+
+
+@pytest.mark.parametrize(
+    ("left", "wrong", "domain"),
+    [
+        (r"\frac{d \left|x\right|}{dx}", "2", ""),
+        (r"\frac{d (\left|x\right| + x)}{dx}", "3", ""),
+        (r"\frac{d \max(x, 0)}{dx}", "2", ""),
+        (r"\frac{d (x^2/x)}{dx}", "2", "-1 < x < 1"),
+        (r"\frac{d \left|x\right|}{dx}", "2", "-1 < x < 1"),
+        (r"\left. \frac{d \left|x\right|}{dx} \right|_{x=0}", "0", ""),
+    ],
+)
+def test_what_is_told_as_true_is_proved_in_the_place_of_the_claim(
+    left: str, wrong: str, domain: str
+) -> None:
+    """Neither the value of one branch, nor a form that lacks a value where the domain has points."""
+    stated = f"domain = '{domain}', " if domain else ""
+    setting = algebra(f"'x' = {{ unit = '1', {stated}meaning = 'a number' }}\n")
+    (verdict,) = judged(setting, ("identity", f"{left} = {wrong}"))
+    assert verdict.verdict in ("refuted", "conditional")
+    if verdict.truth is not None:
+        (again,) = judged(setting, ("identity", verdict.truth))
+        assert again.verdict == "proved"
