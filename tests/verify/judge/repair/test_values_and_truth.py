@@ -117,7 +117,7 @@ def test_formula_is_put_in_base_variables_once_for_all_points() -> None:
 def test_what_is_told_as_true_is_proved_in_the_place_of_the_claim(
     left: str, wrong: str, domain: str
 ) -> None:
-    """Neither the value of one branch, nor a form that lacks a value where the domain has points."""
+    """Neither the value of one branch, nor a form that lacks a value in the domain."""
     stated = f"domain = '{domain}', " if domain else ""
     setting = algebra(f"'x' = {{ unit = '1', {stated}meaning = 'a number' }}\n")
     (verdict,) = judged(setting, ("identity", f"{left} = {wrong}"))
