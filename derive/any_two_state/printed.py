@@ -72,6 +72,14 @@ def printed(
     return Printed(catalogue_module(scaled.name, title, kernels), made, refused)
 
 
+def require_kernels(found: Printed, model: Model) -> None:
+    """Raise ModelError, with every reason, where no kernel has a proved bound."""
+    if not found.graphs:
+        own = f"model {model.name}: "
+        reasons = "; ".join(dict.fromkeys(r.removeprefix(own) for r in found.refused.values()))
+        raise ModelError(f"{own}no kernel has a proved bound: {reasons}")
+
+
 def _proved(choices: list[Kernel]) -> Kernel:
     """The first that has a bound in float32 too. Raises PrintingError."""
     prove(choices[0], FLOAT64)  # whose domain is that of all
