@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from contextlib import suppress
+from dataclasses import replace
 
 import sympy as sp
 
@@ -99,9 +100,21 @@ def _two_states(model: Model, scaled: ScaledModel) -> Subject:
     require_first_measured(model, scaled)
     if scaled.transition == KINEMATIC and _counts_rates(model) and not model.parameters:
         with suppress(ModelError):
-            if _is_as_written(scale(model)):
+            if _is_as_written(found := scale(model)):
                 return derive_two_state(model, ())
+            return _with_left_out(derive_any_two_state(model), found)
     return derive_any_two_state(model)
+
+
+def _with_left_out(subject: Subject, scaled: ScaledModel) -> Subject:
+    """The subject, with what the number behind the strength costs."""
+    number = scaled.noise_ratio.as_coeff_Mul()[0]
+    said = (
+        "There are no kernels of poles and none that give the index for a gain: these have their "
+        f"forms where Q22 is 1 behind the strength (in units T = 1), and here it is {number}. Take "
+        "that number into the quantity of the strength to have them."
+    )
+    return replace(subject, derivation=replace(subject.derivation, left_out=said))
 
 
 def _three_states(model: Model, scaled: ScaledModel) -> Subject:

@@ -185,3 +185,13 @@ def test_two_measurements_that_are_no_rates_by_their_units_are_refused() -> None
     )
     with pytest.raises(ModelError, match=r"should have the units m and m s\^-1"):
         derive_own_model(model)
+
+
+@pytest.mark.usefixtures("quick")
+@pytest.mark.parametrize(("number", "said"), [("0.982", "491/500"), ("2", "2"), ("1", "")])
+def test_what_a_number_behind_the_strength_costs_is_said(number: str, said: str) -> None:
+    shape = sp.Rational(number) * sp.Matrix([[HALF / 2, HALF], [HALF, 1]])
+    subject = derive_own_model(own_model(KINEMATIC, shape.tolist()))
+    assert ("closed_loop_poles" in kernels(subject)) == (not said)
+    assert f"here it is {said}. Take" in subject.derivation.left_out or not said
+    assert bool(subject.derivation.left_out) == bool(said)
