@@ -41,9 +41,13 @@ def joined(
 
 @dataclass(frozen=True)
 class Derivation:
-    """The steps of one subject, in order, with the keys of the works they rest on."""
+    """The steps of one subject, in order, with the keys of the works they rest on.
+
+    `left_out`: what of a model like this is not here, why, and what to do.
+    """
 
     opening: str
     steps: tuple[Step, ...]
     sources: tuple[str, ...]
     latex: Mapping[str, str] = field(default_factory=dict)
+    left_out: str = ""

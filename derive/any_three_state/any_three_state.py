@@ -15,6 +15,7 @@ from gainproof.derive.any_three_state.steps_limits import limit_steps, root_step
 from gainproof.derive.any_three_state.steps_proof import proof_steps
 from gainproof.derive.any_three_state.steps_spectrum import spectrum_steps
 from gainproof.derive.any_three_state.towers import roots_of
+from gainproof.derive.any_two_state.printed import require_kernels
 from gainproof.derive.any_two_state.scaling import scale_free
 from gainproof.derive.any_two_state.steps_kernels import kernel_steps
 from gainproof.derive.any_two_state.steps_model import model_steps
@@ -41,10 +42,7 @@ def derive_any_three_state(model: Model) -> Subject:
         )
     roots = roots_of(c.shape)
     found = module_of(c)
-    if not found.graphs:
-        own = f"model {model.name}: "
-        reasons = "; ".join(dict.fromkeys(r.removeprefix(own) for r in found.refused.values()))
-        raise ModelError(f"model {model.name}: no kernel has a proved bound: {reasons}")
+    require_kernels(found, model)
     steps = (
         *model_steps(c),
         *root_steps(c),

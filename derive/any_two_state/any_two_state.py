@@ -5,6 +5,7 @@ from __future__ import annotations
 from gainproof.derive.any_two_state.context import Context
 from gainproof.derive.any_two_state.module import module_of
 from gainproof.derive.any_two_state.names import LATEX
+from gainproof.derive.any_two_state.printed import require_kernels
 from gainproof.derive.any_two_state.scaling import scale_free
 from gainproof.derive.any_two_state.shape import shape_of
 from gainproof.derive.any_two_state.steps_covariances import covariance_steps
@@ -34,10 +35,7 @@ def derive_any_two_state(model: Model) -> Subject:
     if c.shape.sign(c.shape.entry(1, 2)) == 0:
         raise ModelError(f"model {model.name}: F12 should not vanish, the pair is unobservable")
     found = module_of(c)
-    if not found.graphs:
-        own = f"model {model.name}: "
-        reasons = "; ".join(dict.fromkeys(r.removeprefix(own) for r in found.refused.values()))
-        raise ModelError(f"model {model.name}: no kernel has a proved bound: {reasons}")
+    require_kernels(found, model)
     steps = (
         *model_steps(c),
         *spectrum_steps(c),

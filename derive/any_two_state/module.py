@@ -12,8 +12,8 @@ from gainproof.derive.any_two_state.printed import WIDTH, Printed, Wording, prin
 
 SUMMARIES = {
     "gains": "Steady-state filter gain.",
-    "predicted_covariance": "Predicted covariance in the units of the scaled model.",
-    "updated_covariance": "Updated covariance in the units of the scaled model.",
+    "predicted_covariance": "Predicted covariance, each entry in its units.",
+    "updated_covariance": "Updated covariance, each entry in its units.",
     "gain_derivatives": "First derivatives of the filter gain with respect to the tracking index.",
     "gain_second_derivatives": "Second derivatives of the filter gain by the tracking index.",
 }

@@ -6,6 +6,8 @@ from collections.abc import Callable, Mapping
 from contextlib import suppress
 from dataclasses import dataclass
 
+import sympy as sp
+
 from gainproof.derive.any_two_state.kernels import SCALE, Made, difference
 from gainproof.derive.catalogue_module import catalogue_module
 from gainproof.derive.model import Model, ModelError, ScaledModel
@@ -15,6 +17,7 @@ from gainproof.derive.printer.graph import symbols_of
 from gainproof.derive.printer.kernel import Input, Kernel, Module, Output, closed
 from gainproof.derive.printer.value import PrintingError
 
+GAINS = ("alpha", "beta", "gamma")
 INDEX_RANGE, SINGLE_RANGE = ("1e-20", "1e20"), ("1e-4", "1e4")
 WIDTH = 88
 """Of the lines of a docstring."""
@@ -69,6 +72,14 @@ def printed(
     return Printed(catalogue_module(scaled.name, title, kernels), made, refused)
 
 
+def require_kernels(found: Printed, model: Model) -> None:
+    """Raise ModelError, with every reason, where no kernel has a proved bound."""
+    if not found.graphs:
+        own = f"model {model.name}: "
+        reasons = "; ".join(dict.fromkeys(r.removeprefix(own) for r in found.refused.values()))
+        raise ModelError(f"{own}no kernel has a proved bound: {reasons}")
+
+
 def _proved(choices: list[Kernel]) -> Kernel:
     """The first that has a bound in float32 too. Raises PrintingError."""
     prove(choices[0], FLOAT64)  # whose domain is that of all
@@ -94,7 +105,7 @@ def _kernel(
         outputs=tuple(
             Output(
                 output,
-                said.meaning(name, output),
+                f"{said.meaning(name, output)}{_unit(scaled, output)}",
                 relative_to=output + SCALE if output in apart else None,
             )
             for output in shown
@@ -107,6 +118,18 @@ def _kernel(
             for output in sorted(apart)
         },
     )
+
+
+def _unit(scaled: ScaledModel, output: str) -> str:
+    """What an output has to be multiplied with, or is counted in, to be that of the model as it is
+    written: nothing where that is 1.
+    """
+    (seen,) = scaled.measurement_scale
+    if output in GAINS:
+        factor = sp.cancel(seen / scaled.state_scale[GAINS.index(output)])
+        return "" if factor == 1 else f" times {factor}"
+    first, second = (scaled.state_scale[int(place) - 1] for place in output.split("_")[1])
+    return f" in units of {sp.cancel(first * second)}"
 
 
 def _inputs(

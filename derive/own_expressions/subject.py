@@ -80,7 +80,9 @@ def _formed(given: ExpressionKernel) -> Formed:
         return formed
     if not any(each.signed or each.zero for each in given.inputs):
         other, reason = _proved(rewritten, given)
-        formed, refusal = other or formed, f"{refusal}. No other form helps: {reason}"
+        formed = other or formed
+        if reason != refusal:
+            refusal = f"{refusal}. No other form helps: {reason}"
     if formed is None:
         place = "" if refusal.startswith(given.name) else f"{given.name}: "
         raise ExpressionError(place + refusal)

@@ -20,6 +20,8 @@ from gainproof.derive.quantity import SAMPLING_INTERVAL, Unit
 DIGITS = 300
 """Certificates of models with more of them are far too long for the checker."""
 MOST = 10**DIGITS
+LONG = 2**40
+"""A quotient by a power of 2 whose numerator is no less came out of a float: nobody wrote it."""
 NAME = re.compile(r"[a-z][a-z0-9]*(-[a-z0-9]+)*")
 
 
@@ -76,6 +78,13 @@ def _require_rational(model: Model) -> None:
                     f"model {model.name}: {name} should hold rational numbers, {where} {found}; "
                     "write a quotient of whole numbers, or make it a parameter"
                 )
+            for number in numbers:
+                if number.q > 1 and abs(number.p) >= LONG and number == sp.Rational(float(number)):
+                    raise ModelError(
+                        f"model {model.name}: {name} should hold numbers as they were measured, "
+                        f"{where} {number}, a float in binary; write it as a text, "
+                        f'sp.Rational("{float(number)!r}")'
+                    )
             if any(max(abs(n.p), n.q) >= MOST for n in numbers):
                 raise ModelError(
                     f"model {model.name}: {name} should hold numbers of at most {DIGITS} digits, "

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from contextlib import suppress
+from dataclasses import replace
 
 import sympy as sp
 
@@ -14,6 +15,7 @@ from gainproof.derive.model import Model, ModelError, ScaledModel, scale
 from gainproof.derive.own_model.checks import require_steady_state, require_written_well
 from gainproof.derive.own_model.parameter_names import require_names_of_their_own
 from gainproof.derive.printer.together import prove_all
+from gainproof.derive.quantity import METRE, SECOND
 from gainproof.derive.steady_state.two_state import derive_two_state
 from gainproof.derive.subject import Subject
 from gainproof.derive.three_state.three_state import derive_three_state
@@ -21,6 +23,8 @@ from gainproof.derive.vector_measurement.position_velocity import derive_positio
 
 KINEMATIC_3 = sp.ImmutableDenseMatrix([[1, 1, sp.Rational(1, 2)], [0, 1, 1], [0, 0, 1]])
 KINEMATIC = sp.ImmutableDenseMatrix([[1, 1], [0, 1]])
+RATES = (METRE, METRE / SECOND, METRE / SECOND**2)
+"""The units of a position and its rates: the powers of T that the catalogue's kernels speak of."""
 
 
 def derive_own_model(model: Model) -> Subject:
@@ -61,16 +65,25 @@ def _is_as_written(scaled: ScaledModel) -> bool:
     return bool(scaled.noise_ratio.as_coeff_Mul()[0] == 1)
 
 
+def _counts_rates(model: Model) -> bool:
+    """Whether states and measurements are a position and its rates by their units too."""
+    several = (model.state_units, model.measurement_units)
+    return all(units == RATES[: len(units)] for units in several)
+
+
 def _both_measured(model: Model, scaled: ScaledModel) -> Subject:
     """A position and its rate by the method of the catalogue."""
     try:
         subject = derive_position_velocity(model, ())
-        if _is_as_written(scaled):
+        if not _counts_rates(model):
+            reason = "the states, and the measurements, should have the units m and m s^-1"
+        elif _is_as_written(scaled):
             return subject
-        reason = (
-            f"the matrix behind the strength has Q22 = {scaled.noise_ratio.as_coeff_Mul()[0]}; "
-            "take that number into the quantity of the strength"
-        )
+        else:
+            reason = (
+                f"the matrix behind the strength has Q22 = {scaled.noise_ratio.as_coeff_Mul()[0]}; "
+                "take that number into the quantity of the strength"
+            )
     except ModelError as error:
         reason = str(error).removeprefix(f"model {model.name}: ")
     except (ValueError, TypeError, ArithmeticError):
@@ -85,17 +98,29 @@ def _both_measured(model: Model, scaled: ScaledModel) -> Subject:
 def _two_states(model: Model, scaled: ScaledModel) -> Subject:
     """Kinematic ones by the method of the catalogue where that reaches."""
     require_first_measured(model, scaled)
-    if scaled.transition == KINEMATIC and not model.parameters:
+    if scaled.transition == KINEMATIC and _counts_rates(model) and not model.parameters:
         with suppress(ModelError):
-            if _is_as_written(scale(model)):
+            if _is_as_written(found := scale(model)):
                 return derive_two_state(model, ())
+            return _with_left_out(derive_any_two_state(model), found)
     return derive_any_two_state(model)
+
+
+def _with_left_out(subject: Subject, scaled: ScaledModel) -> Subject:
+    """The subject, with what the number behind the strength costs."""
+    number = scaled.noise_ratio.as_coeff_Mul()[0]
+    said = (
+        "There are no kernels of poles and none that give the index for a gain: these have their "
+        f"forms where Q22 is 1 behind the strength (in units T = 1), and here it is {number}. Take "
+        "that number into the quantity of the strength to have them."
+    )
+    return replace(subject, derivation=replace(subject.derivation, left_out=said))
 
 
 def _three_states(model: Model, scaled: ScaledModel) -> Subject:
     """Kinematic ones by the method of the catalogue where that reaches."""
     require_first_measured(model, scaled)
-    if scaled.transition == KINEMATIC_3 and not model.parameters:
+    if scaled.transition == KINEMATIC_3 and _counts_rates(model) and not model.parameters:
         # tried whole, evidence and bounds too: it refuses late, with errors of several kinds;
         # the other method names the reason
         with suppress(ValueError, ArithmeticError, TypeError):

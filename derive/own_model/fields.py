@@ -67,9 +67,13 @@ def require_noise_units(model: Model) -> None:
             except ExpressionError as error:
                 raise ModelError(f"{place}: {error}") from None
             if found != row * column:
+                cure = (
+                    "; numbers as measured get a strength in front, such as w**2 with w in "
+                    f"{model.state_units[-1]}, and a T for each second that an entry then lacks"
+                )
                 raise ModelError(
                     f"{place} should have the unit {row * column}, that of the product of its two "
-                    f"states; {entry} has {found}"
+                    f"states; {entry} has {found}{cure if entry.is_number else ''}"
                 )
 
 

@@ -47,14 +47,17 @@ def product(inputs: Sequence[Input], form: Format) -> Box:
     """The domain of several inputs; PrintingError unless all are closed and positive."""
     for given in inputs:
         if given.upper is None or given.lower_open or given.upper_open:
-            raise PrintingError(f"input {given.name}: one of several needs a closed domain")
+            raise PrintingError(
+                f"input {given.name}: a domain with both ends is wanted here: give its least and "
+                "its greatest number"
+            )
     domain = tuple(input_range(given, form) for given in inputs)
     for given, (low, high) in zip(inputs, domain, strict=True):
         if given.signed and low == 0 < high:
             continue
         if not form.least_normal <= low < high:
             raise PrintingError(
-                f"input {given.name}: one of several needs a domain of positive normal numbers, "
+                f"input {given.name}: a domain of positive normal numbers is wanted here, "
                 f"got {low!r} to {high!r}"
             )
     return domain

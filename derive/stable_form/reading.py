@@ -6,6 +6,7 @@ from collections.abc import Mapping, Sequence
 
 import sympy as sp
 
+from gainproof.derive.algebra.leading_terms import prime_powers
 from gainproof.derive.algebra.tower import Generator, Parameter, Poly, Tower
 from gainproof.derive.expression import real
 from gainproof.derive.stable_form.coordinates import Coordinate
@@ -82,7 +83,7 @@ class Reading:
         factors = [(self._expression(factor), power) for factor, power in product.powers.items()]
         number = product.constant.numerator * product.constant.denominator
         found = sp.Integer(1) / product.constant.denominator
-        for prime, power in sp.factorint(number).items():
+        for prime, power in prime_powers(number).items():
             found *= sp.Integer(prime) ** (power // 2)
             if power % 2:
                 found *= self._generator(sp.Integer(prime))

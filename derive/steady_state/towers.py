@@ -6,6 +6,7 @@ from fractions import Fraction
 
 import sympy as sp
 
+from gainproof.derive.algebra.leading_terms import prime_powers
 from gainproof.derive.algebra.limits import End
 from gainproof.derive.algebra.tower import Generator, Parameter, Tower
 from gainproof.derive.expression import real
@@ -103,7 +104,7 @@ def surd(value: Fraction) -> tuple[sp.Expr, dict[str, int]]:
     """sqrt(value) as a rational times at most one root of a squarefree integer, with its name."""
     number = value.numerator * value.denominator
     outside, inside = 1, 1
-    for prime, power in sp.factorint(number).items():
+    for prime, power in prime_powers(number).items():
         outside *= prime ** (power // 2)
         inside *= prime ** (power % 2)
     factor = sp.Rational(outside, value.denominator)

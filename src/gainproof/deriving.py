@@ -75,7 +75,7 @@ def plain_subject(subject: Subject) -> Derived:
     return Derived(
         name=subject.name,
         title=subject.title,
-        opening=derivation.opening,
+        opening=f"{derivation.opening} {derivation.left_out}".strip(),
         model=subject.model_data,
         steps=tuple(
             DerivedStep(

@@ -70,7 +70,9 @@ def packaged(subject: Subject, certificate: Mapping[str, Any]) -> dict[str, Any]
             raise BadInputError(f"{subject.name}: {error}") from None
         files[f"tests/formulas_{module.name}.py"] = formulas
     own = subject.model is None
-    losses = [(text, half and own) for text, half in _losses(module, bounds)]
+    left_out = subject.derivation.left_out
+    losses = [(left_out, False)] if left_out else []
+    losses += [(text, half and own) for text, half in _losses(module, bounds)]
     return {"module": module.name, "title": module.title, "files": files, "losses": losses}
 
 

@@ -17,8 +17,6 @@ from gainproof.prose import numbered, plain_prose, wrapped
 from gainproof.relation_text import Writer, relation_lines
 
 INDENT = "     "
-GIVEN_UP = "given up"
-"""How the checker begins to say that something is beyond its limits."""
 
 
 def page(
@@ -187,20 +185,12 @@ def closing(derived: Derived, report: Mapping[str, Any]) -> str:
         lines.append(
             f"The certificate is too long for the checker, {report['reason']}: write the numbers "
             "of the model with fewer digits."
-            if is_too_long(report)
+            if report["given_up"]
             else f"The certificate is REJECTED: {report['reason']}."
         )
     if derived.sources:
         lines.append(f"`gainproof cite {derived.name}` names the works this rests on.")
     return " ".join(lines)
-
-
-def is_too_long(report: Mapping[str, Any]) -> bool:
-    """Whether a certificate that is not accepted is beyond the limits of the checker, and not
-    known to be wrong.
-    """
-    decided = any(entry["status"] == "rejected" for entry in report.get("statements", ()))
-    return GIVEN_UP in report["reason"] and not decided
 
 
 def count(words: Iterable[str]) -> str:

@@ -24,7 +24,8 @@ def expected_of(derived: Derived) -> dict[str, Any]:
 
 
 def recheck(certificate: Any, expected: Mapping[str, Any]) -> dict[str, Any]:
-    """{"subject", "accepted", "reason", "statements"}: the checker's report as plain data.
+    """{"subject", "accepted", "reason", "given_up", "statements"}: the checker's report as plain
+    data.
 
     A statement is {"id", "kind", "status", "reason", "seconds"}. Rejected too: a certificate that
     says nothing of one of the kernels' outputs, or speaks of one side of a choice only.
@@ -58,6 +59,7 @@ def recheck(certificate: Any, expected: Mapping[str, Any]) -> dict[str, Any]:
         "subject": expected["subject"],
         "accepted": report.accepted and not reason,
         "reason": reason,
+        "given_up": report.given_up,
         "statements": statements,
     }
 

@@ -1,25 +1,38 @@
 """The first that runs: from here on an interrupt is one line and status 130, at any moment.
 
-Little is imported before the signals are handled: the imports of the command line take a tenth of a
-second, in which an interrupt comes out of any of them as a page of Python.
+Little is imported before the signals are handled: an interrupt comes out of any import as a page of
+Python. What has been loaded before, or is built in, takes no time.
 """
 
 from __future__ import annotations
 
-import atexit
-import contextlib
 import os
-import signal
 import sys
-import threading
+
+INTERRUPTED = 130
+
+
+def _say(words: str) -> None:
+    """At once and whole, whatever Python's own streams are doing."""
+    try:  # noqa: SIM105 - contextlib is not loaded yet
+        os.write(2, f"gainproof: {words}\n".encode())
+    except OSError:  # closed: the status says it
+        pass
+
+
+try:
+    import signal
+except KeyboardInterrupt:
+    _say("interrupted")
+    os._exit(INTERRUPTED)
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
+    import threading
     from collections.abc import Callable
     from types import FrameType
     from typing import NoReturn
 
-INTERRUPTED = 130
 AGAIN = 0.01  # seconds
 SIGNALS = ("SIGINT", "SIGTERM", "SIGHUP")
 """Those that end a program; systems lack some."""
@@ -29,9 +42,13 @@ def main() -> int:
     """Run the command of sys.argv and return its exit status."""
     heard = _Heard()
     heard.then(heard.leave)
+    import atexit
+
     # registered first it comes last
     atexit.register(heard.done)
     try:
+        import threading
+
         from gainproof import cli
 
         threading.excepthook = _thread_ended
@@ -88,13 +105,9 @@ class _Heard:
         raise KeyboardInterrupt
 
 
-def _say(words: str) -> None:
-    """At once and whole, whatever Python's own streams are doing."""
-    with contextlib.suppress(OSError):  # closed: the status says it
-        os.write(2, f"gainproof: {words}\n".encode())
-
-
 def _interrupt_main() -> None:
+    import threading
+
     number = threading.main_thread().ident
     if number is not None and hasattr(signal, "pthread_kill"):
         signal.pthread_kill(number, signal.SIGINT)
@@ -102,6 +115,8 @@ def _interrupt_main() -> None:
 
 def _thread_ended(what: threading.ExceptHookArgs) -> None:
     """A thread that ends for lack of something is one that somebody waits for: of an executor."""
+    import threading
+
     from gainproof.scarcity import lack
 
     if what.exc_value is not None and (lacks := lack(what.exc_value)):
@@ -113,6 +128,8 @@ def _thread_ended(what: threading.ExceptHookArgs) -> None:
 def _unraisable(what: sys.UnraisableHookArgs) -> None:
     """An interrupt that came where Python cannot raise it, as in a callback, comes again."""
     if isinstance(what.exc_value, KeyboardInterrupt):
+        import threading
+
         # not at once: here it would be lost too
         threading.Timer(AGAIN, _interrupt_main).start()
     else:

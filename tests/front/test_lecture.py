@@ -62,6 +62,7 @@ def test_a_rejected_step_is_marked_and_the_reason_given(subjects: dict[str, Deri
     derived = subjects["random-velocity"]
     report = {
         "accepted": False,
+        "given_up": False,
         "reason": "gain-relation: the sides differ",
         "statements": [
             {"id": step.id, "status": "rejected" if step.id == "gain-relation" else "proved"}
@@ -74,7 +75,7 @@ def test_a_rejected_step_is_marked_and_the_reason_given(subjects: dict[str, Deri
 
 
 def test_steps_that_were_not_checked_are_never_marked_proved(subjects: dict[str, Derived]) -> None:
-    report = {"accepted": False, "reason": "malformed", "statements": []}
+    report = {"accepted": False, "given_up": False, "reason": "malformed", "statements": []}
     text = lecture.page(subjects["random-velocity"], report)
     assert "[proved]" not in text
     assert "[not checked]" in text

@@ -140,7 +140,11 @@ def test_kernels_of_an_own_model_are_written_tested_and_run(
 def test_no_kernel_is_written_of_what_the_checker_rejects(
     file: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: Capture
 ) -> None:
-    rejected = {"accepted": False, "reason": "riccati: not the stated combination"}
+    rejected = {
+        "accepted": False,
+        "given_up": False,
+        "reason": "riccati: not the stated combination",
+    }
     monkeypatch.setattr(derivations, "recheck", lambda *_: [rejected])
     assert cli.main(["generate", str(file), "--out", str(tmp_path / "kernels")]) == 2
     assert "the checker rejects the derivation" in capsys.readouterr().err

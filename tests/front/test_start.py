@@ -58,7 +58,13 @@ def ran(script: str, *arguments: str) -> tuple[int, str]:
 @pytest.mark.parametrize(
     "module",
     [
-        *("gainproof.cli", "argparse", "gainproof.commands.track", "gainproof.location.answer"),
+        *(
+            "threading",
+            "gainproof.cli",
+            "argparse",
+            "gainproof.commands.track",
+            "gainproof.location.answer",
+        ),
         # NumPy makes another error of an interrupt in its own imports
         *("numpy", "numpy._core._multiarray_umath", "datetime"),
     ],
@@ -66,6 +72,22 @@ def ran(script: str, *arguments: str) -> tuple[int, str]:
 def test_an_interrupt_while_something_is_imported(module: str) -> None:
     script = f"MOMENT = {module!r}\n{INTERRUPTING}"
     assert ran(script, "locate", "a.csv", "b.csv") == INTERRUPTED
+
+
+EARLY = """
+import _signal, os, sys
+_signal.signal(2, _signal.default_int_handler)
+class At:
+    def find_spec(self, name, path, target=None):
+        if name == "signal":
+            os.kill(os.getpid(), 2)
+sys.meta_path.insert(0, At())
+from gainproof import start
+"""
+
+
+def test_an_interrupt_in_the_first_import() -> None:
+    assert ran(EARLY, "list") == INTERRUPTED
 
 
 LATE = """

@@ -34,7 +34,8 @@ def check(
         document = read_document(value, Meter())
         disagreement = expectation.of_document(value)
     except RejectedError as rejection:
-        return CertificateReport("", False, str(rejection), ())
+        too_long = isinstance(rejection, GivenUpError)
+        return CertificateReport("", False, str(rejection), (), too_long)
     except Exception as error:  # noqa: BLE001 - a hostile file is rejected, it never crashes us
         return CertificateReport("", False, f"malformed: {type(error).__name__}", ())
     if disagreement is not None:
@@ -44,7 +45,9 @@ def check(
         for number, statement in enumerate(document.statements)
     )
     reason = _reason(document, results)
-    return CertificateReport(document.subject, not reason, reason, results)
+    statuses = {result.status for result in results}
+    too_long = "given up" in statuses and "rejected" not in statuses
+    return CertificateReport(document.subject, not reason, reason, results, too_long)
 
 
 def check_statement(certificate: Mapping[str, Any], statement_id: str) -> StatementResult:

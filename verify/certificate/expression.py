@@ -22,7 +22,7 @@ from gainproof.verify.certificate.graph import (
 from gainproof.verify.certificate.matrix import Matrix
 from gainproof.verify.certificate.nonzero import Nonzero
 from gainproof.verify.certificate.ratio import Ratio, number
-from gainproof.verify.certificate.rejection import MAXIMUM_ORDER, RejectedError
+from gainproof.verify.certificate.rejection import MAXIMUM_ORDER, GivenUpError, RejectedError
 from gainproof.verify.certificate.roots import known_root
 from gainproof.verify.certificate.substitution import replaceable, substituted
 from gainproof.verify.certificate.tower import Tower
@@ -92,6 +92,8 @@ class Evaluation:
         for index in graph.reachable(ends, self.skipped(graph)):
             try:
                 values[index] = self._node(graph, index, values)
+            except GivenUpError:
+                raise  # nothing is wrong there
             except RejectedError as rejection:
                 raise type(rejection)(f"node {index}: {rejection}") from None
         return values

@@ -26,13 +26,14 @@ class CertificateReport:
 
     ``accepted`` holds when the file is well formed, agrees with everything expected of it, has a
     proved statement, and no statement was rejected or given up. Otherwise ``reason`` says what
-    failed first.
+    failed first, and ``given_up`` whether it is only too long: nothing of it is known to be wrong.
     """
 
     subject: str
     accepted: bool
     reason: str
     statements: tuple[StatementResult, ...]
+    given_up: bool = False
 
     def count(self, status: str) -> int:
         """How many statements have this status."""

@@ -119,7 +119,7 @@ def _slopes(
                     "and powers"
                 )
         if max(_bits(end) for end in slopes[index]) > _MAXIMUM_BITS:
-            raise GivenUpError(f"given up: node {index}: a slope of more than {_MAXIMUM_BITS} bits")
+            raise GivenUpError(f"given up: a slope of more than {_MAXIMUM_BITS} bits")
     return slopes
 
 

@@ -14,7 +14,6 @@ from typing import Any
 from gainproof import derivations, places, workers
 from gainproof.bad_input import BadInputError
 from gainproof.derived import derived_from
-from gainproof.lecture import is_too_long
 from gainproof.standalone.files import package_files
 from gainproof.workshop import Workshop
 
@@ -59,7 +58,7 @@ def fresh(
     for subject, report in zip(chosen, derivations.recheck(pairs, shop), strict=True):
         if not report["accepted"]:
             said = "the checker rejects the derivation, no kernel is written"
-            if is_too_long(report):
+            if report["given_up"]:
                 said = (
                     "the derivation is too long for the checker, no kernel is written; write the "
                     "numbers of the model with fewer digits"

@@ -265,6 +265,14 @@ def test_ends_of_domains_that_are_no_numbers_are_refused(end: str) -> None:
         derive_expressions(one(n + 1, Argument(NUMBER, "1/2", end)))
 
 
+@pytest.mark.parametrize("lower", ["1e-6", "0"])
+def test_a_domain_with_one_end_of_the_only_input(lower: str) -> None:
+    with pytest.raises(ExpressionError, match="with both ends is wanted") as caught:
+        derive_expressions(one(sp.exp(-n), Argument(NUMBER, lower)))
+    assert str(caught.value).count("ends") == 1
+    assert "several" not in str(caught.value)
+
+
 def test_parts_are_symbols_in_a_certificate() -> None:
     parts = Parts()
     read = parts.read(n / sp.sqrt(n + 1) ** 3 + 1 / (n * (n + 2)))

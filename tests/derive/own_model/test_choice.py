@@ -15,6 +15,7 @@ from gainproof.derive.expression import real
 from gainproof.derive.families.random_acceleration import STRENGTH
 from gainproof.derive.model import Model, ModelError
 from gainproof.derive.own_model.choice import derive_own_model
+from gainproof.derive.quantity import METRE
 from gainproof.derive.subject import Subject
 from gainproof.derive.vector_measurement.model import measured_model
 
@@ -170,3 +171,27 @@ def test_three_states_of_the_general_method(
 def test_three_kinematic_states(velocity: int) -> None:
     model = own_model(KINEMATIC_3, sp.diag(0, velocity, 1).tolist())
     assert "gains" in kernels(derive_own_model(model))
+
+
+def test_two_measurements_that_are_no_rates_by_their_units_are_refused() -> None:
+    """The catalogue's kernels speak of a velocity and of T."""
+    model = both_measured()
+    noise = model.measurement_noise
+    model = replace(
+        model,
+        measurement=sp.ImmutableDenseMatrix([[1, 0], [0, T]]),
+        measurement_units=(METRE, METRE),
+        measurement_noise=sp.ImmutableDenseMatrix([[noise[0, 0], 0], [0, T**2 * noise[1, 1]]]),
+    )
+    with pytest.raises(ModelError, match=r"should have the units m and m s\^-1"):
+        derive_own_model(model)
+
+
+@pytest.mark.usefixtures("quick")
+@pytest.mark.parametrize(("number", "said"), [("0.982", "491/500"), ("2", "2"), ("1", "")])
+def test_what_a_number_behind_the_strength_costs_is_said(number: str, said: str) -> None:
+    shape = sp.Rational(number) * sp.Matrix([[HALF / 2, HALF], [HALF, 1]])
+    subject = derive_own_model(own_model(KINEMATIC, shape.tolist()))
+    assert ("closed_loop_poles" in kernels(subject)) == (not said)
+    assert f"here it is {said}. Take" in subject.derivation.left_out or not said
+    assert bool(subject.derivation.left_out) == bool(said)

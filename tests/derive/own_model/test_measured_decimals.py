@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import random
+from fractions import Fraction
 
 import numpy as np
 import pytest
@@ -14,9 +15,9 @@ from own_models import own_model
 from gainproof.derive.algebra.leading_terms import prime_powers
 from gainproof.derive.any_two_state import printed
 from gainproof.derive.own_model.choice import derive_own_model
+from gainproof.derive.steady_state.towers import surd
 from gainproof.derive.subject import Subject
 from gainproof.deriving import plain_subject
-from gainproof.lecture import is_too_long
 from gainproof.rechecking import expected_of, recheck
 
 Rows = list[list[sp.Rational]]
@@ -61,9 +62,19 @@ def test_numbers_beyond_the_checker_are_told_as_too_long(count: int) -> None:
     derived = plain_subject(subject)
     report = recheck(derived.certificate, expected_of(derived))
     assert not report["accepted"]
-    assert is_too_long(report)
+    assert report["given_up"]
     assert {entry["status"] for entry in report["statements"]}.isdisjoint({"rejected"})
-    assert not is_too_long({"reason": "riccati: not so", "statements": [{"status": "rejected"}]})
+    assert "node" not in report["reason"]
+
+
+def test_what_is_too_long_and_wrong_besides_is_told_as_wrong() -> None:
+    subject = derive_own_model(own_model(with_decimals(30, 30), [[0, 0], [0, 1]]))
+    derived = plain_subject(subject)
+    derived.certificate["statements"][-1]["claim"] = {}
+    report = recheck(derived.certificate, expected_of(derived))
+    assert {"given up", "rejected"} <= {entry["status"] for entry in report["statements"]}
+    assert not report["accepted"]
+    assert not report["given_up"]
 
 
 @pytest.mark.parametrize(
@@ -78,3 +89,10 @@ def test_numbers_are_the_product_of_their_powers(number: int) -> None:
 
 def test_the_root_of_a_large_square_is_found() -> None:
     assert prime_powers(5 * (10**30 + 57) ** 2) == {5: 1, 10**30 + 57: 2}
+
+
+def test_the_root_of_a_number_of_two_large_primes_is_found() -> None:
+    large = (10**30 + 57) * (10**40 + 3)
+    factor, inside = surd(Fraction(49 * large, 4))
+    assert list(inside.values()) == [large]
+    assert factor.as_coeff_Mul()[0] == sp.Rational(7, 2)

@@ -10,6 +10,7 @@ from own_models import DEVIATION, SHAKE, T, free_number, own_model
 
 from gainproof.derive.expression import real
 from gainproof.derive.model import Model, ModelError
+from gainproof.derive.own_model.checks import require_written_well
 from gainproof.derive.own_model.choice import derive_own_model
 from gainproof.derive.quantity import (
     MEASUREMENT_DEVIATION,
@@ -339,3 +340,23 @@ def test_a_parameter_has_no_unit() -> None:
     wrong = type(parameter)(length)
     with pytest.raises(ModelError, match="the parameter r should have no unit, it has m"):
         derive_own_model(own_model([[1, 1], [0, R]], LAST, parameters=(wrong,)))
+
+
+@pytest.mark.parametrize("number", [0.953, 1e-20, -0.1, 123456.7])
+def test_a_decimal_that_came_through_a_float_is_refused_with_its_text(number: float) -> None:
+    model = own_model([[1, 1], [sp.Rational(number), 1]], LAST)
+    with pytest.raises(ModelError, match="a float in binary") as raised:
+        derive_own_model(model)
+    text = str(raised.value).partition('sp.Rational("')[2].partition('"')[0]
+    assert float(text) == abs(number) or float(text) == number
+
+
+@pytest.mark.parametrize("number", [sp.Rational("0.953"), sp.Rational(1, 2**50), sp.Rational(0.75)])
+def test_quotients_that_somebody_wrote_are_not_taken_for_floats(number: sp.Rational) -> None:
+    require_written_well(own_model([[1, 1], [0, number]], LAST))
+
+
+def test_a_noise_in_numbers_alone_is_told_what_to_do() -> None:
+    noise = sp.ImmutableDenseMatrix([[sp.Rational("0.004"), 0], [0, sp.Rational("0.012")]])
+    with pytest.raises(ModelError, match=r"entry 1,1 of process_noise .* a strength in front"):
+        derive_own_model(own_model([[1, 1], [0, 1]], LAST, process_noise=noise))

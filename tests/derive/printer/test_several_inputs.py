@@ -149,8 +149,8 @@ def test_a_bound_may_fail_inside_only() -> None:
 @pytest.mark.parametrize(
     ("change", "message"),
     [
-        ({"lower_open": True}, "one of several needs a closed domain"),
-        ({"upper": None}, "one of several needs a closed domain"),
+        ({"lower_open": True}, "a domain with both ends is wanted"),
+        ({"upper": None}, "a domain with both ends is wanted"),
         ({"lower": "0"}, "positive normal numbers"),
         ({"lower": "-1"}, "positive normal numbers"),
         ({"lower": "8", "upper": "8"}, "positive normal numbers"),

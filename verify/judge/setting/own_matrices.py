@@ -12,14 +12,11 @@ from gainproof.verify.judge.claim.record import Setting, Unit
 from gainproof.verify.judge.exact.expression import (
     Expr,
     mul,
-    number,
     power,
-    sqrt,
     symbol,
 )
 from gainproof.verify.judge.exact.free_names import free_name, is_free, token_of
 from gainproof.verify.judge.exact.limits import Undecided
-from gainproof.verify.judge.exact.rational_root import integer_root
 from gainproof.verify.judge.exact.tree import read_tree
 from gainproof.verify.judge.formula import Graph
 from gainproof.verify.judge.freed.monomials import UNIT, Monomial, monomials
@@ -127,8 +124,8 @@ class Driven:
 
 
 def noise_in_units(q: Rows, interval: Expr, variance: Expr) -> Driven:
-    """The last entry on the diagonal that is not zero becomes 1, unless the source states the
-    index itself. Raises Undecided.
+    """The square of the index is what all entries share beside their numbers, as in `derive`; where
+    all are numbers, the last one on the diagonal that is not zero. Raises Undecided.
     """
     below = 1 / variance
     entries = [
@@ -151,40 +148,35 @@ def noise_in_units(q: Rows, interval: Expr, variance: Expr) -> Driven:
         raise Undecided(
             f"the process noise of the model is no covariance: on its diagonal is what is {found}"
         )
-    if dict(shared) == {symbol(INDEX): 2}:
-        return Driven([[str(x) for x in row] for row in values])
-    rows = [[str(x / last) for x in row] for row in values]
     if not shared:
-        return Driven(rows, last)
-    return replace(_strength(shared, last), rows=rows)
+        return Driven([[str(x / last) for x in row] for row in values], last)
+    rows = [[str(x) for x in row] for row in values]
+    if dict(shared) == {symbol(INDEX): 2}:
+        return Driven(rows)
+    return replace(_strength(shared), rows=rows)
 
 
-def _strength(shared: Monomial, last: Fraction) -> Driven:
-    """From index^2 = last * shared what the one free symbol of it is, be it of the process noise or
+def _strength(shared: Monomial) -> Driven:
+    """From index^2 = shared what the one free symbol of it is, be it of the process noise or
     of the measurement. Raises Undecided.
     """
     powers = dict(shared)
     unknown = [base for base in powers if source_token(base)]
     if len(unknown) == 1 and powers[unknown[0]] in (1, 2):
         rest = [power(base, -n) for base, n in powers.items() if base != unknown[0]]
-        value = mul(power(symbol(INDEX), 2), number(1 / last), *rest)
+        value = mul(power(symbol(INDEX), 2), *rest)
         if powers[unknown[0]] == 2:
-            value = _root(powers, unknown[0], last)
+            value = _root(powers, unknown[0])
         return Driven([], intensity={source_token(unknown[0]): value})
     if not unknown and powers.get(SIGMA) == -2 and symbol(INDEX) not in powers:
-        return Driven([], deviation=1 / _root(powers, SIGMA, last))
+        return Driven([], deviation=1 / _root(powers, SIGMA))
     raise Undecided(
         "the process noise or the measurement noise of the model must have one symbol as its "
         "strength, all else numbers and powers of the sampling interval"
     )
 
 
-def _root(powers: Mapping[Expr, int], unknown: Expr, last: Fraction) -> Expr:
-    """The square root of index^2 / (last * the other powers), all of which are positive."""
-    top, bottom = (integer_root(n, 2) for n in (last.denominator, last.numerator))
-    whole = None if top is None or bottom is None else number(Fraction(top, bottom))
-    factors = [symbol(INDEX), whole or sqrt(number(1 / last))]
-    for base, n in powers.items():
-        if base != unknown:
-            factors.append(power(base, Fraction(-n, 2)))
-    return mul(*factors)
+def _root(powers: Mapping[Expr, int], unknown: Expr) -> Expr:
+    """The square root of index^2 over the other powers, all of which are positive."""
+    rest = [power(base, Fraction(-n, 2)) for base, n in powers.items() if base != unknown]
+    return mul(symbol(INDEX), *rest)

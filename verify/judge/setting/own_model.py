@@ -2,9 +2,10 @@
 noise 1.
 
 State i counts T^(1-i) position units, so that F_ij = F1_ij T^(j-i), H_j = H1_j T^(j-1) and
-Q_ij = index^2 variance Q1_ij T^(2-i-j), with numbers F1, H1, Q1 and the last entry that is not zero
-on the diagonal of Q1 equal to 1. Where Q and R are numbers, or one multiple of another, the index
-is a number, and there is one filter. The variance of the measurement and one strength of the
+Q_ij = index^2 variance Q1_ij T^(2-i-j), with numbers F1, H1, Q1: the square of the index is the
+strength as it stands before the numbers. Where Q and R are numbers, or one multiple of another, the
+last entry that is not zero on the diagonal of Q1 is 1, the index is a number, and there is one
+filter. The variance of the measurement and one strength of the
 process noise may be symbols: of the two, and of T, the index determines one.
 """
 

@@ -43,6 +43,11 @@ def both_measured(setting: Setting) -> Environment:
     if not intensity:
         raise Undecided("two measurements with a process noise that has no symbol as its strength")
     (position, mixed), (other, last) = ([Fraction(x) for x in row] for row in data)
+    if last > 0 and last != 1:
+        raise Undecided(
+            "with position and velocity measured the process noise is solved with the strength as "
+            f"last entry, which holds the number {last} here: take it into the strength's symbol"
+        )
     if mixed != other or last != 1:
         raise Undecided("the process noise of the model is no covariance with driven velocity")
     solved = position_velocity(Noise(position, mixed), setting.name)

@@ -106,3 +106,38 @@ def test_states_are_moved_by_the_model_itself() -> None:
     setting = walk("1", "1", r"\frac{1}{2}")
     check(judged("identity", r"p = \frac{x}{2}", symbols, setting), "proved")
     check(judged("identity", "p = x", symbols, setting), "refuted")
+
+
+INDEX = {
+    "T": KNOWN["T"],
+    "w": "{ unit = 'm s^-1', domain = 'w > 0', meaning = 'deviation of the increments' }",
+    "v": "{ quantity = 'measurement_noise_deviation', meaning = 'deviation' }",
+    r"\alpha": KNOWN[r"\alpha"],
+    r"\beta": KNOWN[r"\beta"],
+    r"\Lambda": "{ quantity = 'tracking_index', meaning = 'index' }",
+}
+FADING = (
+    "[['1', '0.953 T'], ['0', '0.917']]",
+    ("[['0.318 w^2 T^2', '0.477 w^2 T'], ['0.477 w^2 T', '0.982 w^2']]"),
+)
+THIRD = "[['1', 'T'], ['0', '1']]", "[['w^2 T^2/12', 'w^2 T/6'], ['w^2 T/6', 'w^2/3']]"
+
+
+@pytest.mark.parametrize(
+    ("matrices", "formula", "wanted"),
+    [
+        (FADING, r"\Lambda^2 = \frac{T^2 w^2}{v^2}", "proved"),
+        (FADING, r"\Lambda^2 = 0.982 \frac{T^2 w^2}{v^2}", "refuted"),
+        (THIRD, r"\Lambda^2 = \frac{T^2 w^2}{v^2}", "proved"),
+        (THIRD, r"\Lambda^2 = \frac{T^2 w^2}{3 v^2}", "refuted"),
+        # by hand: beta^2/(1 - alpha) is the numerator of the spectrum at zero frequency
+        (THIRD, r"\frac{\beta^2}{1 - \alpha} = \frac{T^2 w^2}{3 v^2}", "proved"),
+        (THIRD, r"\frac{\beta^2}{1 - \alpha} = \frac{\Lambda^2}{3}", "proved"),
+    ],
+)
+def test_the_index_is_the_strength_whatever_numbers_stand_behind_it(
+    matrices: tuple[str, str], formula: str, wanted: str
+) -> None:
+    """As in a user's own model that is derived."""
+    setting = MODEL.format(*matrices, "[['1', '0']]", "v^2")
+    check(judged("identity", formula, INDEX, setting), wanted)
