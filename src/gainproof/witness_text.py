@@ -48,7 +48,7 @@ def sides(witness: Mapping[str, Any]) -> str:
             return f"the left side is {first}, the right {second}"
         if witness.get("note") and not missing:
             return f"the left side is {first}, the right {second} ({witness['note']})"
-    if len(missing) == 2 and left["undefined"] == _NOT_COMPARED and witness.get("note"):
+    if not are_compared(witness):
         return str(witness["note"])
     if (note := str(witness.get("note"))).startswith(_SIDES_OF):
         first, second = _apart(left, right)
@@ -69,6 +69,12 @@ def sides(witness: Mapping[str, Any]) -> str:
     note = str(witness.get("note") or "")
     entry = f"in {note} " if note.startswith(_ENTRY) else ""
     return f"{entry}the left side is {first}, the right {second}"
+
+
+def are_compared(witness: Mapping[str, Any]) -> bool:
+    """Whether the sides of a relation are what fails, not what the note alone says."""
+    both = [witness[side].get("undefined") for side in ("left", "right")]
+    return both != [_NOT_COMPARED] * 2 or not witness.get("note")
 
 
 def in_words(witness: Mapping[str, Any]) -> str:
