@@ -75,7 +75,7 @@ def in_source_symbols(finding: Finding, setting: Setting, environment: Environme
     """
     for meant in _meant(setting, environment):
         finding = _retold(finding, meant, environment)
-    return replace(finding, region=())
+    return finding
 
 
 def _meant(setting: Setting, environment: Environment) -> Iterator[Meant]:
