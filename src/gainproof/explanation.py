@@ -107,7 +107,8 @@ def _witness(witness: Any, is_slope: bool = False) -> list[str]:
         return []
     if isinstance(witness, str):
         return [witness]
-    lines = [witness_text.at_point(witness)] if witness["point"] else []
+    # the values of the formula's symbols follow in full
+    lines = [witness_text.at_point({"point": witness["point"]})] if witness["point"] else []
     asked = witness_text.slope_asked(witness) if is_slope else ""
     if asked:
         lines += [f"derivative: {witness_text.ball(witness['left'])}", f"claimed: {asked}"]
