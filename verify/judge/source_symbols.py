@@ -169,7 +169,8 @@ def _retold(finding: Finding, meant: Meant, environment: Environment) -> Finding
             value = labelled(meant.value, {meant.name: meant.label})
             more = f"{domain}, where {meant.words} = {value}"
             if len(value) <= LONGEST:
-                reason, domain = _put(domain, more, reason), more
+                # added, not exchanged: any words may stand before
+                reason, domain = _put(domain, more, reason, r"(^|[\s(])"), more
     return replace(finding, domain=domain, reason=reason, witness=witness)
 
 
@@ -178,9 +179,9 @@ def _speaks_of(text: str, name: str) -> bool:
     return re.search(rf"(?<![\w\\{{]){re.escape(name)}(?![\w}}])", text) is not None
 
 
-def _put(old: str, new: str, text: str) -> str:
+def _put(old: str, new: str, text: str, before: str = BEFORE) -> str:
     """The text with `new` wherever `old` stands as a whole condition."""
-    return re.sub(BEFORE + re.escape(old) + AFTER, lambda found: found[1] + new, text)
+    return re.sub(before + re.escape(old) + AFTER, lambda found: found[1] + new, text)
 
 
 def _at(witness: Witness, meant: Meant) -> Witness:

@@ -23,8 +23,8 @@ POSITIVE = Box(lower=Fraction(0))
 
 
 def cell(left: str, right: str) -> Place:
-    ends = (rational_point(Fraction(end)) for end in (left, right))
-    return Place(*ends, is_cell=True)
+    low, high = (rational_point(Fraction(end)) for end in (left, right))
+    return Place(left=low, right=high, is_cell=True)
 
 
 def retold(
