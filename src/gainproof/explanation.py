@@ -107,11 +107,12 @@ def _witness(witness: Any, is_slope: bool = False) -> list[str]:
         return []
     if isinstance(witness, str):
         return [witness]
-    lines = [witness_text.at_point(witness)] if witness["point"] else []
+    # the values of the formula's symbols follow in full
+    lines = [witness_text.at_point({"point": witness["point"]})] if witness["point"] else []
     asked = witness_text.slope_asked(witness) if is_slope else ""
     if asked:
         lines += [f"derivative: {witness_text.ball(witness['left'])}", f"claimed: {asked}"]
-    for side in ("left", "right") if not asked else ():
+    for side in ("left", "right") if not asked and witness_text.are_compared(witness) else ():
         value = witness[side]
         text = value.get("undefined") or witness_text.ball(value)
         lines.append(f"{side} side: {text}")

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Mapping
 from decimal import MAX_EMAX, MIN_EMIN, Context, Decimal
 from typing import Any
@@ -23,13 +24,24 @@ _FILTER = "the filter is"
 """How a note begins that says whether a filter is stable there, and what was claimed."""
 _ENTRY = "entry"
 """How the note of a witness against an equation of matrices begins."""
+_OURS = re.compile("[a-z]+([_ ][a-z]+)+")
+"""A quantity by its own name, since no symbol of the source stands for it."""
 _NOT_COMPARED = "not compared"
 """Of a side where the note alone says what fails."""
 
 
 def at_point(witness: Mapping[str, Any]) -> str:
-    """`at r = 1`, `as r -> infinity`, or nothing for a formula that holds no symbols."""
+    """`at r = 1`, `as r -> infinity`, or nothing for a formula that holds no symbols. Before
+    quantities that no source writes so, the symbols of the formula: `at a = 0.5
+    (tracking_index = 1)`.
+    """
     places = [(name, str(value)) for name, value in witness["point"].items()]
+    own = witness.get("values", {}).items()
+    ours = [f"{name} = {value}" for name, value in places if _OURS.fullmatch(name)]
+    if own and ours and not _is_approach(witness):
+        told = [f"{name} = {_shown(value, _DIGITS)}" for name, value in own]
+        told += [f"{name} = {value}" for name, value in places if not _OURS.fullmatch(name)]
+        return f"at {', '.join(told)} ({', '.join(ours)})"
     fixed = [f"{name} = {value}" for name, value in places if not value.startswith(_APPROACH)]
     moving = [f"{name} {value}" for name, value in places if value.startswith(_APPROACH)]
     parts = (("at", fixed), ("as", moving))
@@ -48,7 +60,7 @@ def sides(witness: Mapping[str, Any]) -> str:
             return f"the left side is {first}, the right {second}"
         if witness.get("note") and not missing:
             return f"the left side is {first}, the right {second} ({witness['note']})"
-    if len(missing) == 2 and left["undefined"] == _NOT_COMPARED and witness.get("note"):
+    if not are_compared(witness):
         return str(witness["note"])
     if (note := str(witness.get("note"))).startswith(_SIDES_OF):
         first, second = _apart(left, right)
@@ -69,6 +81,12 @@ def sides(witness: Mapping[str, Any]) -> str:
     note = str(witness.get("note") or "")
     entry = f"in {note} " if note.startswith(_ENTRY) else ""
     return f"{entry}the left side is {first}, the right {second}"
+
+
+def are_compared(witness: Mapping[str, Any]) -> bool:
+    """Whether the sides of a relation are what fails, not what the note alone says."""
+    both = [witness[side].get("undefined") for side in ("left", "right")]
+    return both != [_NOT_COMPARED] * 2 or not witness.get("note")
 
 
 def in_words(witness: Mapping[str, Any]) -> str:

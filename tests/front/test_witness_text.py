@@ -121,3 +121,22 @@ def test_of_an_equivalence_the_truth_of_each_side_is_told() -> None:
 def test_of_a_filter_its_stability_is_told() -> None:
     note = "the filter is stable (poles of modulus 0.707107), though a < 1 fails"
     assert witness_text.in_words({**WITNESS, "note": note}) == f"at r = 1 {note}"
+
+
+@pytest.mark.parametrize(
+    ("point", "values", "told"),
+    [
+        ({"tracking_index": "1"}, ["a", "b"], "at a = 0.5, b = 0.5 (tracking_index = 1)"),
+        ({"ratio of noises": "1/3"}, ["a"], "at a = 0.5 (ratio of noises = 1/3)"),
+        ({"tracking_index": "1"}, [], "at tracking_index = 1"),
+        ({r"\Lambda": "1"}, ["a"], r"at \Lambda = 1"),
+        ({"K_{11}": "1"}, ["a"], "at K_{11} = 1"),
+        ({"tracking_index": "1", "T": "2"}, ["a"], "at a = 0.5, T = 2 (tracking_index = 1)"),
+        ({"tracking_index": "-> infinity"}, ["a"], "as tracking_index -> infinity"),
+    ],
+)
+def test_symbols_of_the_formula_come_before_what_no_source_writes(
+    point: dict[str, str], values: list[str], told: str
+) -> None:
+    half = {"midpoint": "0.5", "radius": "0"}
+    assert witness_text.at_point({"point": point, "values": dict.fromkeys(values, half)}) == told

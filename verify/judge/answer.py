@@ -57,9 +57,10 @@ def _plain(value: object) -> Any:
     name = type(value).__name__
     if RECORDS.get(name) is not type(value):
         raise TypeError(f"{name} is no part of an answer")
-    # the places of a finding were told in its domain and have done their work
-    kept = [f.name for f in fields(RECORDS[name]) if f.name != "region"]
-    return {name: {field: _plain(getattr(value, field)) for field in kept}}
+    # what is as it is unless said otherwise need not be said
+    said = {f.name: getattr(value, f.name) for f in fields(RECORDS[name])}
+    defaults = {f.name: f.default for f in fields(RECORDS[name])}
+    return {name: {key: _plain(inner) for key, inner in said.items() if inner != defaults[key]}}
 
 
 def _record(value: Any) -> Any:

@@ -31,9 +31,11 @@ def judge_claim(claim: Claim, setting: Setting, environment: Environment) -> Fin
             finding = with_rounded(finding, claim, reading, setting, environment)
             finding = replace(finding, reading="; ".join(words) or None)
         if environment.conditions:
-            finding = _of_one_filter(finding, environment.parameter or "")
+            finding = _of_one_filter(finding, environment.parameter)
         else:
             finding = in_source_symbols(finding, setting, environment)
+        # the places were told in the domain and have done their work
+        finding = replace(finding, region=())
         told = {
             "established": [fact.sentence for fact in environment.facts],
             "cited": cited(claim, setting),
@@ -49,8 +51,12 @@ def judge_claim(claim: Claim, setting: Setting, environment: Environment) -> Fin
     return findings[0]
 
 
-def _of_one_filter(finding: Finding, parameter: str) -> Finding:
-    """Without the parameter of a filter in numbers, which has one value and no name in a source."""
+def _of_one_filter(finding: Finding, parameter: str | None) -> Finding:
+    """Without the parameter of a filter in numbers, if it has one: that has one value, and no name
+    in a source.
+    """
+    if not parameter:
+        return finding
     value = rf"{re.escape(parameter)} = [^,:;]*"
     reason = re.sub(rf"at {value}:", "with", finding.reason)
     reason = re.sub(rf"{value}, ", "", reason)

@@ -188,11 +188,15 @@ def _conditional(stated: ClaimVerdict, other: ClaimVerdict) -> ClaimVerdict:
         f"as the source states its conventions: {stated.reason}; true, with all other claims of "
         f"the setting, under a convention that the source contradicts: {other.convention}"
     )
+    # what is kept as a statement is that against the stated convention, if there is one
+    own = stated.certificate
+    rests = stated if "statement" in own else other
+    more = {"under the other convention": dict(other.certificate)}
     return replace(
         stated,
         verdict="conditional",
         convention=other.convention,
         domain=other.domain,
-        certificate={**stated.certificate, "under the other convention": dict(other.certificate)},
+        certificate={"decides": rests.verdict, **own, **more},
         reason=reason,
     )

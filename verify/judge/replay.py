@@ -38,14 +38,20 @@ def replay(certificate: Mapping[str, Any], verdict: str) -> str | None:
 
     What is refuted or conditional may rest on a part of the claim, or on one convention: then the
     certificate says what that part comes to. A proof rests on its own statement alone, or on
-    several that it names, each of which has to be proved unless it says what it comes to.
+    several that it names, each of which has to be proved unless it says what it comes to: the
+    worst of them is what they come to together.
     """
+    wanted = verdict if verdict == "proved" else certificate.get("decides", verdict)
     if "statement" not in certificate:
         parts = statements_of(certificate)
-        found = {name: replay(p, p.get("decides", "proved")) for name, p in parts.items()}
-        wrong = [f"{name}: {reason}" for name, reason in found.items() if reason is not None]
-        return wrong[0] if wrong else None if parts else "cannot be replayed: no statement"
-    wanted = verdict if verdict == "proved" else certificate.get("decides", verdict)
+        if not parts:
+            return "cannot be replayed: no statement"
+        each = {name: p.get("decides", "proved") for name, p in parts.items()}
+        together = next((v for v in ("refuted", "conditional") if v in each.values()), "proved")
+        if together != wanted:
+            return f"wanted {wanted}, but its parts come to {together}"
+        found = {name: replay(p, each[name]) for name, p in parts.items()}
+        return next((f"{name}: {why}" for name, why in found.items() if why is not None), None)
     try:
         statement, boxes, parameter, labels = statement_from(certificate["statement"])
         if certificate.get("engine") == "balls":

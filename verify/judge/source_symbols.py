@@ -6,6 +6,7 @@ else are rational, say. What a source declares is a function of it.
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field, replace
 from fractions import Fraction
@@ -46,6 +47,11 @@ UNITS = (INTERVAL, DEVIATION)
 MOST_POWER = 12
 LONGEST = 200
 """Characters of an expression that is told beside a domain."""
+BEFORE = r"(^|[(,;:]\s?|\b(?:and|for|if|only|or|where|with)\s)"
+AFTER = r"(?=$|[,;:)]|\.$|\.?\s(?!\s*[-+*/^<>=]))"
+"""What a condition stands between where all of it is meant: a number that goes on is another
+one.
+"""
 
 
 @dataclass(frozen=True)
@@ -69,7 +75,7 @@ def in_source_symbols(finding: Finding, setting: Setting, environment: Environme
     """
     for meant in _meant(setting, environment):
         finding = _retold(finding, meant, environment)
-    return replace(finding, region=())
+    return finding
 
 
 def _meant(setting: Setting, environment: Environment) -> Iterator[Meant]:
@@ -127,7 +133,7 @@ def _scaled(
         at_one = substituted(bare, {name: number(Fraction(1, 2))})
         high, low = constant_value(at_two), constant_value(at_one)
         ratio = high / low if high and low else Fraction(0)
-        fits = [k for k in range(-MOST_POWER, MOST_POWER) if ratio == Fraction(2) ** k]
+        fits = [k for k in range(-MOST_POWER, MOST_POWER + 1) if ratio == Fraction(2) ** k]
         if not fits:
             return None
         powers[other] = fits[0]
@@ -156,15 +162,26 @@ def _retold(finding: Finding, meant: Meant, environment: Environment) -> Finding
         told = _at(witness, meant)
         reason = reason.replace(witness.text(), told.text())
         witness = told
-    if domain is not None and meant.label in domain:
+    if domain is not None and _speaks_of(domain, meant.label):
         for old, new in _regions(finding.region, meant, environment):
-            domain, reason = domain.replace(old, new), reason.replace(old, new)
-        if meant.label in domain:
+            domain, reason = _put(old, new, domain), _put(old, new, reason)
+        if _speaks_of(domain, meant.label):
             value = labelled(meant.value, {meant.name: meant.label})
             more = f"{domain}, where {meant.words} = {value}"
             if len(value) <= LONGEST:
-                reason, domain = reason.replace(domain, more), more
+                # added, not exchanged: any words may stand before
+                reason, domain = _put(domain, more, reason, r"(^|[\s(])"), more
     return replace(finding, domain=domain, reason=reason, witness=witness)
+
+
+def _speaks_of(text: str, name: str) -> bool:
+    """Whether a name stands in a text as a whole, not as a part of another name."""
+    return re.search(rf"(?<![\w\\{{]){re.escape(name)}(?![\w}}])", text) is not None
+
+
+def _put(old: str, new: str, text: str, before: str = BEFORE) -> str:
+    """The text with `new` wherever `old` stands as a whole condition."""
+    return re.sub(before + re.escape(old) + AFTER, lambda found: found[1] + new, text)
 
 
 def _at(witness: Witness, meant: Meant) -> Witness:

@@ -60,6 +60,7 @@ class Budget:
     cells: int = 0
     seen: set[frozenset[object]] = field(default_factory=set)
     gaps: list[tuple[Expr, str]] = field(default_factory=list)
+    # processor time: a loaded machine must not change a verdict
     start: float = field(default_factory=time.process_time)
 
     def is_new(self, task: Task) -> bool:

@@ -15,6 +15,8 @@ TURNED = {"<": ">", "<=": ">=", ">": "<", ">=": "<="}
 """The same orders of sides exchanged."""
 NEGATED = {"<": ">=", "<=": ">", ">": "<=", ">=": "<"}
 """Which order holds of two numbers where another does not."""
+NOT_COMPARED = "not compared"
+"""Of the sides of a relation where the note of a witness says what fails."""
 
 
 @dataclass(frozen=True)
@@ -140,6 +142,8 @@ class Witness:
         """Readable."""
         where = ", ".join(f"{name} = {value}" for name, value in self.point.items())
         place = f"at {where}:" if where else "with"
+        if self.left.undefined == self.right.undefined == NOT_COMPARED:
+            return f"{place} {self.note}"
         return f"{place} left {self.left.text()}, right {self.right.text()}" + (
             f" ({self.note})" if self.note else ""
         )

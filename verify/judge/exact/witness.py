@@ -18,12 +18,16 @@ from gainproof.verify.judge.exact.local import FIRST_PRECISION, Local
 from gainproof.verify.judge.exact.place import Place
 from gainproof.verify.judge.exact.poly import Ball
 from gainproof.verify.judge.exact.radicand import Element
-from gainproof.verify.judge.exact.statement import Enclosure, Rel, Statement, Witness
+from gainproof.verify.judge.exact.statement import (
+    NOT_COMPARED,
+    Enclosure,
+    Rel,
+    Statement,
+    Witness,
+)
 from gainproof.verify.judge.exact.tower import Tower
 from gainproof.verify.judge.exact.truth import FALSE, NO_VALUE, TRUE, Question, truth
 
-NOT_COMPARED = "not compared"
-"""Of the sides of a relation where the note of a witness says what fails."""
 SIDES_OF = "the left side of the"
 """How the note of a witness against an equivalence or implication begins."""
 FREE_PATTERNS = (

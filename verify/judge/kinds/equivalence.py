@@ -12,6 +12,7 @@ from gainproof.verify.judge.formula import Reading
 from gainproof.verify.judge.freed.freely import where_valued
 from gainproof.verify.judge.freed.rewriting import has_functions
 from gainproof.verify.judge.kinds.framing import (
+    LACKING,
     Frame,
     framed,
     strictly,
@@ -39,17 +40,21 @@ def decide_equivalence(statement: Statement, frame: Frame) -> Finding:
         one = len(statement.symbols()) == 1 and not frame.conditions
         if one and not has_functions(statement):
             raise
-    findings, reasons = [], []
-    for hypothesis, conclusion, sides in (
-        (statement.relations, statement.conditions, ("holds", "{}")),
-        (statement.conditions, statement.relations, ("{}", "holds")),
+    ways: list[tuple[Finding, str]] = []
+    reasons = []
+    for supposed, hypothesis, conclusion in (
+        ("left", statement.relations, statement.conditions),
+        ("right", statement.conditions, statement.relations),
     ):
         one_way = Statement(conclusion, hypothesis, "if", statement.needed)
         try:
-            found = _told(finding_of(strictly(frame).decide(one_way)), sides)
-            findings.append(where_hypotheses_have_values(found, hypothesis, frame))
+            found = finding_of(strictly(frame).decide(one_way))
+            ways.append((where_hypotheses_have_values(found, hypothesis, frame), supposed))
         except Undecided as reason:
             reasons.append(reason)
+    # of two directions with one domain, that whose witness says what both sides come to
+    ways.sort(key=lambda way: way[0].witness is not None and way[0].witness.note == LACKING)
+    findings = [_told(found, supposed) for found, supposed in ways]
     refuted = next((f for f in findings if f.verdict == "refuted"), None)
     if reasons and refuted is None:
         raise reasons[0]
@@ -68,12 +73,20 @@ def decide_equivalence(statement: Statement, frame: Frame) -> Finding:
     return replace(against, reason=f"one direction only: {against.reason}")
 
 
-def _told(finding: Finding, sides: tuple[str, str]) -> Finding:
-    """The finding on one direction, its witness with what each side of the equivalence comes to."""
+def _told(finding: Finding, supposed: str) -> Finding:
+    """The finding on one direction, its witness with what each side of the equivalence comes to:
+    that which is supposed, `left` or `right`, and the other.
+    """
     witness = finding.witness
     if witness is None:
         return finding
-    lacks = witness.left.undefined is not None or witness.right.undefined is not None
-    first, second = (side.format("has no value" if lacks else "does not hold") for side in sides)
-    note = f"{SIDES_OF} equivalence {first}, the right {second}"
-    return replace(finding, witness=replace(witness, note=note))
+    if witness.note == LACKING:
+        note = f"the {supposed} side of the equivalence has no value"
+    else:
+        lacks = witness.left.undefined is not None or witness.right.undefined is not None
+        said = ("holds", "has no value" if lacks else "does not hold")
+        first, second = said if supposed == "left" else said[::-1]
+        note = f"{SIDES_OF} equivalence {first}, the right {second}"
+    told = replace(witness, note=note)
+    reason = finding.reason.replace(witness.text(), told.text())
+    return replace(finding, reason=reason, witness=told)

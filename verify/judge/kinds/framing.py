@@ -14,7 +14,13 @@ from gainproof.verify.judge.exact.constant_value import constant_value
 from gainproof.verify.judge.exact.expression import number, symbols_of
 from gainproof.verify.judge.exact.free_names import free_name
 from gainproof.verify.judge.exact.limits import Undecided
-from gainproof.verify.judge.exact.statement import Enclosure, Outcome, Rel, Statement
+from gainproof.verify.judge.exact.statement import (
+    NOT_COMPARED,
+    Enclosure,
+    Outcome,
+    Rel,
+    Statement,
+)
 from gainproof.verify.judge.freed.certificate import certificate_of
 from gainproof.verify.judge.freed.deciding import decided
 from gainproof.verify.judge.freed.total import is_total
@@ -29,6 +35,8 @@ from gainproof.verify.judge.verdict import Finding, finding_of
 PLAIN = ("=", "!=", "<", "<=", ">", ">=")
 OTHER = {"=": "!=", "!=": "=", "<": ">=", "<=": ">", ">": "<=", ">=": "<"}
 """What is true where a relation with values is not."""
+LACKING = "what is supposed has no value"
+"""The note of a witness at which a hypothesis has no value."""
 
 
 @dataclass(frozen=True)
@@ -94,12 +102,13 @@ def where_hypotheses_have_values(
     valued = finding_of(frame.decide(Statement(partial)))
     if valued.verdict == "proved":
         return found
-    none = Enclosure("", "", "not compared")
-    witness = valued.witness and replace(
-        valued.witness, left=none, right=none, note="what is supposed has no value there"
-    )
-    reason = f"what is supposed lacks a value on a part of the domain: {valued.reason}"
-    return replace(valued, reason=reason, witness=witness)
+    none = Enclosure("", "", NOT_COMPARED)
+    witness = valued.witness and replace(valued.witness, left=none, right=none, note=LACKING)
+    inner = valued.reason
+    if valued.witness and witness:
+        # that a side of `side <= side` has no value is no news
+        inner = inner.replace(valued.witness.text(), witness.text())
+    return replace(valued, reason=inner, witness=witness)
 
 
 def only_plain(relations: Iterable[Rel]) -> None:

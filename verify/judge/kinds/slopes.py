@@ -294,7 +294,12 @@ class _Derivatives:
                 apart,
                 domain=self._domain(statement, boxes) or f"{apart.domain}, and {place.text}",
                 method=f"{apart.method}; at {place.text} by the true derivative",
-                certificate={**_parts(apart, "elsewhere"), **_parts(at, f"at {place.text}")},
+                # all that is kept is proved, also beside what is only held elsewhere
+                certificate={
+                    **_parts(apart, "elsewhere"),
+                    **_parts(at, f"at {place.text}"),
+                    "decides": "proved",
+                },
             )
         if at.witness is None:
             return at

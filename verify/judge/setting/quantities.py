@@ -35,22 +35,17 @@ from gainproof.verify.judge.setting.steady_state import solve
 T, SIGMA = symbol(INTERVAL), symbol(DEVIATION)
 
 
-def steady_state(
-    model: Mapping[str, Any], gain_form: str = "filter", squared_index: Fraction | None = None
-) -> Environment:
-    """The steady state of a model; with `predictor`, `gain.i` is F K, otherwise K. Without
-    `squared_index` the tracking index is free.
-    """
+def steady_state(model: Mapping[str, Any], squared_index: Fraction | None = None) -> Environment:
+    """The steady state of a model. Without `squared_index` the tracking index is free."""
     if model.get("measurement_noise") != [["1"]] and model.get("measurement_noise") != (("1",),):
         raise Undecided(
             "model data must be in units of the measurement noise, with measurement_noise [['1']]"
         )
     state = solve(model, squared_index)
     factor, size = state.factor, len(state.filter_gain)
-    named = {"filter": state.filter_gain, "predictor": state.predictor_gain}
     quantities = {**common_quantities(), **state.put_in, INDEX: factor.index}
     for i in range(size):
-        quantities[f"gain.{i + 1}"] = named[gain_form][i]
+        quantities[f"gain.{i + 1}"] = state.filter_gain[i]
         quantities[f"filter_gain.{i + 1}"] = state.filter_gain[i]
         quantities[f"predictor_gain.{i + 1}"] = state.predictor_gain[i]
     quantities |= covariances_in_units("predicted", state.predicted) | covariances_in_units(
@@ -62,9 +57,8 @@ def steady_state(
     quantities |= filter_states(state.transition, state.filter_gain, state.measurement)
     boxes = {**factor.boxes(), **base_boxes(size)}
     name = str(model.get("name", "model"))
-    suffix = "" if gain_form == "filter" else ", gains are those of the predictor (F K)"
     return Environment(
-        f"process noise {name}{suffix}",
+        f"process noise {name}",
         quantities,
         boxes,
         factor.parameter,
@@ -73,19 +67,18 @@ def steady_state(
     )
 
 
-def memory(degree: int, gain_form: str = "filter") -> Environment:
+def memory(degree: int) -> Environment:
     """Least squares over all samples with a polynomial of this degree."""
     fit: GrowingMemory = growing_memory(degree)
     size = degree + 1
     predictor = tuple(row[0] for row in times(fit.transition, tuple((g,) for g in fit.gain)))
-    named = {"filter": fit.gain, "predictor": predictor}
     before = tuple(
         tuple(substituted(e, {SAMPLE: symbol(SAMPLE) - 1}) for e in row) for row in fit.updated
     )
     predicted = times(times(fit.transition, before), transposed(fit.transition))
     quantities = common_quantities()
     for i in range(size):
-        quantities[f"gain.{i + 1}"] = named[gain_form][i]
+        quantities[f"gain.{i + 1}"] = fit.gain[i]
         quantities[f"filter_gain.{i + 1}"] = fit.gain[i]
         quantities[f"predictor_gain.{i + 1}"] = predictor[i]
     quantities |= covariances_in_units("predicted", predicted) | covariances_in_units(
@@ -105,9 +98,8 @@ def memory(degree: int, gain_form: str = "filter") -> Environment:
         **base_boxes(size),
     }
     what = {0: "mean", 1: "line", 2: "parabola"}[degree]
-    suffix = "" if gain_form == "filter" else ", gains are those of the predictor (F K)"
     continued = {f"filter_gain.{i + 1}": gain for i, gain in enumerate(fit.continued_gain)}
-    name = f"least squares, {what}{suffix}"
+    name = f"least squares, {what}"
     return Environment(name, quantities, boxes, SAMPLE, fit.facts, missing, continued)
 
 

@@ -103,6 +103,30 @@ def test_a_certificate_is_replayed_and_an_altered_one_is_not() -> None:
     assert "cannot be replayed" in str(replay(altered, "conditional"))
 
 
+POSITIVE_SUM = Statement((Rel(">", x + y, x),))
+SOMETIMES = Statement((Rel(">", x, y),))
+NEVER = Statement((Rel("<", x + y, x),))
+
+
+@pytest.mark.parametrize("names", [("there", "back"), ("elsewhere", "at x = 0", "at y = 0")])
+@pytest.mark.parametrize(
+    ("statement", "comes_to"),
+    [(POSITIVE_SUM, "proved"), (SOMETIMES, "conditional"), (NEVER, "refuted")],
+)
+def test_parts_come_to_one_verdict_and_to_no_other(
+    names: tuple[str, ...], statement: Statement, comes_to: str
+) -> None:
+    """x + y > x for y > 0, x > y for some, x + y < x for none, by hand."""
+    proof = dict(settle(POSITIVE_SUM, BOTH, None, {}).certificate)
+    last = {**settle(statement, BOTH, None, {}).certificate, "decides": comes_to}
+    parts = {**dict.fromkeys(names, proof), names[-1]: last}
+    for verdict in ("proved", "conditional", "refuted"):
+        assert (replay(parts, verdict) is None) == (verdict == comes_to)
+        # told as another verdict, which a proof never is
+        told = replay({**parts, "decides": comes_to}, verdict)
+        assert (told is None) == (verdict == comes_to or verdict != "proved")
+
+
 def test_verdicts_of_the_lecture_are_replayed() -> None:
     claims = lecture_claims()
     replayed = [c for c in claims if (c["evidence"]["certificate"] or {}).get("statement")]

@@ -68,6 +68,40 @@ def test_two_logarithms_are_compared_where_both_have_a_value() -> None:
 
 
 @pytest.mark.parametrize(
+    ("latex", "told"),
+    [
+        (
+            r"\frac{1}{e^x - 2} > 0 \Leftrightarrow e^x > 2",
+            "the left side of the equivalence has no value",
+        ),
+        (
+            r"e^x > 2 \Leftrightarrow \frac{1}{e^x - 2} > 0",
+            "the right side of the equivalence has no value",
+        ),
+        (
+            r"\frac{e^x - 2}{e^x - 2} = 1 \Leftrightarrow e^x > 1",
+            "the left side of the equivalence has no value, the right holds",
+        ),
+        (
+            r"e^x > 1 \Leftrightarrow \frac{e^x - 2}{e^x - 2} = 1",
+            "the left side of the equivalence holds, the right has no value",
+        ),
+        (r"\frac{1}{e^x - 2} > 5 \Rightarrow e^x > 2", "what is supposed has no value"),
+    ],
+)
+def test_which_side_has_no_value_is_told(latex: str, told: str) -> None:
+    """At x = ln 2, by hand; what is said of the sides is said once."""
+    kind = "equivalence" if "Leftrightarrow" in latex else "implication"
+    stated = "{ unit = '1', domain = '0 < x < 3', meaning = 'a number' }"
+    found = judged(kind, latex, {"x": stated})
+    check(found, "conditional")
+    assert found.witness is not None
+    assert found.witness["note"] == told
+    assert found.reason.count(told) == 1
+    assert "compared" not in found.reason
+
+
+@pytest.mark.parametrize(
     ("subject", "trend", "domain"),
     [
         (r"x \ln x", "increasing", r"x \geq 0"),
