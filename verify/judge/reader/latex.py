@@ -87,7 +87,7 @@ def _node(node: Sequence[str | int], done: Sequence[Printed]) -> Printed:
         case "pow":
             return _power(done[int(rest[0])], Fraction(str(rest[1])))
         case "derivative":
-            body = _at_least(done[int(rest[0])], PRODUCT)
+            body = _at_least(done[int(rest[0])], POWER)
             return Printed(f"\\frac{{\\partial}}{{\\partial {rest[1]}}} {body}", PRODUCT)
         case "at":
             return evaluated_text(done[int(rest[0])], str(rest[1]), done[int(rest[2])])

@@ -9,7 +9,7 @@ from typing import Protocol
 
 import flint
 
-from gainproof.verify.judge.exact.expression import Expr, symbols_of
+from gainproof.verify.judge.exact.expression import Expr, number, symbols_of
 from gainproof.verify.judge.exact.poly import Ball, rational
 from gainproof.verify.judge.repair.asked import open_places, open_sides
 from gainproof.verify.judge.repair.construct import (
@@ -78,7 +78,8 @@ def closings(context: Context) -> Iterator[Change]:
                 # a rational number is told by more bits than flint works with by itself
                 with flint.ctx.workprec(PRECISION):
                     new = make(found, tokens, columns)
-                if new is None or new == node:
+                # a term that is 0 is a part too many, which is an edit
+                if new is None or new == node or (path and new == number(0)):
                     continue
                 changed = formula.with_side(side, replaced(formula.sides[side], path, new))
                 step = Step(what, node, new)

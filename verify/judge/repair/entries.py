@@ -29,9 +29,11 @@ MOST_WRONG = 6
 
 
 class EntryScope(Scope):
-    """A scope in which one symbol more stands for what an entry should be."""
+    """A scope in which one symbol more stands for what an entry should be, `truth`."""
 
-    truth: Expr
+    def __init__(self, claim: Claim, setting: Setting, at: Environment, truth: Expr) -> None:
+        super().__init__(setting, at, held=claim.held)
+        self.truth = truth
 
     def symbol(self, token: str, bindings: Bindings | None = None) -> Value:
         """What a symbol stands for."""
@@ -136,8 +138,7 @@ def printed_matrix(
             return None
         wrong = []
         for place, (part, true) in enumerate(zip(tree.parts, entries(truth), strict=True)):
-            scope = EntryScope(setting, environment, held=claim.held)
-            scope.truth = true
+            scope = EntryScope(claim, setting, environment, true)
             entry = Relation("=", graph_of(symbol(ENTRY)), graph_of(part))
             single = Reading((entry,), reading.conditions)
             search = Search(claim, single, setting, environment, others, deadline, own_scope=scope)

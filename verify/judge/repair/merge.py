@@ -10,6 +10,7 @@ from gainproof.verify.judge.exact.expression import Expr, number
 from gainproof.verify.judge.exact.limits import Malformed, Undecided
 from gainproof.verify.judge.exact.statement import Rel, Statement
 from gainproof.verify.judge.hypothesis import settle
+from gainproof.verify.judge.repair.expanded import Terms, expanded
 from gainproof.verify.judge.repair.printed import Printed
 from gainproof.verify.judge.repair.recognise import common_rational
 from gainproof.verify.judge.repair.trivial import OffTheModel
@@ -23,12 +24,21 @@ def same_equation(a: Printed, b: Printed, off: OffTheModel) -> bool:
     if any(len(f.links) != 1 or f.links[0].operator != "=" or f.conditions for f in (a, b)):
         return False
     first, second = _difference(a), _difference(b)
+    if _proportional(expanded(first), expanded(second)):
+        return True
     ratio = _ratio(first, second, off)
     if ratio is not None and _identical(first, number(ratio) * second):
         return True
     (left, right), (other_left, other_right) = _ends(a), _ends(b)
     crossed = left * other_right, other_left * right
     return _ratio(*crossed, off) == 1 and _identical(*crossed)
+
+
+def _proportional(first: Terms, second: Terms) -> bool:
+    """Whether one is a number times the other; a derivative has no value off the model."""
+    if first.keys() != second.keys():
+        return False
+    return len({size / second[monomial] for monomial, size in first.items()}) == 1
 
 
 def _identical(first: Expr, second: Expr) -> bool:

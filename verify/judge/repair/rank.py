@@ -39,9 +39,9 @@ def _parts(*sides: Expr) -> set[bytes]:
 
 
 def rank(change: Change, formula: Printed, said: frozenset[bytes]) -> tuple[object, ...]:
-    """Fewest places changed, then on one side, then what the source says elsewhere too, or the
-    formula itself twice, then the same symbols, then the smallest part touched and the same left
-    sides.
+    """Fewest places changed, then on one side, then not in what a function is taken of, then what
+    the source says elsewhere too, or the formula itself twice, then the same symbols, then the
+    smallest part touched and the same left sides.
     """
     before, after = formula.sides, change.printed.sides
     sides = sum(a != b for a, b in zip(before, after, strict=True))
@@ -51,12 +51,23 @@ def rank(change: Change, formula: Printed, said: frozenset[bytes]) -> tuple[obje
     size = abs(_size(after) - _size(before))
     touched = sum(_size((node,)) for s in change.steps if (node := s.part or s.before))
     named = sum(before[n] != after[n] for n in {link.left for link in formula.links})
+    inside = _arguments(after) - _arguments(before)
+    led = sum(_begins_with_minus(argument) for argument in inside)
     # a sign or a missing factor is put where the left side stays what the formula is for
     sided = change.weight == LARGE or any(step.what in OF_SIDES for step in change.steps)
     last = (named, touched) if sided else (touched, named)
     stacked = _stacked(after) - _stacked(before)
     times = sum(step.times for step in change.steps)
-    return (times, sides, -gained, other_names, stacked, *last, size)
+    return (times, sides, len(inside), led, -gained, other_names, stacked, *last, size)
+
+
+def _arguments(sides: tuple[Expr, ...]) -> set[Expr]:
+    """What functions are taken of."""
+    return {part for node in walk(*sides) if node.kind == "call" for part in node.parts}
+
+
+def _begins_with_minus(expr: Expr) -> bool:
+    return expr.kind == "neg" or (expr.kind == "add" and expr.parts[0].kind == "neg")
 
 
 def _repeated(sides: tuple[Expr, ...]) -> int:

@@ -11,6 +11,7 @@ from functools import lru_cache
 
 from gainproof.verify.judge.exact.expression import Expr, walk
 from gainproof.verify.judge.repair.construct import ONE, places
+from gainproof.verify.judge.repair.expanded import Terms, added, expanded
 from gainproof.verify.judge.repair.printed import Printed
 from gainproof.verify.judge.repair.trivial import sorted_key
 
@@ -18,10 +19,13 @@ _NUMBER = b"a number"
 
 
 def is_more_senseless(formula: Printed, than: Printed) -> bool:
-    """Whether it has more such parts than the formula as printed, or a factor put in that stands on
-    both sides.
+    """Whether it has more such parts than the formula as printed, or something put in that cancels
+    a term, or a factor that stands on both sides.
     """
     if senseless_parts(formula) > senseless_parts(than):
+        return True
+    # a sign changed in (a + b)^2 + (a - b)^2 cancels terms too, and may well be meant
+    if _leaves(formula) > _leaves(than) and _undone(formula) > _undone(than):
         return True
     if _shared_factors(formula) <= _shared_factors(than):
         return False
@@ -33,9 +37,9 @@ def senseless_parts(formula: Printed) -> int:
     """How many parts of a formula nobody prints; a term on both sides of an equation is one."""
     inside = sum(_at_node(node) for side in formula.sides for _, node in places(side))
     across = sum(
-        len(set(_terms(formula.sides[link.left])) & set(_terms(formula.sides[link.right])))
+        _shared_terms(formula.sides[link.left], formula.sides[link.right])
         for link in formula.links
-        if link.operator == "=" and _is_sum(formula, link.left, link.right)
+        if link.operator == "="
     )
     return inside + across
 
@@ -57,6 +61,26 @@ def _may_lack(formula: Printed) -> frozenset[bytes]:
         if is_root or (node.kind == "call" and node.name in ("log", "ln")):
             found.add(sorted_key(node.parts[0]))
     return frozenset(found)
+
+
+def _undone(formula: Printed) -> int:
+    """How many terms of sums the other terms take away again, when multiplied out."""
+    return sum(
+        _is_undone(expanded(term), added(expanded(t) for j, t in enumerate(node.parts) if j != k))
+        for side in formula.sides
+        for _, node in places(side)
+        if node.kind == "add"
+        for k, term in enumerate(node.parts)
+    )
+
+
+def _is_undone(term: Terms, others: Terms) -> bool:
+    """Whether each part of a term stands in the others with the other sign, of any size."""
+    return all(size * others.get(monomial, 0) < 0 for monomial, size in term.items())
+
+
+def _leaves(formula: Printed) -> int:
+    return sum(not node.parts for side in formula.sides for _, node in places(side))
 
 
 def _shared_factors(formula: Printed) -> int:
@@ -89,8 +113,13 @@ def powers_of(expr: Expr, above: bool = True) -> Iterator[tuple[bytes, bool]]:
             yield sorted_key(expr), above
 
 
-def _is_sum(formula: Printed, *sides: int) -> bool:
-    return any(formula.sides[n].kind == "add" for n in sides)
+def _shared_terms(left: Expr, right: Expr) -> int:
+    """How many terms both sides have, of which one is a sum; one divisor of both left out."""
+    if left.kind == right.kind == "div" and left.parts[1] == right.parts[1]:
+        left, right = left.parts[0], right.parts[0]
+    if "add" not in (left.kind, right.kind):
+        return 0
+    return len(set(_terms(left)) & set(_terms(right)))
 
 
 @lru_cache(maxsize=1 << 15)  # the changes of one formula share nearly all of their parts

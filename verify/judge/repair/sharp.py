@@ -44,5 +44,9 @@ def _comes_near(formula: Printed, link: Link, far: Sequence[Values]) -> bool:
 
 def is_weaker(formula: Printed, than: Printed, off: OffTheModel) -> bool:
     """Whether the formula is seen to hold wherever the other does, whatever the symbols are."""
+    if formula.sides == than.sides and formula.connective == "if":
+        pairs = zip(formula.links, than.links, strict=True)
+        if all(a.operator in (b.operator, f"{b.operator}=") for a, b in pairs):
+            return True
     seen = [(truth(values, than), truth(values, formula)) for values in off.values]
     return any(a for a, _ in seen) and all(b is not False for a, b in seen if a)

@@ -4,8 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from gainproof.verify.judge.exact.expression import Expr
+from gainproof.verify.judge.exact.expression import Expr, neg
 from gainproof.verify.judge.repair.construct import (
+    ONE,
     exchanged,
     is_of_one_number,
     opposite,
@@ -16,10 +17,14 @@ from gainproof.verify.judge.repair.construct import (
     without,
 )
 from gainproof.verify.judge.repair.edit import PLAIN, SLIGHT, Edit, Table
+from gainproof.verify.judge.repair.expanded import PARITY
 
 
 def signs(node: Expr, _: Table) -> Iterator[Edit]:
     """One term of a sum, or what a function is taken of, with the other sign."""
+    # nobody prints sin(-x): the sign would stand in front
+    if node.kind == "call" and node.name in PARITY and node.parts[0].kind != "neg":
+        return
     if node.kind == "add" or is_of_one_number(node):
         what = "sign of a term" if node.kind == "add" else "sign of an argument"
         for k, part in enumerate(node.parts):
@@ -33,6 +38,8 @@ def operators(node: Expr, _: Table) -> Iterator[Edit]:
         case "add":
             for k in range(len(node.parts) - 1):
                 a, b = node.parts[k], node.parts[k + 1]
+                if {a, b} & {ONE, neg(ONE)}:
+                    continue  # times 1 is the term left out
                 yield _joined(node, k, product(a, b), "a sum that is a product")
                 yield _joined(node, k, quotient(a, b), "a sum that is a quotient")
         case "mul":

@@ -26,9 +26,9 @@ from gainproof.verify.judge.trial import Trial
 SECONDS = 30.0
 """Time for the search, which has tried enough long before on any machine."""
 OVERTIME = 10.0
+"""Seconds more before it is stopped: it looks at the clock between two formulas only."""
 MOST_NAMED = 3
 """Conventions under which one formula is true."""
-"""Seconds more before it is stopped: it looks at the clock between two formulas only."""
 
 
 @dataclass(frozen=True)

@@ -17,14 +17,22 @@ from gainproof.verify.judge.exact.tidy import expression_of
 from gainproof.verify.judge.exact.tower_building import build_tower
 from gainproof.verify.judge.reader.latex import graph_to_latex
 from gainproof.verify.judge.repair.asked import asked_sides
-from gainproof.verify.judge.repair.construct import places, quotient, raised, total
+from gainproof.verify.judge.repair.construct import (
+    opposite,
+    places,
+    quotient,
+    raised,
+    remade,
+    total,
+)
 from gainproof.verify.judge.repair.recognise import common_rational
 from gainproof.verify.judge.scope import UndefinedSymbol
 
 if TYPE_CHECKING:
     from gainproof.verify.judge.repair.search import Search
 
-MOST_NODES = 60
+MOST_NODES = 20
+"""Longer formulas say less than they take to read."""
 MOST_FACTORED = 400
 """So many nodes are multiplied out and factored."""
 DIGITS = 6
@@ -83,7 +91,17 @@ def in_symbols(value: Expr, search: Search) -> Expr | None:
     known = all(tokens.get(n, n) in search.setting.symbols for n in names)
     if not known or sum(1 for _ in places(value)) > MOST_NODES:
         return None
-    return substituted(value, {n: symbol(tokens[n]) for n in names if n in tokens})
+    named = substituted(value, {n: symbol(tokens[n]) for n in names if n in tokens})
+    return rebuilt(named, _with_fractions)
+
+
+def _with_fractions(node: Expr, parts: tuple[Expr, ...]) -> Expr:
+    """The node with a number as a fraction, which would be printed as a decimal."""
+    if node.kind != "number" or node.fraction.denominator == 1:
+        return remade(node.kind, node.value, parts)
+    size = abs(node.fraction)
+    made = quotient(number(size.numerator), number(size.denominator))
+    return made if node.fraction > 0 else opposite(made)
 
 
 def short_form(expr: Expr) -> Expr:

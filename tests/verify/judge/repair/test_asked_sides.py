@@ -5,7 +5,7 @@ repaired, or what is true is said.
 from __future__ import annotations
 
 import pytest
-from claim_texts import algebra, judged
+from claim_texts import algebra, judged, steady
 
 MOTION = algebra(
     "'x' = { unit = 'm', meaning = 'position' }\n"
@@ -99,3 +99,77 @@ def test_a_definition_that_other_claims_bear_out_is_not_blamed() -> None:
     *_, verdict = judged(setting, *claims)
     assert verdict.verdict == "refuted"
     assert "defined as" not in verdict.reason
+
+
+MATCHED = algebra(
+    "'t' = { unit = '1', domain = 't > 0', meaning = 'a time' }\n"
+    "'c' = { unit = '1', domain = 'c > 0', meaning = 'a number' }\n"
+    "'A' = { definition = 'c t^2', meaning = 'a quantity' }\n"
+    "'B' = { definition = 't^2 + c', meaning = 'another' }\n"
+    "'D' = { definition = '\\frac{c t^2 + 3 t}{16}', meaning = 'a third' }\n"
+)
+
+
+@pytest.mark.parametrize(
+    ("kind", "latex", "expected"),
+    [
+        # doubled on one side, or halved on the other
+        (
+            "identity",
+            r"t \frac{\partial A}{\partial t} = A",
+            r"t ( \frac{\partial}{\partial t} A ) = 2 A",
+        ),
+        (
+            "identity",
+            r"\frac{\partial}{\partial t} (c t) = 2 c",
+            r"\frac{\partial}{\partial t} ( c t ) = c",
+        ),
+        # sharp, and one that is weaker
+        (
+            "inequality",
+            r"\frac{t}{B} \frac{\partial B}{\partial t} > 2",
+            r"\frac{t}{B} ( \frac{\partial}{\partial t} B ) < 2",
+        ),
+        (
+            "inequality",
+            r"2 < \frac{t}{B} \frac{\partial B}{\partial t}",
+            r"2 > \frac{t}{B} ( \frac{\partial}{\partial t} B )",
+        ),
+    ],
+)
+def test_repairs_beside_a_derivative_do_not_say_the_same_twice(
+    kind: str, latex: str, expected: str
+) -> None:
+    (verdict,) = judged(MATCHED, (kind, latex))
+    assert verdict.verdict == "refuted"
+    assert [plain(repair["latex"]) for repair in verdict.repairs] == [expected]
+
+
+def test_numbers_of_what_is_true_are_fractions() -> None:
+    (verdict,) = judged(MATCHED, ("identity", r"\frac{\partial D}{\partial t} = c^2 + t^3"))
+    assert verdict.repairs == ()
+    # (2 c t + 3)/16, by hand
+    truth = r"\frac{\partial}{\partial t} D = \frac{1}{8} c t + \frac{3}{16}"
+    assert plain(verdict.truth or "") == truth
+
+
+@pytest.mark.parametrize("model", ["random-velocity", "random-acceleration"])
+def test_what_is_true_is_not_said_in_lines_of_roots(model: str) -> None:
+    (verdict,) = judged(steady(model), ("identity", r"\alpha = \frac{1}{\beta}"))
+    assert verdict.verdict == "refuted"
+    assert verdict.truth is None
+
+
+@pytest.mark.parametrize(
+    ("latex", "left"),
+    [
+        (r"\frac{\partial}{\partial t}(c t) = 2 c", r"\frac{\partial}{\partial t} ( c t )"),
+        (r"\frac{\partial}{\partial t}(c + t) = 2", r"\frac{\partial}{\partial t} ( c + t )"),
+        (r"\frac{\partial}{\partial t} t^2 = t", r"\frac{\partial}{\partial t} t^{2}"),
+        (r"\frac{\partial A}{\partial t} = c t", r"\frac{\partial}{\partial t} A"),
+    ],
+)
+def test_what_is_differentiated_keeps_its_parentheses(latex: str, left: str) -> None:
+    (verdict,) = judged(MATCHED, ("identity", latex))
+    assert verdict.repairs
+    assert {plain(repair["latex"]).split(" = ")[0] for repair in verdict.repairs} == {left}

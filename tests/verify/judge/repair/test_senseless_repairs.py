@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import re
+
 import pytest
 from claim_texts import MODELS, algebra, claim_file, judged, steady
 
@@ -11,11 +13,14 @@ from gainproof.verify.judge.reader.reader import read_formula
 from gainproof.verify.judge.repair.printed import printed
 from gainproof.verify.judge.repair.proof import is_of_use, is_proved
 from gainproof.verify.judge.repair.senseless import is_more_senseless, senseless_parts
+from gainproof.verify.judge.verdict import ClaimVerdict
 
 RV = steady("random-velocity")
 PLAIN = algebra(
     "'x' = { unit = '1', meaning = 'a number' }\n"
     "'l' = { unit = '1', meaning = 'another' }\n"
+    "'a' = { unit = '1', meaning = 'a number' }\n"
+    "'b' = { unit = '1', meaning = 'a number' }\n"
     "'y' = { unit = '1', domain = 'y > 0', meaning = 'a positive one' }\n"
 )
 
@@ -120,3 +125,73 @@ def test_what_the_source_itself_prints_is_no_fault_of_a_change() -> None:
 
     assert not is_more_senseless(formula("a = b^0 + 0 k"), formula("a = b^0 + 0 a"))  # type: ignore[arg-type]
     assert is_more_senseless(formula("a = b^0 + 0 k"), formula("a = b^0 + k"))  # type: ignore[arg-type]
+
+
+def only_sides(verdict: ClaimVerdict) -> list[list[str]]:
+    """The sides of all repairs, without the size of their brackets."""
+    shown = [repair["latex"] for repair in verdict.repairs]
+    plain = [" ".join(re.sub(r"\\left|\\right", "", latex).split()) for latex in shown]
+    return [latex.split(" = ") for latex in plain]
+
+
+@pytest.mark.parametrize(
+    ("latex", "right"),
+    [
+        (r"(a+b)(a-b) = a^2 - b^2 + x", "a^{2} - b^{2}"),
+        (r"(a+b)(a-b) = a^2 - b^2 + 1", "a^{2} - b^{2}"),
+        (r"y (a+b) = y a + y b + a x", "y a + y b"),
+        (r"\frac{(a+b)(a-b)}{y} = \frac{a^2 - b^2 - l}{y}", r"\frac{a^{2} - b^{2}}{y}"),
+        (r"\frac{\partial}{\partial a}(y\cos a) = -y \sin a + y", r"-y \sin ( a )"),
+        (r"\frac{\partial}{\partial a}(a^2 b) = 2 a b + b", "2 a b"),
+        (r"\frac{\partial}{\partial x}(a x^2 + b x y) = 2 a x + b y - x", "2 a x + b y"),
+    ],
+)
+def test_a_part_too_many_is_left_out_and_not_taken_away_again(latex: str, right: str) -> None:
+    (verdict,) = judged(PLAIN, ("identity", latex))
+    assert verdict.verdict == "refuted"
+    assert [sides[1] for sides in only_sides(verdict)] == [right]
+    assert verdict.repairs[0]["changes"][0].startswith("a part too many")
+
+
+@pytest.mark.parametrize(
+    ("latex", "repaired"),
+    [
+        (r"(a + b)^2 + (a - b)^2 = 4 a b", ["( a + b )^{2} - ( a - b )^{2}", "4 a b"]),
+        (r"(a - b)(a - b) = a^2 - b^2", ["( a - b ) ( a + b )", "a^{2} - b^{2}"]),
+        (r"(a + b)^2 + a^2 = 2 a b + b^2", ["( a + b )^{2} - a^{2}", "2 a b + b^{2}"]),
+        (r"a (b + x) = a b", ["a ( b + x )", "a b + a x"]),
+    ],
+)
+def test_what_cancels_by_a_sign_may_be_meant(latex: str, repaired: list[str]) -> None:
+    (verdict,) = judged(PLAIN, ("identity", latex))
+    assert repaired in only_sides(verdict)
+
+
+@pytest.mark.parametrize(
+    ("latex", "first", "others"),
+    [
+        (
+            r"\cos(a+b) = \cos a \cos b + \sin a \sin b",
+            r"\cos ( a ) \cos ( b ) - \sin ( a ) \sin ( b )",
+            1,
+        ),
+        (
+            r"\sin(a+x) = \sin a \cos x - \cos a \sin x",
+            r"\sin ( a ) \cos ( x ) + \cos ( a ) \sin ( x )",
+            1,
+        ),
+        (
+            r"\cosh(a-b) = \cosh a \cosh b + \sinh a \sinh b",
+            r"\cosh ( a ) \cosh ( b ) - \sinh ( a ) \sinh ( b )",
+            1,
+        ),
+    ],
+)
+def test_the_sign_between_terms_comes_before_one_inside_a_function(
+    latex: str, first: str, others: int
+) -> None:
+    (verdict,) = judged(PLAIN, ("identity", latex))
+    found = only_sides(verdict)
+    assert found[0][1] == first
+    assert len(found) == 1 + others, found
+    assert not re.search(r"\( -[a-z]", " ".join(side for sides in found for side in sides))
