@@ -43,6 +43,13 @@ class Member:
         """LaTeX on one line; empty for a claim without a formula."""
         return " ".join(self.claim["latex"].split())
 
+    @property
+    def read(self) -> tuple[Hashable, ...]:
+        """As what it was read, under what, and the verdict: members that differ in it are shown
+        each by itself.
+        """
+        return self.formula, self.said.reading, self.said.under, _verdict(self.claim)
+
 
 @dataclass(frozen=True)
 class Entry:
@@ -53,6 +60,12 @@ class Entry:
     @property
     def origin(self) -> str:
         return self.members[0].said.origin
+
+    @property
+    def readings(self) -> tuple[Member, ...]:
+        """Of members that are read alike the first."""
+        first = {member.read: member for member in reversed(self.members)}
+        return tuple(reversed(first.values()))
 
     @property
     def title(self) -> str:
@@ -151,9 +164,8 @@ def entry_blocks(entry: Entry) -> Iterator[Block]:
     changes = {_one_change(member.claim) for member in entry.members}
     if len(changes) == 1 and len({m.formula for m in entry.members}) > 1 and (one := changes.pop()):
         yield "text", f"One change repairs all of these: {'; '.join(one)}"
-    readings = {(m.formula, m.said.reading, m.said.under): m for m in reversed(entry.members)}
-    for member in reversed(readings.values()):
-        yield from _reading_blocks(member, more=len(readings) > 1 and printed)
+    for member in entry.readings:
+        yield from _reading_blocks(member, more=len(entry.readings) > 1 and printed)
     for note in _notes(entry):
         yield "text", f"Note: {note}"
 
