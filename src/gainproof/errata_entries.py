@@ -21,8 +21,8 @@ HEADINGS: Mapping[str, str] = {
 """A part of the sheet for each origin of claims; what is `ours` is no erratum of the source."""
 OURS = "ours"
 FAIR = (
-    "Only what stands under “As printed” is printed in the source. Its words are paraphrased; as "
-    "what they are read, what is reconstructed, and notes are ours."
+    "Only what stands under “As printed” is printed in the source. Its words are paraphrased. "
+    "The formulas as which words are read, what is reconstructed, and the notes are ours."
 )
 Claim = Mapping[str, Any]
 Block = tuple[str, str]
@@ -73,7 +73,8 @@ class Entry:
         places: dict[str, None] = {}
         for member in self.members:
             place, name = member.claim["place"], member.claim["id"]
-            places[place if name in place else f"{place}, {name}"] = None
+            same = name.lower() in place.lower().replace(" ", "")
+            places[place if same or name in place else f"{place}, {name}"] = None
         return "; ".join(places)
 
 
@@ -146,10 +147,9 @@ def sheet_blocks(judgement: Judgement, said: Mapping[str, Said]) -> Iterator[Blo
     )
     if beyond:
         one = beyond == 1
-        which = "statement that goes" if one else "statements that go"
+        which = "statement of ours that goes" if one else "statements of ours that go"
         hold = "does not hold" if one else "do not hold"
-        shown = f"beyond what the source says {hold} everywhere; see gainproof check"
-        yield "text", f"{beyond} {which} {shown}."
+        yield "text", f"No errata of the source: {beyond} {which} beyond it {hold} everywhere."
 
 
 def entry_blocks(entry: Entry) -> Iterator[Block]:

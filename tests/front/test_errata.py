@@ -128,7 +128,7 @@ def test_what_is_ours_is_no_erratum_of_the_source() -> None:
     for text in sheets(claim("a", "refuted"), claim("b", "proved"), a=Said("ours"), b=Said("ours")):
         assert "No errata were found." in text
         assert r"\beta = \alpha" not in text
-        assert "1 statement that goes beyond" in text
+        assert "No errata of the source: 1 statement of ours" in text
 
 
 @pytest.mark.parametrize("copies", [2, 5])
