@@ -62,7 +62,7 @@ Steady-state gains of tracking filters: derived step by step, proved by certific
 NumPy kernels with proved error bounds; and a judge that says whether a printed formula is right."""
 
 
-PLACES = ("out", "report", "state", "plot", "html", "new", "draft", "covariance")
+PLACES = ("out", "report", "state", "plot", "html", "new", "draft", "covariance", "example")
 """Options that name a file or folder: of an empty name the working folder would come."""
 FULL = (errno.ENOSPC, errno.EDQUOT, errno.EFBIG)
 """What is wrong with an output that takes no more."""

@@ -21,8 +21,8 @@ HEADINGS: Mapping[str, str] = {
 """A part of the sheet for each origin of claims; what is `ours` is no erratum of the source."""
 OURS = "ours"
 FAIR = (
-    "Only what stands under “As printed” is printed in the source. Its words are paraphrased; as "
-    "what they are read, what is reconstructed, and notes are ours."
+    "Only what stands under “As printed” is printed in the source. Its words are paraphrased. "
+    "The formulas as which words are read, what is reconstructed, and the notes are ours."
 )
 Claim = Mapping[str, Any]
 Block = tuple[str, str]
@@ -43,6 +43,13 @@ class Member:
         """LaTeX on one line; empty for a claim without a formula."""
         return " ".join(self.claim["latex"].split())
 
+    @property
+    def read(self) -> tuple[Hashable, ...]:
+        """As what it was read, under what, and the verdict: members that differ in it are shown
+        each by itself.
+        """
+        return self.formula, self.said.reading, self.said.under, _verdict(self.claim)
+
 
 @dataclass(frozen=True)
 class Entry:
@@ -55,12 +62,19 @@ class Entry:
         return self.members[0].said.origin
 
     @property
+    def readings(self) -> tuple[Member, ...]:
+        """Of members that are read alike the first."""
+        first = {member.read: member for member in reversed(self.members)}
+        return tuple(reversed(first.values()))
+
+    @property
     def title(self) -> str:
         """Where it stands, each place once, with the id of a claim where that says more."""
         places: dict[str, None] = {}
         for member in self.members:
             place, name = member.claim["place"], member.claim["id"]
-            places[place if name in place else f"{place}, {name}"] = None
+            same = name.lower() in place.lower().replace(" ", "")
+            places[place if same or name in place else f"{place}, {name}"] = None
         return "; ".join(places)
 
 
@@ -133,10 +147,9 @@ def sheet_blocks(judgement: Judgement, said: Mapping[str, Said]) -> Iterator[Blo
     )
     if beyond:
         one = beyond == 1
-        which = "statement that goes" if one else "statements that go"
+        which = "statement of ours that goes" if one else "statements of ours that go"
         hold = "does not hold" if one else "do not hold"
-        shown = f"beyond what the source says {hold} everywhere; see gainproof check"
-        yield "text", f"{beyond} {which} {shown}."
+        yield "text", f"No errata of the source: {beyond} {which} beyond it {hold} everywhere."
 
 
 def entry_blocks(entry: Entry) -> Iterator[Block]:
@@ -151,9 +164,8 @@ def entry_blocks(entry: Entry) -> Iterator[Block]:
     changes = {_one_change(member.claim) for member in entry.members}
     if len(changes) == 1 and len({m.formula for m in entry.members}) > 1 and (one := changes.pop()):
         yield "text", f"One change repairs all of these: {'; '.join(one)}"
-    readings = {(m.formula, m.said.reading, m.said.under): m for m in reversed(entry.members)}
-    for member in reversed(readings.values()):
-        yield from _reading_blocks(member, more=len(readings) > 1 and printed)
+    for member in entry.readings:
+        yield from _reading_blocks(member, more=len(entry.readings) > 1 and printed)
     for note in _notes(entry):
         yield "text", f"Note: {note}"
 

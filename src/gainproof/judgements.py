@@ -18,7 +18,7 @@ def judge(
     files: Sequence[Path], shop: Workshop, seconds: float = DEFAULT, *, keep_going: bool = False
 ) -> list[dict[str, Any]]:
     """{"source", "claims"} of every file; a claim that takes more than `seconds` is undecided.
-    With `keep_going` also {"errors", "not judged"}: a file with errors is judged as far as it can
+    With `keep_going` also {"errors", "not_judged"}: a file with errors is judged as far as it can
     be.
 
     Raises BadInputError for a file that cannot be used.

@@ -25,7 +25,7 @@ def judge_text(
     """{"source": {...}, "claims": [...]} of a claim file of this text; `path` is for messages.
     `judges` judge claim by claim; `tell` hears how far that is. With `only` there is the claim of
     this id alone. With `keep_going` a file with errors is judged as far as it can be: "errors" and
-    the ids of claims "not judged" come along.
+    the ids of claims that are `not_judged` come along.
 
     Raises BadInputError, with line and column of each error where known, for a file that is not
     accepted, or without the claim.
@@ -53,7 +53,7 @@ def judge_text(
     if not keep_going:
         return judged
     errors = [error.to_json() for error in claim_file.errors]
-    return judged | {"errors": errors, "not judged": list(claim_file.unread)}
+    return judged | {"errors": errors, "not_judged": list(claim_file.unread)}
 
 
 def _so_far(tried: int, total: int) -> str:

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+import errno
+from collections.abc import Iterator, Mapping
 
 MEMORY = "there is not enough memory for this (a limit as of `ulimit -v`?)"
 FILES = "too many files are open for this (a limit as of `ulimit -n`?)"
@@ -18,15 +19,34 @@ SIGNS = {
     "Resource temporarily unavailable": PROCESSES,
     "can't start new thread": PROCESSES,
 }
-"""By what errors of Python and of compiled modules say."""
+"""By the words that a process which ended has left."""
+_NUMBERS: Mapping[int | None, str] = {
+    errno.ENOMEM: MEMORY,
+    errno.EMFILE: FILES,
+    errno.ENFILE: FILES,
+    errno.EAGAIN: PROCESSES,
+}
 
 
 def lack(error: BaseException) -> str | None:
-    """What an error comes from, if from a lack; the errors behind it count too."""
-    for each in _chain(error):
-        found = lack_in(f"{type(each).__name__}: {each}")
-        if found is not None:
-            return found
+    """What an error comes from, if from a lack, by its type and number: words of the input may
+    stand in any message. The errors behind it count too.
+    """
+    return next(filter(None, map(_lack_of, _chain(error))), None)
+
+
+def _lack_of(error: BaseException) -> str | None:
+    match error:
+        case MemoryError():
+            return MEMORY
+        case OSError():
+            return _NUMBERS.get(error.errno)
+        case RuntimeError() if str(error).startswith("can't start new thread"):
+            return PROCESSES
+        case ImportError() if "failed to map segment" in str(error):
+            return MEMORY
+        case SystemError() if "error return without exception set" in str(error):
+            return MEMORY
     return None
 
 

@@ -43,8 +43,8 @@ def overview(
     if source.get("logarithm") is None and any(BARE.search(claim["latex"]) for claim in claims):
         lines += ["", *filled(NATURAL, "  ", "    ", columns)]
     lines += ["", f"  {counts([judgement])}"]
-    if judgement.get("not judged"):
-        names_left = ", ".join(judgement["not judged"])
+    if judgement.get("not_judged"):
+        names_left = ", ".join(judgement["not_judged"])
         lines += filled(f"not judged, for errors: {names_left}", "  ", "    ", columns)
     return "\n".join(lines) + "\n"
 

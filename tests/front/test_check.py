@@ -366,7 +366,7 @@ def test_what_can_be_read_is_judged(broken: Path, capsys: Capture) -> None:
     assert cli.main(["check", str(broken), "--keep-going", "--json"]) == 2
     judged = json.loads(capsys.readouterr().out)
     assert [(claim["id"], claim["verdict"]) for claim in judged["claims"]] == [("good", "proved")]
-    assert judged["not judged"] == ["rests", "bad"]
+    assert judged["not_judged"] == ["rests", "bad"]
     assert len(judged["errors"]) == 2
 
 
@@ -374,7 +374,7 @@ def test_a_file_without_errors_is_the_same_with_keep_going(broken: Path, capsys:
     broken.write_text(BROKEN.replace('"deg"', '"rad"').replace("y + z", "y + 0"), encoding="utf-8")
     assert cli.main(["check", str(broken), "--keep-going", "--json"]) == 0
     judged = json.loads(capsys.readouterr().out)
-    assert (judged["errors"], judged["not judged"]) == ([], [])
+    assert (judged["errors"], judged["not_judged"]) == ([], [])
     assert [claim["verdict"] for claim in judged["claims"]] == ["proved"] * 3
 
 

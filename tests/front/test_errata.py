@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import tomllib
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -11,6 +12,7 @@ import pytest
 from gainproof import cli, errata
 from gainproof.bad_input import BadInputError
 from gainproof.claim_words import Said, claims_said
+from gainproof.errata_entries import entries
 from gainproof.verify.judge.claim.vocabulary import ORIGINS
 
 Capture = pytest.CaptureFixture[str]
@@ -126,7 +128,7 @@ def test_what_is_ours_is_no_erratum_of_the_source() -> None:
     for text in sheets(claim("a", "refuted"), claim("b", "proved"), a=Said("ours"), b=Said("ours")):
         assert "No errata were found." in text
         assert r"\beta = \alpha" not in text
-        assert "1 statement that goes beyond" in text
+        assert "No errata of the source: 1 statement of ours" in text
 
 
 @pytest.mark.parametrize("copies", [2, 5])
@@ -240,3 +242,20 @@ def test_claims_are_one_entry_over_others_between_them() -> None:
     for text in sheets(*found, u=large, v=Said("words", "so it is"), w=large):
         assert text.count("page 1, u; page 2, v; page 1, w") == 1
         assert text.count("it is large") == 1
+
+
+@pytest.mark.parametrize("differs", ["reading", "under", "verdict"])
+def test_members_of_an_entry_that_are_read_apart_are_each_shown(differs: str) -> None:
+    """As well where they have no formula, or one and the same."""
+    said = [Said("words", "it is large", reading="K rises"), Said("words", "it is large")]
+    if differs == "reading":
+        said[1] = replace(said[0], reading="K falls")
+        both = [claim(n, "refuted", latex="", place="page 9") for n in "12"]
+    else:
+        said[1] = replace(said[0], under=("k > 1",) if differs == "under" else ())
+        verdicts = ("refuted", "refuted" if differs == "under" else "undefined")
+        both = [claim(n, v, place="page 9") for n, v in zip("12", verdicts, strict=True)]
+    (entry,) = entries({"source": SOURCE, "claims": both}, dict(zip("12", said, strict=True)))
+    assert [member.claim["id"] for member in entry.readings] == ["1", "2"]
+    for text in sheets(*both, **dict(zip("12", said, strict=True))):
+        assert text.count("Read as") == 2

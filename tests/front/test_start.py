@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import errno
 import os
 import resource
 import signal
@@ -194,6 +195,10 @@ def made(*errors: Exception) -> Exception:
         (made(MemoryError(), ImportError("numpy")), scarcity.MEMORY),
         (made(OSError(24, os.strerror(24)), ValueError("x"), KeyError("y")), scarcity.FILES),
         (ImportError("libx.so: failed to map segment from shared object"), scarcity.MEMORY),
+        (OSError(errno.ENFILE, ""), scarcity.FILES),
+        (OSError(errno.ENOMEM, ""), scarcity.MEMORY),
+        *((ValueError(f"{sign!r} came"), None) for sign in scarcity.SIGNS),
+        *((made(KeyError(sign), OSError(2, sign)), None) for sign in scarcity.SIGNS),
         (ValueError("x"), None),
         (made(ValueError("x"), OSError(2, os.strerror(2))), None),
     ],

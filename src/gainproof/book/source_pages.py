@@ -88,7 +88,13 @@ def source_pages(
                 "source": source,
                 "places": places,
                 "errata": [
-                    (entry.title, [by_id[member.claim["id"]] for member in entry.members])
+                    (
+                        entry.title,
+                        [
+                            (by_id[member.claim["id"]], member in entry.readings)
+                            for member in entry.members
+                        ],
+                    )
                     for entry in entries(judgement, said)
                 ],
                 "tally": tally([judgement]),

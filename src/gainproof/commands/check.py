@@ -103,8 +103,10 @@ def _errors_as_json(name: str | None, error: Exception) -> str:
     """{"errors": [...]}; of input that is no claim file one error with the file as it was named."""
     import json
 
-    whole = {"file": name, "line": None, "column": None, "where": "", "message": str(error)}
-    only = whole | {"text": str(error), "token": "", "nearest": []}
+    from gainproof.verify.judge.claim.errors import ClaimFileError
+
+    only = ClaimFileError(name or "", "", str(error)).to_json()
+    only |= {"file": name, "message": str(error), "text": str(error)}
     errors = getattr(error, "errors", ()) or [only]
     return json.dumps({"errors": list(errors)}, indent=2) + "\n"
 

@@ -2,11 +2,14 @@
 
 from __future__ import annotations
 
+import re
 from bisect import bisect_left
 from collections.abc import Callable
 from typing import Any, TypeVar
 
 from gainproof.verify.judge.reader.errors import ReaderError
+from gainproof.verify.judge.reader.names import names_in
+from gainproof.verify.judge.reader.plain_names import plain_name
 
 MOST_FOUND = 200
 """Errors of one file after which no more are looked for."""
@@ -127,9 +130,18 @@ class FileText:
         """The errors that were found by their lines, those without one last."""
         return sorted(self.found, key=lambda error: (error.line is None, error.line or 0))
 
-    def doubted(self, error: ClaimFileError, text: str) -> ClaimFileError:
-        """The error, which follows where the text holds a doubtful name."""
-        error.follows = any(name in text for name in self.doubtful)
+    def doubted(self, error: ClaimFileError, text: str, *, plain: bool = False) -> ClaimFileError:
+        """The error, which follows where a doubtful name is one of the formula, in LaTeX or, if
+        `plain`, as typed; not where it is a part of another: `a` in `\frac`.
+        """
+        if plain:
+            names = map(plain_name, self.doubtful)
+            error.follows = any(
+                re.search(rf"(?<![\w{{]){re.escape(name)}(?![\w'])", text) for name in names
+            )
+        else:
+            longest_run = max(map(len, self.doubtful), default=1)
+            error.follows = not self.doubtful.isdisjoint(names_in(text, longest_run))
         return error
 
     def line_of_key(self, key: str, start: int = 1) -> int | None:
@@ -189,7 +201,8 @@ class FileText:
         self, where: str, value: str, error: ReaderError, line: int | None
     ) -> ClaimFileError:
         """A reader's error moved to its place in the file, if the formula stands there."""
-        return self.doubted(self._moved(where, value, error, line), value)
+        plain = where.endswith(".plain")
+        return self.doubted(self._moved(where, value, error, line), value, plain=plain)
 
     def _moved(
         self, where: str, value: str, error: ReaderError, line: int | None

@@ -53,7 +53,8 @@ FIELDS = (
 def read_claims(
     text: FileText, table: object, settings: Mapping[str, ReadSetting | None]
 ) -> tuple[tuple[Claim, ...], tuple[str, ...]]:
-    """All claims that can be judged, and the ids of the others; `table` is what TOML made of
+    """All claims that can be judged, and the ids of the others, with the line of one whose id is
+    that of another claim, or `number 3` for one without; `table` is what TOML made of
     `[[claims]]`. Errors are noted.
     """
     if not isinstance(table, Sequence) or isinstance(table, str) or not table:
@@ -69,10 +70,14 @@ def read_claims(
     for number, content in enumerate(table, start=1):
         identifier = text.attempt(partial(_identifier, text, number, content), "")
         line = text.line_of_identifier(identifier, start) or start
-        if not identifier or identifier in lines:
-            if identifier:
-                problem = f"this id is already that of the claim of line {lines[identifier]}"
-                text.note(text.error(f"claims.{identifier}.id", problem, line))
+        if not identifier:
+            unread.append(f"number {number}")
+            continue
+        if identifier in lines:
+            problem = f"this id is already that of the claim of line {lines[identifier]}"
+            text.note(text.error(f"claims.{identifier}.id", problem, line))
+            unread.append(f"{identifier} (line {line})")
+            start = line + 1
             continue
         lines[identifier] = line
         start = line + 1

@@ -168,6 +168,31 @@ def _with_behind(text: str, name: str, end: int) -> tuple[str, int] | None:
     return None if behind is None else (name + behind.text, behind.end)
 
 
+def names_in(text: str, longest_run: int) -> set[str]:
+    """The names that the symbols of a formula may have, each with all its marks; of a run of
+    letters each part's, of at most `longest_run` letters. What cannot be scanned is passed over.
+    """
+    found: set[str] = set()
+    position = 0
+    while position < len(text):
+        end = position + len(command_at(text, position) if text[position] == "\\" else " ")
+        try:
+            base = scan_base(text, position)
+            word = scan_word(text, position)
+            ends = range(position + 1, word[1] + 1)[:longest_run] if word else ()
+            bases = [(text[position:last], last) for last in ends]
+            for name, last in bases or ([base] if base else []):
+                longest = max(scan_names(text, name, last), key=lambda item: item[1])
+                found.add(longest[0])
+                # behind a letter its run goes on, behind a Delta what it may be the change of
+                if not (last > position + 1 if word else name == DIFFERENCE):
+                    end = max(end, longest[1])
+        except ReaderError:
+            pass
+        position = end
+    return found
+
+
 def canonical_token(text: str) -> str:
     """The canonical spelling of one declared symbol; ReaderError if `text` is not one symbol."""
     start = skip_space(text, 0)
