@@ -9,12 +9,14 @@ from fractions import Fraction
 from typing import TYPE_CHECKING
 
 from gainproof.verify.judge.exact.calculus import rebuilt, substituted
-from gainproof.verify.judge.exact.expression import Expr, mul, number, symbol, symbols_of
+from gainproof.verify.judge.exact.expression import Expr, mul, number, power, symbol, symbols_of
 from gainproof.verify.judge.exact.graph_writing import graph_of
 from gainproof.verify.judge.exact.limits import Malformed, Undecided
-from gainproof.verify.judge.exact.poly import Poly, fraction
+from gainproof.verify.judge.exact.poly import Poly, exact_value, fraction
+from gainproof.verify.judge.exact.statement import Rel
 from gainproof.verify.judge.exact.tidy import expression_of
 from gainproof.verify.judge.exact.tower_building import build_tower
+from gainproof.verify.judge.kinds.framing import framed
 from gainproof.verify.judge.reader.latex import graph_to_latex
 from gainproof.verify.judge.repair.asked import asked_sides
 from gainproof.verify.judge.repair.construct import (
@@ -167,9 +169,13 @@ def _number_there(search: Search, side: Expr) -> Expr | str | None:
     value = common_rational(balls)
     if value is not None:
         return quotient(number(value.numerator), number(value.denominator))
-    boxes = search.scope.boxes()
-    free = [boxes[n] for n in symbols_of(search.scope.expression(graph_of(side))) if n in boxes]
-    if any(box.lower is None or box.lower != box.upper for box in free):
+    near = exact_value(balls[0].mid())
+    try:
+        frame = framed(search.claim, search.scope)
+        gap = power(search.scope.expression(graph_of(side)) - number(near), 2)
+    except (Undecided, Malformed, UndefinedSymbol, ValueError):
+        return None
+    if not frame.holds(Rel("<", gap, number((near / 10**DIGITS) ** 2))):
         return None
     digits: str = balls[0].str(DIGITS, radius=False)
     return digits
