@@ -143,7 +143,7 @@ def _expression(place: str, output: Result) -> sp.Expr:
         found = sp.sympify(output.expression, strict=True)
     except sp.SympifyError:
         found = None
-    if not isinstance(found, sp.Expr) or found.is_Matrix:
+    if found is None or not isinstance(found, sp.Expr) or found.is_Matrix:
         raise ExpressionError(f"{place}: an expression is wanted, {output.expression!r} came")
     return found
 

@@ -83,9 +83,11 @@ class Ratio(Protocol):
 
     def most(self, boxes: Sequence[Box]) -> list[float]:
         """At most this anywhere in each box; infinite where nothing is shown."""
+        ...
 
     def least(self, box: Box) -> float:
         """At least this somewhere in the box."""
+        ...
 
 
 @dataclass(frozen=True)

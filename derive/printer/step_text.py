@@ -17,10 +17,9 @@ SUM, PRODUCT, POWER, ATOM = range(4)
 
 def formula(program: Program, number: int) -> str:
     """A step as a formula, of a length that can be read."""
-    for depth in range(40, 1, -1):
-        text = _Formula(program).text(number, depth)[0]
-        if len(text) <= LENGTH:
-            break
+    texts = (_Formula(program).text(number, depth)[0] for depth in range(40, 2, -1))
+    short = next((text for text in texts if len(text) <= LENGTH), None)
+    text = _Formula(program).text(number, 2)[0] if short is None else short
     label = program.steps[number].label
     return label if label and "..." in text else text
 

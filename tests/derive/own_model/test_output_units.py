@@ -63,7 +63,8 @@ def true_values(model: Model) -> dict[str, float]:
     before = scipy.linalg.solve_discrete_are(f.T, h.T, q, r)
     gain = before @ h.T / (h @ before @ h.T + r)
     after = before - gain @ h @ before
-    found = dict(zip(("alpha", "beta", "gamma"), gain[:, 0].tolist(), strict=False))
+    names: tuple[str, ...] = ("alpha", "beta", "gamma")
+    found: dict[str, float] = dict(zip(names, gain[:, 0].tolist(), strict=False))
     for kind, matrix in (("predicted", before), ("updated", after)):
         for i, j in zip(*np.triu_indices(len(f)), strict=True):
             found[f"{kind}_{i + 1}{j + 1}"] = float(matrix[i, j])

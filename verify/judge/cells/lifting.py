@@ -62,11 +62,15 @@ class Cell:
         points = ({**chosen, last.index: value} for value in last.values)
         return tuple(tuple(point[i] for i in range(len(chosen))) for point in points)
 
-    @cached_property
+    @property
     def moved(self) -> tuple[tuple[Fraction, ...], ...]:
         """Points of the cell that differ from its samples in every coordinate: what vanishes where
         one of the first coordinates is 0, say, may vanish at all samples.
         """
+        return self._apart
+
+    @cached_property
+    def _apart(self) -> tuple[tuple[Fraction, ...], ...]:
         found = (_moved(self, step) for step in range(1, MOVED + 1))
         return tuple(point for point in found if point is not None)
 
