@@ -12,8 +12,12 @@ SIGNS = {
     "MemoryError": MEMORY,
     "failed to map segment": MEMORY,
     "annot allocate memory": MEMORY,
+    # as FLINT and GMP say before they end the process
+    "nable to allocate memory": MEMORY,
+    "annot reallocate memory": MEMORY,
     # compiled modules say no more where their first objects find no room
     "error return without exception set": MEMORY,
+    "returned NULL without setting an exception": MEMORY,
     "Too many open files": FILES,
     "the process ended with status -9": "the process was killed, as systems do for lack of memory",
     "Resource temporarily unavailable": PROCESSES,
@@ -45,7 +49,7 @@ def _lack_of(error: BaseException) -> str | None:
             return PROCESSES
         case ImportError() if "failed to map segment" in str(error):
             return MEMORY
-        case SystemError() if "error return without exception set" in str(error):
+        case SystemError() if str(error).endswith(("exception set", "setting an exception")):
             return MEMORY
     return None
 

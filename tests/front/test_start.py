@@ -153,7 +153,8 @@ def test_what_is_held_comes_at_the_end() -> None:
         (resource.RLIMIT_NOFILE, 16, "too many files are open"),
         (resource.RLIMIT_AS, 40 << 20, ""),
         (resource.RLIMIT_AS, 60 << 20, ""),
-        (resource.RLIMIT_AS, 90 << 20, ""),
+        # memory ends elsewhere in each run, in compiled code of others too
+        pytest.param(resource.RLIMIT_AS, 90 << 20, "", marks=pytest.mark.thorough),
     ],
 )
 def test_a_lack_is_one_line(kind: int, limit: int, words: str, tmp_path: Path) -> None:
