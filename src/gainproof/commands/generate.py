@@ -28,7 +28,8 @@ as FPCore, into DIR/fpcore.
 
 Where the error of an output is proved relative to something larger than its value, the command says
 how many digits can be lost and in which part of the domain, as docstring and page do. A kernel of
-your own that can lose half of its digits or more is not written, unless --allow-loss is given.
+expressions of your own that can lose half of its digits or more is not written, unless --allow-loss
+is given; those of a MODEL are, since their outputs vanish whatever their form.
 
 With --check nothing is written. Exit status 0: written, or as derived; 1: with --check a file is
 missing, different or left over, with --test a test fails, without --allow-loss half of an output's
