@@ -1,10 +1,16 @@
-"""A digest of the code and versions that results depend on: part of every key of the cache."""
+"""Digests of the code and the versions that a result depends on: part of every key of the cache.
+
+What a module imports, directly or through others, is read off its text: nothing is imported for
+it, so that a stage that is known costs no import of what it would need.
+"""
 
 from __future__ import annotations
 
 import hashlib
 import platform
-from collections.abc import Iterable
+import re
+from collections.abc import Iterable, Mapping
+from functools import cache
 from importlib import metadata
 from pathlib import Path
 
@@ -12,6 +18,13 @@ from gainproof.places import package_folder
 from gainproof.version import VERSION
 
 PACKAGES = ("sympy", "numpy", "mpmath", "python-flint", "lark")
+_NAME = "gainproof"
+_IMPORT = re.compile(
+    rf"^[ \t]*(?:from[ ]({_NAME}[\w.]*)[ ]import[ ](\([^)]*\)|[^\n]*)|import[ ]({_NAME}[\w.]*))",
+    re.MULTILINE,
+)
+_FOR_TYPES = re.compile(r"^if TYPE_CHECKING:.*\n(?:(?:[ \t]+.*)?\n)+", re.MULTILINE)
+_FOLDERS = ("derive", "verify", "generated")
 
 
 def of_everything() -> str:
@@ -26,6 +39,60 @@ def of_everything() -> str:
     return hashlib.sha256("\n".join(parts).encode()).hexdigest()
 
 
+def of_modules(*names: str) -> str:
+    """Digest of the files of modules and of all modules of ours that these import, also within
+    functions, with the files of data beside them.
+
+    `gainproof` itself and its folders count with their own text alone: what their functions import
+    when somebody calls them is no part of a module that lies below.
+
+    Raises LookupError for a module that does not exist.
+    """
+    files = sorted(modules_below(*names).items())
+    digest = hashlib.sha256()
+    for name, path in files:
+        for each in (path, *_data_beside(path)):
+            content = _content(each)
+            digest.update(f"{name} {each.name} {len(content)}\n".encode() + content)
+    return digest.hexdigest()
+
+
+def modules_below(*names: str) -> Mapping[str, Path]:
+    """The files of modules and of all that they import, by full name. Raises LookupError."""
+    found: dict[str, Path] = {}
+    waiting = list(names)
+    while waiting:
+        name = waiting.pop()
+        if name in found:
+            continue
+        path = _file(name)
+        if path is None:
+            raise LookupError(f"no module {name}")
+        found[name] = path
+        parts = name.split(".")
+        waiting += [".".join(parts[:end]) for end in range(1, len(parts))]
+        if name != _NAME:
+            waiting += imports_of(path)
+    return found
+
+
+@cache
+def imports_of(path: Path) -> tuple[str, ...]:
+    """The modules of ours that a file imports, wherever in it but for checkers of types alone."""
+    found: set[str] = set()
+    for home, names, whole in _IMPORT.findall(_FOR_TYPES.sub("", _content(path).decode("utf-8"))):
+        if whole:
+            found.add(whole)
+            continue
+        found.add(home)
+        words = re.sub(r"#[^\n]*", "", names).strip("() \t").replace("\n", " ")
+        for word in words.split(","):
+            inner = f"{home}.{word.split(' as ')[0].strip()}"
+            if _file(inner) is not None:
+                found.add(inner)
+    return tuple(sorted(found))
+
+
 def of_files(folder: Path, paths: Iterable[Path]) -> str:
     """Digest of the source files among the paths, by name and content."""
     digest = hashlib.sha256()
@@ -37,7 +104,8 @@ def of_files(folder: Path, paths: Iterable[Path]) -> str:
     return digest.hexdigest()
 
 
-def versions() -> dict[str, str]:
+@cache
+def versions() -> Mapping[str, str]:
     """Versions of Python, of gainproof and of the packages that results depend on."""
     found = {"gainproof": VERSION, "python": platform.python_version()}
     for package in PACKAGES:
@@ -46,3 +114,34 @@ def versions() -> dict[str, str]:
         except metadata.PackageNotFoundError:
             found[package] = "absent"
     return found
+
+
+@cache
+def _file(name: str) -> Path | None:
+    """The file of a module or package of ours; None if there is none."""
+    parts = name.split(".")[1:]
+    if parts and parts[0] in _FOLDERS:
+        place = package_folder(parts[0]).joinpath(*parts[1:])
+    else:
+        place = Path(__file__).resolve().parent.joinpath(*parts)
+    for path in (place.with_name(f"{place.name}.py"), place / "__init__.py"):
+        if path.is_file():
+            return path
+    return None
+
+
+@cache
+def _content(path: Path) -> bytes:
+    return path.read_bytes()
+
+
+@cache
+def _data_beside(path: Path) -> tuple[Path, ...]:
+    """What lies in the folder of a package and is no Python, such as a script that is copied."""
+    if path.name != "__init__.py":
+        return ()
+    return tuple(
+        each
+        for each in sorted(path.parent.iterdir())
+        if each.is_file() and each.suffix not in (".py", ".pyc")
+    )

@@ -3,11 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
-from gainproof.derived import Derived
 from gainproof.sides import missing_sides
 from gainproof.verify.certificate import check
+
+if TYPE_CHECKING:
+    from gainproof.derived import Derived
 
 
 def expected_of(derived: Derived) -> dict[str, Any]:

@@ -1,0 +1,104 @@
+"""The digest of a stage covers what its modules import, and nothing else."""
+
+import ast
+import shutil
+from pathlib import Path
+
+import pytest
+
+from gainproof import code_digest, places
+from gainproof.code_digest import imports_of, modules_below, of_modules
+
+HOUSE = [
+    path
+    for folder in (
+        places.package_folder("derive"),
+        places.package_folder("verify"),
+        Path(code_digest.__file__).parent,
+    )
+    for path in folder.rglob("*.py")
+]
+
+
+def test_imports_are_those_of_the_syntax_tree() -> None:
+    """An import that the text search misses would leave a stale result in the cache."""
+    for path in HOUSE:
+        assert _imports_by_syntax(path) <= set(imports_of(path)), path
+
+
+def test_a_module_that_is_imported_within_a_function_belongs_to_it() -> None:
+    assert "gainproof.own_file" in modules_below("gainproof.tasks")
+
+
+def test_the_judge_does_not_depend_on_derivations_nor_a_derivation_on_the_judge() -> None:
+    assert not [name for name in modules_below("gainproof.judging") if ".derive." in name]
+    assert not [
+        name for name in modules_below("gainproof.derive.families.random_jerk") if ".verify" in name
+    ]
+
+
+def test_a_module_that_is_missing_is_an_error() -> None:
+    with pytest.raises(LookupError, match="nowhere"):
+        of_modules("gainproof.derive.nowhere")
+
+
+@pytest.mark.parametrize("changed", ["verify/certificate/__init__.py", "sides.py"])
+def test_a_change_below_changes_the_digest(
+    changed: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Also one of a file far below, and none of a file that is not imported."""
+    front = Path(code_digest.__file__).parent
+    for path in front.glob("*.py"):
+        shutil.copy(path, tmp_path)
+    shutil.copytree(places.package_folder("verify"), tmp_path / "verify")
+    monkeypatch.setattr(code_digest, "package_folder", lambda name: tmp_path / name)
+    monkeypatch.setattr(code_digest, "__file__", str(tmp_path / "code_digest.py"))
+    before = _digest_anew()
+    (tmp_path / "cli.py").write_text("# not imported\n")
+    assert _digest_anew() == before
+    (tmp_path / changed).write_text((tmp_path / changed).read_text() + "\n# changed\n")
+    assert _digest_anew() != before
+    _forget()
+
+
+def _digest_anew() -> str:
+    _forget()
+    return of_modules("gainproof.rechecking")
+
+
+def _forget() -> None:
+    """What was read of files that are changed now."""
+    for each in ("imports_of", "_file", "_content", "_data_beside"):
+        getattr(code_digest, each).cache_clear()
+
+
+def _imports_by_syntax(path: Path) -> set[str]:
+    """What a file imports of ours, but for checkers of types, by Python's own grammar."""
+    found = set()
+    tree = ast.parse(path.read_text(encoding="utf-8"))
+    typing = [node for node in tree.body if isinstance(node, ast.If) and _is_for_types(node)]
+    apart = {id(inner) for block in typing for inner in ast.walk(block)}
+    for node in ast.walk(tree):
+        if id(node) in apart:
+            continue
+        if isinstance(node, ast.ImportFrom):
+            names = [node.module or "", *(f"{node.module}.{alias.name}" for alias in node.names)]
+        elif isinstance(node, ast.Import):
+            names = [alias.name for alias in node.names]
+        else:
+            continue
+        found |= {name for name in names if name.split(".")[0] == "gainproof" and _exists(name)}
+    return found
+
+
+def _exists(name: str) -> bool:
+    parts = name.split(".")[1:]
+    if parts and parts[0] in ("derive", "verify", "generated"):
+        place = places.package_folder(parts[0]).joinpath(*parts[1:])
+    else:
+        place = Path(code_digest.__file__).parent.joinpath(*parts)
+    return place.with_suffix(".py").is_file() or (place / "__init__.py").is_file()
+
+
+def _is_for_types(node: ast.If) -> bool:
+    return isinstance(node.test, ast.Name) and node.test.id == "TYPE_CHECKING"
