@@ -1,4 +1,6 @@
-"""Judgements of claim files, from worker processes or the cache."""
+"""Judgements of claim files, from worker processes. What is kept of them is what the judge says of
+each claim (`judging`): files are put together anew.
+"""
 
 from __future__ import annotations
 
@@ -17,7 +19,8 @@ from gainproof.workshop import Workshop
 def judge(
     files: Sequence[Path], shop: Workshop, seconds: float = DEFAULT, *, keep_going: bool = False
 ) -> list[dict[str, Any]]:
-    """{"source", "claims"} of every file; a claim that takes more than `seconds` is undecided.
+    """{"source", "claims"} of every file; a claim that takes more processor time than `seconds` is
+    undecided.
     With `keep_going` also {"errors", "not_judged"}: a file with errors is judged as far as it can
     be.
 
@@ -31,25 +34,26 @@ def judge(
             for file, job in asked.items()
         }
     found = dict(zip(asked, shop.results("judged", list(asked.values())), strict=True))
-    return [found[file] for file in files]
+    taken = sum(judged["tasks"]["taken"] for judged in found.values())
+    done = sum(judged["tasks"]["judged"] for judged in found.values())
+    shop.progress.say(f"trials of claims and repairs: {taken} known, {done} done now")
+    return [_without_tasks(found[file]) for file in files]
 
 
 def judge_claim(file: Path, name: str, shop: Workshop, seconds: float = DEFAULT) -> dict[str, Any]:
-    """What `judge` says of one claim: taken from that of the file where
-    it is known, else made for this claim alone.
+    """What `judge` says of one claim, of which no more is judged than that takes.
 
     Raises BadInputError for a file that cannot be used, or that does not have the claim.
     """
     (job,) = jobs([file], shop, seconds).values()
-    known = shop.answered(job)
-    if known is None:
-        alone = replace(job, arguments={**job.arguments, "only": name})
-        (known,) = shop.results("judged", [alone])
-    claims = {claim["id"]: claim for claim in known["claims"]}
-    if name not in claims:
-        raise unknown_name(f"claim of {known['source']['key']}", name, claims)
-    found: dict[str, Any] = claims[name]
-    return found
+    alone = replace(job, arguments={**job.arguments, "only": name})
+    (judged,) = shop.results("judged", [alone])
+    (found,) = judged["claims"]
+    return dict(found)
+
+
+def _without_tasks(judged: dict[str, Any]) -> dict[str, Any]:
+    return {name: value for name, value in judged.items() if name != "tasks"}
 
 
 def jobs(
@@ -63,10 +67,18 @@ def jobs(
     models = _models(shop)
     shared = {"models": models, "seconds": seconds}
     # one file has all processors for its claims; many files share them
-    also = {"processes": max(1, workers.processors() // max(1, len(files)))}
+    also = {
+        "processes": max(1, workers.processors() // max(1, len(files))),
+        "cache": str(shop.cache.folder.absolute()),
+        "fresh": shop.cache.fresh,
+    }
     return {
         file: workers.Job(
-            file.stem, "judge", {"path": places.shown(file), "text": texts[file], **shared}, also
+            file.stem,
+            "judge",
+            {"path": places.shown(file), "text": texts[file], **shared},
+            also,
+            kept=False,
         )
         for file in sorted(files, key=lambda file: len(texts[file]), reverse=True)
     }

@@ -3,13 +3,45 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import asdict
+from dataclasses import asdict, dataclass, field
 from typing import Any
 
+from gainproof import code_digest
 from gainproof.bad_input import BadInputError, listed, unknown_name
+from gainproof.cache import Cache, key_of
+from gainproof.verify.judge import child
 from gainproof.verify.judge.claim.file import ClaimFileError, read_claim_text
 from gainproof.verify.judge.judge import judge_file
 from gainproof.verify.judge.worker import Workers
+
+PACKAGES = ("python", "python-flint", "lark", "mpmath")
+"""What the judge is made with."""
+
+
+@dataclass(frozen=True)
+class KeptTrials:
+    """What the judge's tasks came to, one by one in the cache, by the code that they run: that of
+    their own module and of the child process, with all that these import.
+    """
+
+    cache: Cache
+    code: Callable[..., str] = code_digest.of_modules
+    _digests: dict[str, str] = field(default_factory=dict)
+
+    def load(self, module: str, key: str) -> str | None:
+        """The text kept for a task of this module, None if there is none."""
+        found = self.cache.load(self._key(module, key))
+        return found if isinstance(found, str) else None
+
+    def store(self, module: str, key: str, text: str) -> None:
+        """Keep a text."""
+        self.cache.store(self._key(module, key), text)
+
+    def _key(self, module: str, key: str) -> str:
+        if module not in self._digests:
+            self._digests[module] = self.code(module, child.__name__)
+        versions = [f"{name} {code_digest.versions()[name]}" for name in PACKAGES]
+        return key_of("trial", module, key, self._digests[module], *versions)
 
 
 def judge_text(
@@ -22,10 +54,11 @@ def judge_text(
     *,
     keep_going: bool = False,
 ) -> dict[str, Any]:
-    """{"source": {...}, "claims": [...]} of a claim file of this text; `path` is for messages.
-    `judges` judge claim by claim; `tell` hears how far that is. With `only` there is the claim of
-    this id alone. With `keep_going` a file with errors is judged as far as it can be: "errors" and
-    the ids of claims that are `not_judged` come along.
+    """{"source": {...}, "claims": [...], "tasks": {...}} of a claim file of this text; `path` is
+    for messages. `judges` judge claim by claim; `tell` hears how far that is; "tasks" says how many
+    of the judge's tasks were "taken" from what was known and how many "judged". With `only` there
+    is the claim of this id alone. With `keep_going` a file with errors is judged as far as it can
+    be: "errors" and the ids of claims that are `not_judged` come along.
 
     Raises BadInputError, with line and column of each error where known, for a file that is not
     accepted, or without the claim.
@@ -39,6 +72,7 @@ def judge_text(
     names = [claim.id for claim in claim_file.claims]
     if only is not None and only not in names:
         raise unknown_name(f"claim of {claim_file.source.key}", only, names)
+    taken, done = judges.taken, judges.judged
     verdicts = judge_file(
         claim_file,
         models,
@@ -49,6 +83,7 @@ def judge_text(
     judged = {
         "source": asdict(claim_file.source),
         "claims": [verdict.to_json() for verdict in verdicts],
+        "tasks": {"taken": judges.taken - taken, "judged": judges.judged - done},
     }
     if not keep_going:
         return judged

@@ -12,7 +12,7 @@ from gainproof import named_files, verdict_text
 from gainproof.claim_words import Words
 from gainproof.drift import CURE, Difference
 from gainproof.lecture import count
-from gainproof.verdicts import Judgement
+from gainproof.verdicts import Judgement, accidents
 
 Plain = Mapping[str, Any]
 
@@ -43,10 +43,11 @@ class Findings:
 
     @property
     def good(self) -> bool:
-        """No drift, no rejected certificate or proof, no verdict changed."""
+        """No drift, no rejected certificate or proof, no verdict changed or missing by accident."""
         changed = any(self.changes.values()) and not self.accepted
         unproved = any(report["rejected"] for report in self.proofs)
-        return not (self.differences or self.rejected or unproved or changed)
+        missing = any(map(accidents, self.judgements))
+        return not (self.differences or self.rejected or unproved or changed or missing)
 
 
 def write(findings: Findings, folder: Path) -> None:
@@ -115,11 +116,23 @@ def summary(findings: Findings) -> str:
         _line("certificates", _certificates(findings)),
         *(f"{'':18}{report['subject']}: {report['reason']}" for report in findings.rejected),
         _line("claims", verdict_text.counts(list(findings.judgements))),
+        *_accidents(findings),
         *_proofs(findings),
         _line("snapshot", _snapshot(findings)),
         *_changes(findings),
     ]
     return "\n".join(lines) + "\n"
+
+
+def _accidents(findings: Findings) -> list[str]:
+    """The claims of which this run knows nothing, where there are some."""
+    found = [
+        f"{'':18}{judgement['source']['key']}, {name}: {why}"
+        for judgement in findings.judgements
+        for name, why in accidents(judgement).items()
+    ]
+    told = f"{len(found)}, by accident; the snapshot stays as it was there: run again"
+    return [_line("not judged", told), *found] if found else []
 
 
 def _proofs(findings: Findings) -> list[str]:

@@ -7,6 +7,7 @@ from __future__ import annotations
 
 import json
 from collections.abc import Callable, Mapping
+from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from gainproof.desk import Desk
@@ -111,16 +112,21 @@ def judge(
     processes: int,
     only: str | None = None,
     keep_going: bool = False,
+    cache: str | None = None,
+    fresh: bool = False,
 ) -> Plain:
     """Judge a claim file of this text, or only one claim of it, given the catalogue's models;
-    `path` is for messages. With `keep_going` one with errors is judged as far as it can be.
+    `path` is for messages. What is judged is kept in the folder `cache`, claim by claim, and taken
+    from there unless `fresh`. With `keep_going` one with errors is judged as far as it can be.
     """
-    from gainproof.judging import judge_text
+    from gainproof.cache import Cache
+    from gainproof.judging import KeptTrials, judge_text
     from gainproof.verify.judge.worker import Workers
 
     # children that judge stay for the next file: what they keep they keep by its whole content
-    key = ("workers", json.dumps(models, sort_keys=True), seconds, processes)
-    judges = desk.opened(key, lambda: Workers(models, seconds, processes))
+    key = ("workers", json.dumps(models, sort_keys=True), seconds, processes, cache, fresh)
+    known = None if cache is None else KeptTrials(Cache(Path(cache), fresh))
+    judges = desk.opened(key, lambda: Workers(models, seconds, processes, known))
     return judge_text(path, text, models, judges, desk.tell, only, keep_going=keep_going)
 
 

@@ -17,6 +17,7 @@ Claim = Mapping[str, Any]
 _WIDEST_ID = 26
 BARE = re.compile(r"\\log(?![a-zA-Z]|\s*_)")
 """A logarithm that is printed without its base."""
+BY_ACCIDENT = "this is an accident, and not kept: check it again"
 NATURAL = (
     "\\log without a base is read as the natural logarithm: say `logarithm = 10` in [source] if "
     "another is meant."
@@ -60,6 +61,9 @@ def counts(judgements: list[Judgement]) -> str:
 def _claim(claim: Claim, said: str, head: str, indent: str, columns: int) -> list[str]:
     """Formula or words beside the verdict, reasons below."""
     texts = [*([" ".join(said.split())] if said else []), *reasons(claim)]
+    if claim.get("accident"):
+        why = "" if claim["accident"] == claim["reason"] else f"{claim['accident']}; "
+        texts.append(f"{why}{BY_ACCIDENT}")
     if not texts:
         return [head.rstrip()]
     lines = filled(texts[0], head, indent, columns)

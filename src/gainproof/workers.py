@@ -32,7 +32,7 @@ WORKER = "gainproof.worker"
 class Job:
     """One call of a function of `gainproof.tasks` with plain data; `label` is for people, `also`
     are arguments on which the result does not depend. The result of a job that `answers` others is
-    the list of theirs.
+    the list of theirs. One that is not `kept` is done in each run: its parts are kept.
     """
 
     label: str
@@ -40,6 +40,7 @@ class Job:
     arguments: Mapping[str, Any]
     also: Mapping[str, Any] = field(default_factory=dict)
     answers: tuple[Job, ...] = ()
+    kept: bool = True
 
     @cached_property
     def text(self) -> str:

@@ -34,7 +34,7 @@ class Workshop:
         the same. Raises BadInputError or JobError of the first job that fails.
         """
         keys = [self._key(job, *depends) for job in jobs]
-        found = [self.known[k] if k in self.known else self.cache.load(k) for k in keys]
+        found = [self._found(job, key) for job, key in zip(jobs, keys, strict=True)]
         unchanged = sum(
             result is not None and key not in self.known
             for key, result in zip(keys, found, strict=True)
@@ -54,7 +54,8 @@ class Workshop:
             fresh = workers.run(chosen, on_done=done, on_told=told, limit=at_once)
             for i, result in zip(missing, fresh, strict=True):
                 found[i] = result
-                self.cache.store(keys[i], result)
+                if jobs[i].kept:
+                    self.cache.store(keys[i], result)
             self.cache.drop_old()
         if work and unchanged:
             self.progress.say(f"{work}: {unchanged} unchanged")
@@ -62,8 +63,7 @@ class Workshop:
 
     def answered(self, job: workers.Job) -> Any | None:
         """What the job answers, if that is known; None if it would have to be done."""
-        key = self._key(job)
-        return self.known[key] if key in self.known else self.cache.load(key)
+        return self._found(job, self._key(job))
 
     def ahead(
         self, jobs: Sequence[workers.Job], then: Then, done: Mapping[str, str] | None = None
@@ -86,7 +86,8 @@ class Workshop:
             for part, one in results:
                 key = self._key(part)
                 self.known[key] = one
-                self.cache.store(key, one)
+                if part.kept:
+                    self.cache.store(key, one)
             return [other for further in then(job) for other in missing(further)]
 
         def said(job: workers.Job, seconds: float) -> None:
@@ -100,6 +101,11 @@ class Workshop:
         workers.run(first, on_done=said, on_told=told, on_result=found)
         if first:
             self.cache.drop_old()
+
+    def _found(self, job: workers.Job, key: str) -> Any | None:
+        if key in self.known or not job.kept:
+            return self.known.get(key)
+        return self.cache.load(key)
 
     def _key(self, job: workers.Job, *depends: bytes) -> str:
         return key_of(job.task, self.code, job.text, *depends)

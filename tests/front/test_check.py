@@ -52,6 +52,7 @@ FIELDS = {
     "undefined",
     "any_filter",
     "reason",
+    "accident",
     "seconds",
 }
 

@@ -181,7 +181,7 @@ def test_a_file_does_not_change_what_the_next_one_comes_to() -> None:
 
     refused, hung, _, after = asyncio.run(all_in_one())
     assert refused["error"] == "BadInputError"
-    assert "stopped after 3 seconds" in hung["result"]["claims"][0]["reason"]
+    assert "stopped after 3 processor seconds" in hung["result"]["claims"][0]["reason"]
     assert verdicts(after["result"]) == verdicts(alone)
 
 

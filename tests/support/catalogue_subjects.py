@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import shutil
 import sqlite3
 from collections.abc import Iterator, Mapping, Sequence
 from contextlib import closing, contextmanager
@@ -121,6 +122,13 @@ def with_the_users(shop: Workshop) -> Workshop:
     """The workshop, which knows what the user's cache holds too."""
     both = CacheOfTwo(shop.cache.folder, users=Cache(USERS_CACHE))
     return Workshop(both, shop.progress, shop.code)
+
+
+def take_over_trials(cache: Cache) -> None:
+    """What the user's cache holds of claims is in this one too, under the same keys."""
+    for path in USERS_CACHE.glob("trial-*.json"):
+        if not (cache.folder / path.name).exists():
+            shutil.copy(path, cache.folder)
 
 
 def derive_with_another_seed(shop: Workshop, names: Sequence[str]) -> None:

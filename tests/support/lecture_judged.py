@@ -8,7 +8,7 @@ import os
 from functools import cache
 from typing import Any
 
-from catalogue_subjects import prepare_all, with_the_users
+from catalogue_subjects import prepare_all, take_over_trials
 
 from gainproof import judgements
 from gainproof.workshop import open_workshop
@@ -26,7 +26,8 @@ def claims_of(source: str) -> list[dict[str, Any]]:
     """The same for a claim file of gainproof by its key."""
     if "PYTEST_XDIST_WORKER" in os.environ:
         prepare_all()
-    shop = with_the_users(open_workshop(quiet=True))
+    shop = open_workshop(quiet=True)
+    take_over_trials(shop.cache)
     (judged,) = judgements.judge([judgements.find(source)], shop)
     claims: list[dict[str, Any]] = judged["claims"]
     return claims

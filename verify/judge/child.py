@@ -21,26 +21,33 @@ of the time."""
 
 def serve(pipe: Connection, models: Models, seconds: float) -> None:
     """A task in, a trial out, until the pipe closes or a claim took much memory. What is kept from
-    claim to claim are environments, by their whole content.
+    claim to claim are environments, by their whole content. A task that takes more processor time
+    than `seconds` or than its own limit ends the process.
     """
     gc.set_threshold(COLLECTED)
     limit_memory()
     usual = max(GROWN, most_memory())
     solved: Solved = {}
-    pipe.send_bytes(READY)
-    while True:
-        try:
+    try:
+        pipe.send_bytes(READY)
+        while True:
             task: Task = pipe.recv()
-        except (EOFError, OSError):
-            return
-        limit_time(seconds)
-        try:
-            answer = answer_bytes(task.run(models, solved))
-        except Exception as error:  # noqa: BLE001 - whatever it is costs this claim, no other
-            reason = f"the judge stopped: {type(error).__name__}: {str(error)[:200]}"
-            answer = answer_bytes(Trial(task.claim, {}, (), False, 0.0, reason))
-        # memory that was given back may be in pieces
-        ends = most_memory() > usual
-        pipe.send_bytes((ENDS if ends else STAYS) + answer)
-        if ends:
-            return
+            limit_time(min(seconds, task.most))
+            answer = answer_bytes(_trial(task, models, solved))
+            limit_time(0)
+            # memory that was given back may be in pieces
+            ends = most_memory() > usual
+            pipe.send_bytes((ENDS if ends else STAYS) + answer)
+            if ends:
+                return
+    except (EOFError, OSError):
+        return  # nobody asks or listens any more
+
+
+def _trial(task: Task, models: Models, solved: Solved) -> Trial:
+    try:
+        return task.run(models, solved)
+    except Exception as error:  # noqa: BLE001 - whatever it is costs this claim, no other
+        reason = f"the judge stopped: {type(error).__name__}: {str(error)[:200]}"
+        accident = "it took more memory than there was" if isinstance(error, MemoryError) else None
+        return Trial(task.claim, {}, (), False, 0.0, reason, accident=accident)

@@ -10,6 +10,7 @@ from functools import partial
 from itertools import count
 from typing import Any
 
+from gainproof.verify.judge.accident import Lost, noted, with_accidents
 from gainproof.verify.judge.choice import choose, verdict_of
 from gainproof.verify.judge.claim.record import Claim, ClaimFile, Setting
 from gainproof.verify.judge.definition_use import contradicted, with_blame
@@ -59,12 +60,13 @@ def judge_file(
     tried, since conventions are chosen for all of them, and no repair is looked for that is not
     its own.
 
-    With `seconds` every claim is judged in a child process that is killed when the time is over;
-    up to `processes` of them run at once; or by `workers`, which stay for other files. A file that
-    is not trusted should be judged in one of these ways.
+    With `seconds` every claim is judged in a child process that ends when it has used so much
+    processor time; up to `processes` of them run at once; or by `workers`, which stay for other
+    files. A file that is not trusted should be judged in one of these ways.
     Without either they are judged here; `solved` keeps the settings' solutions for other files.
 
-    Nothing is raised for a claim that cannot be decided: its verdict is `undecided` and says why.
+    Nothing is raised for a claim that cannot be decided: its verdict is `undecided` and says why. A
+    verdict that rests on an `accident` says so: judged again, the claim may get another.
     """
     if only is not None:
         claim_file = _setting_of(claim_file, only)
@@ -97,6 +99,8 @@ def _judged(
     claim_file: ClaimFile, wanted: Sequence[Claim], done: Done, only: str | None
 ) -> tuple[ClaimVerdict, ...]:
     claims = claim_file.claims
+    lost: Lost = []
+    done = noted(done, lost)
     trials = dict(done([TrialTask(c, claim_file.settings[c.setting]) for c in wanted]))
     stages: list[Stage] = []
     symbols: list[Fixed] = []
@@ -117,8 +121,18 @@ def _judged(
     stages = with_other_conventions(stages, done)
     if only is None or any(may_get_repair(v) for s in stages for v in s.verdicts if v.id == only):
         stages = with_repairs(stages, done)
-    found = {v.id: with_symbols(v, symbols) for stage in stages for v in stage.verdicts}
+    found = {
+        v.id: with_symbols(v, symbols)
+        for stage in stages
+        for v in with_accidents(stage, lost, undefined_symbols=_has_undefined(claim_file, stage))
+    }
     return tuple(found[claim.id] for claim in claims if only in (None, claim.id))
+
+
+def _has_undefined(claim_file: ClaimFile, stage: Stage) -> bool:
+    """Whether claims were to say what a symbol of the setting is."""
+    symbols = claim_file.settings[stage.setting.name].symbols
+    return any(entry.role == "undefined" for entry in symbols.values())
 
 
 def judge_setting(

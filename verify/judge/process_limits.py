@@ -2,15 +2,16 @@
 
 from __future__ import annotations
 
-import math
+import signal
 import sys
-import time
 from pathlib import Path
 
 MEMORY = 4 << 30
 """Bytes of address space that a process may take."""
 LIMITED = sys.platform.startswith(("linux", "freebsd"))
-"""Whether there are limits: other systems have none, or accept them and do not keep them."""
+"""Whether memory is limited: other systems have no such limit, or accept and do not keep it."""
+TIMED = hasattr(signal, "setitimer")
+"""Whether processor time is limited: not on Windows."""
 GROWN = 512 << 20
 """Bytes of memory that a claim may take of its process without leaving others short of it."""
 UNLIMITED_NOTE = (
@@ -24,17 +25,26 @@ def limit_memory() -> None:
     if LIMITED:
         import resource
 
-        _limit(resource.RLIMIT_AS, MEMORY)
+        most = MEMORY
+        _, highest = resource.getrlimit(resource.RLIMIT_AS)
+        if highest != resource.RLIM_INFINITY:
+            most = min(most, highest)
+        resource.setrlimit(resource.RLIMIT_AS, (most, highest))
 
 
 def limit_time(seconds: float) -> None:
-    """Processor time from now on, with a little to spare: whoever waits for this process looks at
-    the clock and ends it before, unless it was ended itself.
+    """Processor time from now on, after which the system ends this process, in whatever code it is;
+    0 lifts the limit. Whether it ended so is told by `out_of_time`.
     """
-    if LIMITED:
-        import resource
+    if sys.platform != "win32":
+        signal.signal(signal.SIGPROF, signal.SIG_DFL)
+        signal.pthread_sigmask(signal.SIG_UNBLOCK, [signal.SIGPROF])
+        signal.setitimer(signal.ITIMER_PROF, seconds)
 
-        _limit(resource.RLIMIT_CPU, math.ceil(time.process_time() + max(0.0, seconds)) + 2)
+
+def out_of_time(exit_code: int | None) -> bool:
+    """Whether a process that ended so had used up its processor time."""
+    return sys.platform != "win32" and exit_code == -signal.SIGPROF
 
 
 def most_memory() -> int:
@@ -55,13 +65,3 @@ def most_memory() -> int:
     import resource
 
     return resource.getrusage(resource.RUSAGE_SELF).ru_maxrss * 1024
-
-
-def _limit(what: int, most: int) -> None:
-    """The limit, or the lower one that the process was started with."""
-    import resource
-
-    _, highest = resource.getrlimit(what)
-    if highest != resource.RLIM_INFINITY:
-        most = min(most, highest)
-    resource.setrlimit(what, (most, highest))

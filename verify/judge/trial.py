@@ -28,6 +28,10 @@ class Trial:
 
     `is_open` says whether the source left the convention open. `failure` is why there is no
     finding. `repair` is what a search for true formulas nearby came to, where there was one.
+
+    An `accident` is why this says nothing of the claim: the work was broken off by something else.
+    `timed`: a limit of processor time broke it off, or its search; another machine may come
+    further.
     """
 
     claim: Claim
@@ -37,6 +41,8 @@ class Trial:
     seconds: float
     failure: str | None = None
     repair: Mapping[str, Any] | None = None
+    accident: str | None = None
+    timed: bool = False
 
 
 PROOFS = "proofs of claims on matrices"

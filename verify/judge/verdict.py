@@ -57,7 +57,8 @@ class ClaimVerdict:
     `repairs` are all nearest true formulas, the likeliest first: "latex", its "verdict", "changes"
     in words, and "under", the convention under which it is true where the source leaves one open.
     Empty: none looked for, or none found. `truth` is what the formula should say then, if known.
-    `any_filter`: it follows from the file's own definitions, whatever the filter is.
+    `any_filter`: it follows from the file's own definitions, whatever the filter is. An `accident`
+    is why another run may come to another verdict: a process was killed, paused or short of memory.
     """
 
     id: str
@@ -77,6 +78,7 @@ class ClaimVerdict:
     any_filter: bool = False
     repairs: tuple[Mapping[str, Any], ...] = ()
     truth: str | None = None
+    accident: str | None = None
 
     @property
     def repair(self) -> Mapping[str, str] | None:
@@ -131,6 +133,7 @@ class ClaimVerdict:
             "undefined": [dict(entry) for entry in self.undefined],
             "any_filter": self.any_filter,
             "reason": self.reason,
+            "accident": self.accident,
             "seconds": round(self.seconds, 3),
         }
 

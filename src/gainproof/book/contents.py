@@ -6,7 +6,8 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
-from gainproof import code_digest, derivations, judgements, places
+from gainproof import code_digest, derivations, judgements, places, verdicts
+from gainproof.bad_input import BadInputError
 from gainproof.book import kernel_pictures
 from gainproof.claim_proofs import checked
 from gainproof.claim_words import Said, claims_said
@@ -34,12 +35,18 @@ class Contents:
 
 
 def gather(shop: Workshop) -> Contents:
-    """Everything, derived, checked and judged where that is not known already."""
+    """Everything, derived, checked and judged where that is not known already.
+
+    Raises BadInputError where an accident kept a claim from being judged.
+    """
     folder, files = places.generated_folder(), places.claim_files()
     shop.ahead([derivations.CATALOGUE], following(shop, folder, files), DONE)
     subjects = derivations.derive(derivations.catalogue(shop), shop)
     pairs = [(committed(folder, subject.name), subject) for subject in subjects]
     judged = judgements.judge(files, shop)
+    missing = [why for each in judged for why in verdicts.accidents(each).values()]
+    if missing:
+        raise BadInputError(f"not judged, by accident: {missing[0]}; make the book again")
     asked = [job for subject in subjects for job in kernel_pictures.jobs(subject)]
     sampled = shop.results("pictures of kernels", asked)
     return Contents(

@@ -10,9 +10,10 @@ from gainproof.commands import time_limit
 
 HELP = "judge the claims of a claim file, or begin one"
 DESCRIPTION = """\
-Judges every claim of FILE, or of all claim files that belong to gainproof. Exit status 0 if every
-claim is settled, whatever the verdict; 1 if one is held or undecided; 2 for a file with errors,
-which are told all at once."""
+Judges every claim of FILE, or of all claim files that belong to gainproof. What is judged is kept
+claim by claim, so that a run that is broken off goes on where it was. Exit status 0 if every claim
+is settled, whatever the verdict; 1 if one is held or undecided, or an accident such as a killed
+process kept it from being judged; 2 for a file with errors, which are told all at once."""
 
 
 def configure(parser: argparse.ArgumentParser) -> None:
@@ -90,6 +91,7 @@ def _check(options: argparse.Namespace) -> int:
         print(_shown(options, judged, words), end="")
     if sheet is not None and not options.json:
         print(f"\nerrata: {places.shown(sheet)}")
+    _say_accidents(judged)
     errors = [error for judgement in judged for error in judgement.get("errors", ())]
     if errors and not options.json:
         sys.stdout.flush()
@@ -97,6 +99,22 @@ def _check(options: argparse.Namespace) -> int:
     if errors:
         return 2
     return 1 if any(verdicts.unsettled(judgement) for judgement in judged) else 0
+
+
+def _say_accidents(judged: Sequence[Mapping[str, Any]]) -> None:
+    import sys
+
+    from gainproof import verdicts
+
+    for judgement in judged:
+        found = verdicts.accidents(judgement)
+        if found:
+            told = "; ".join(f"{name}: {why}" for name, why in found.items())
+            sys.stdout.flush()
+            key = judgement["source"]["key"]
+            print(
+                f"gainproof: {key}: not judged, by accident (check again): {told}", file=sys.stderr
+            )
 
 
 def _errors_as_json(name: str | None, error: Exception) -> str:

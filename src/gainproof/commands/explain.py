@@ -12,7 +12,8 @@ Prints all that is known about one claim of a claim file: what was decided, by w
 the certificate of a proof or the exact point where a formula fails. Of other claims that a proof on
 matrices uses it prints what they say; their proofs are on their own pages. The certificate is gone
 through again: proofs on matrices of every size by the checker of certificates, which knows nothing
-of the judge, the others by the judge's own code. Exit status 1 if it leads elsewhere."""
+of the judge, the others by the judge's own code. Exit status 1 if it leads elsewhere, or if an
+accident such as a killed process kept the claim from being judged."""
 
 
 def configure(parser: argparse.ArgumentParser) -> None:
@@ -26,6 +27,8 @@ def run(options: argparse.Namespace) -> int:
     """0; 1 where the certificate does not lead to the verdict again; 2 for a claim that the file
     does not have.
     """
+    import sys
+
     from gainproof import judgements, page
     from gainproof.claim_proofs import checked
     from gainproof.claim_words import claim_words
@@ -38,4 +41,8 @@ def run(options: argparse.Namespace) -> int:
     words = claim_words(judgements.read(file)).get(options.claim, "")
     good, said = checked(claim)
     print(explanation(claim, page.width(), words, said), end="")
-    return 0 if good else 1
+    if claim["accident"]:
+        print(
+            f"gainproof: not judged, by accident (ask again): {claim['accident']}", file=sys.stderr
+        )
+    return 0 if good and not claim["accident"] else 1

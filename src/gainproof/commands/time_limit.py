@@ -1,4 +1,4 @@
-"""`--seconds N`: the time that the judge has for one claim."""
+"""`--seconds N`: the processor time that the judge has for one claim."""
 
 from __future__ import annotations
 
@@ -15,7 +15,8 @@ def configure(parser: argparse.ArgumentParser) -> None:
         metavar="N",
         type=seconds_of,
         default=DEFAULT,
-        help=f"time for one claim, which is undecided after that (default: {DEFAULT:g})",
+        help="processor time for one claim, which is undecided after that; that the machine is "
+        f"busy takes none of it (default: {DEFAULT:g})",
     )
 
 

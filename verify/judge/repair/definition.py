@@ -54,12 +54,14 @@ class DefinitionTask:
         everywhere, or wherever they have a value. None if there is none.
         """
         start = time.perf_counter()
+        deadline = time.process_time() + self.seconds
         found: dict[str, Any] | None = None
         for convention in conventions(self.setting, models, solved):
             if isinstance(convention, Convention) and convention.name in self.conventions:
-                found = self._searched(convention, start + self.seconds)
+                found = self._searched(convention, deadline)
                 break
-        return Trial(self.claim, {}, (), False, time.perf_counter() - start, repair=found)
+        seconds, timed = time.perf_counter() - start, time.process_time() > deadline
+        return Trial(self.claim, {}, (), False, seconds, repair=found, timed=timed)
 
     def _searched(self, convention: Convention, deadline: float) -> dict[str, Any] | None:
         survivors: list[tuple[Suspect, Change]] = []
@@ -74,7 +76,7 @@ class DefinitionTask:
             far: Chain | None = None
             for change, formula in _changes(suspect, convention.setting):
                 tried += 1
-                if tried > MOST_TRIED or time.perf_counter() > deadline:
+                if tried > MOST_TRIED or time.process_time() > deadline:
                     break
                 # nearly all are left out by the first point
                 if not chain.agrees(_body(change)) or is_more_senseless(change.printed, formula):
@@ -86,7 +88,7 @@ class DefinitionTask:
                     survivors.append((suspect, change))
         survivors.sort(key=lambda pair: (pair[1].weight, -len(pair[0].wrong), _size(pair[1])))
         for suspect, change in survivors:
-            if time.perf_counter() > deadline:
+            if time.process_time() > deadline:
                 break
             found = _borne_out(suspect, change, convention)
             if found is not None:

@@ -165,7 +165,7 @@ class Search:
     @property
     def is_late(self) -> bool:
         """Whether enough was tried, which should come first on any machine, or the time is over."""
-        return self.tried > MOST_TRIED or time.perf_counter() > self.deadline
+        return self.tried > MOST_TRIED or time.process_time() > self.deadline
 
     def _first(self, candidates: Iterable[Change]) -> list[Offer]:
         """Proved candidates of the least weight."""

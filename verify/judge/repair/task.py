@@ -24,7 +24,7 @@ from gainproof.verify.judge.task import Models, Solved
 from gainproof.verify.judge.trial import Trial
 
 SECONDS = 30.0
-"""Time for the search, which has tried enough long before on any machine."""
+"""Processor time for the search, which has tried enough long before on any machine."""
 OVERTIME = 10.0
 """Seconds more before it is stopped: it looks at the clock between two formulas only."""
 MOST_NAMED = 3
@@ -50,6 +50,7 @@ class RepairTask:
         formula with its changes in words.
         """
         start = time.perf_counter()
+        deadline = time.process_time() + self.seconds
         chosen = [
             convention
             for convention in conventions(self.setting, models, solved)
@@ -57,9 +58,7 @@ class RepairTask:
         ]
         is_open = any(convention.open for convention in chosen)
         searches = [
-            search
-            for convention in chosen
-            for search in _searches(self, convention, start + self.seconds)
+            search for convention in chosen for search in _searches(self, convention, deadline)
         ]
         found: list[Offer] = []
         for stage in STAGES:
@@ -73,7 +72,8 @@ class RepairTask:
         if not best and searches:
             first = searches[0]
             told["truth"] = true_value(first) if isinstance(first, Search) else first.truth()
-        return Trial(self.claim, {}, (), False, seconds, repair=told)
+        timed = time.process_time() > deadline
+        return Trial(self.claim, {}, (), False, seconds, repair=told, timed=timed)
 
 
 def _searches(

@@ -1,0 +1,62 @@
+"""Verdicts that rest on an accident: what was broken off may have chosen a convention, said what a
+symbol is, or offered a repair, so that another run may come to something else.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import replace
+
+from gainproof.verify.judge.repair.definition import DefinitionTask
+from gainproof.verify.judge.repair.offer import NOT_TRUE
+from gainproof.verify.judge.stages import Done, Stage
+from gainproof.verify.judge.task import Task
+from gainproof.verify.judge.trial import Trial
+from gainproof.verify.judge.verdict import ClaimVerdict
+
+Lost = list[tuple[Task, str]]
+"""Tasks of which nothing is known, and why."""
+
+
+def noted(done: Done, lost: Lost) -> Done:
+    """The same; what came to an accident is noted."""
+
+    def run(tasks: Sequence[Task]) -> Mapping[str, Trial]:
+        found = done(tasks)
+        for task in tasks:
+            accident = found[task.claim.id].accident
+            if accident is not None:
+                lost.append((task, accident))
+        return found
+
+    return run
+
+
+def with_accidents(
+    stage: Stage, lost: Lost, *, undefined_symbols: bool
+) -> tuple[ClaimVerdict, ...]:
+    """The verdicts on a setting, with the accident on which each rests that may rest on one."""
+    mine = [(task, why) for task, why in lost if task.claim.setting == stage.setting.name]
+    own = {task.claim.id: why for task, why in reversed(mine)}
+    trials = {trial.claim.id: trial for trial in stage.tried}
+    definitions = any(isinstance(task, DefinitionTask) for task, _ in mine)
+    found = []
+    for verdict in stage.verdicts:
+        why = own.get(verdict.id)
+        if why is None and mine:
+            trial = trials.get(verdict.id)
+            touched = definitions if trial is None else _rests_on_others(verdict, trial, stage)
+            if touched or undefined_symbols:
+                task, what = mine[0]
+                why = f"claim {task.claim.id}, of the same setting, was not judged: {what}"
+        found.append(replace(verdict, accident=why))
+    return tuple(found)
+
+
+def _rests_on_others(verdict: ClaimVerdict, trial: Trial, stage: Stage) -> bool:
+    """Whether the other claims of the setting had a part in a verdict: in the choice among
+    conventions, or in what is true instead.
+    """
+    if stage.setting.matrices is not None:
+        return False
+    return trial.is_open or len(trial.findings) != 1 or verdict.verdict in NOT_TRUE
