@@ -242,13 +242,15 @@ def test_a_damaged_cache_entry_is_judged_again(
 ) -> None:
     """`refuted` turned into `proved` inside the cache is not believed."""
     cache = tmp_path / "cache"
-    ignored = shutil.ignore_patterns("judge-*", "*.lock*")
+    ignored = shutil.ignore_patterns("trial-*", "*.lock*")
     shutil.copytree(default_folder(), cache, ignore=ignored)
     monkeypatch.setenv("GAINPROOF_CACHE", str(cache))
     cli.main(["check", str(file), "--json"])
     first = as_json(capsys)
-    for path in cache.glob("judge-*.json"):
-        path.write_bytes(path.read_bytes().replace(b'"refuted"', b'"proved"'))
+    kept = list(cache.glob("trial-*.json"))
+    assert kept
+    for path in kept:
+        path.write_bytes(path.read_bytes().replace(b"refuted", b"proved"))
     assert cli.main(["check", str(file), "--json"]) == 0
     again = as_json(capsys)
     verdicts = [[c["verdict"] for c in data["claims"]] for data in (first, again)]

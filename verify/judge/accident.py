@@ -7,7 +7,6 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
 
-from gainproof.verify.judge.repair.definition import DefinitionTask
 from gainproof.verify.judge.repair.offer import NOT_TRUE
 from gainproof.verify.judge.stages import Done, Stage
 from gainproof.verify.judge.task import Task
@@ -39,24 +38,23 @@ def with_accidents(
     mine = [(task, why) for task, why in lost if task.claim.setting == stage.setting.name]
     own = {task.claim.id: why for task, why in reversed(mine)}
     trials = {trial.claim.id: trial for trial in stage.tried}
-    definitions = any(isinstance(task, DefinitionTask) for task, _ in mine)
     found = []
     for verdict in stage.verdicts:
         why = own.get(verdict.id)
-        if why is None and mine:
-            trial = trials.get(verdict.id)
-            touched = definitions if trial is None else _rests_on_others(verdict, trial, stage)
-            if touched or undefined_symbols:
-                task, what = mine[0]
-                why = f"claim {task.claim.id}, of the same setting, was not judged: {what}"
+        touched = undefined_symbols or _rests_on_others(verdict, trials.get(verdict.id), stage)
+        if why is None and mine and touched:
+            task, what = mine[0]
+            why = f"claim {task.claim.id}, of the same setting, was not judged: {what}"
         found.append(replace(verdict, accident=why))
     return tuple(found)
 
 
-def _rests_on_others(verdict: ClaimVerdict, trial: Trial, stage: Stage) -> bool:
+def _rests_on_others(verdict: ClaimVerdict, trial: Trial | None, stage: Stage) -> bool:
     """Whether the other claims of the setting had a part in a verdict: in the choice among
-    conventions, or in what is true instead.
+    conventions, or in what is true instead, which may be another definition.
     """
     if stage.setting.matrices is not None:
         return False
-    return trial.is_open or len(trial.findings) != 1 or verdict.verdict in NOT_TRUE
+    if verdict.verdict in (*NOT_TRUE, "definition"):
+        return True
+    return trial is not None and (trial.is_open or len(trial.findings) != 1)

@@ -26,11 +26,9 @@ from gainproof.verify.judge.worker import Workers, tried_apart
 def test_each_loss_costs_one_claim(processes: int) -> None:
     heard: list[str] = []
     tasks = odd("good", "hang", "die", "fail", "talk", "good", *["hang"] * (processes - 1), "good")
-    start = time.monotonic()
     found = tried_apart(
         tasks, [], 2.0, processes, on_trial=lambda trial: heard.append(trial.claim.id)
     )
-    spent = time.monotonic() - start
     assert set(found) == set(heard) == {task.claim.id for task in tasks}
     for task in tasks:
         reason = found[task.claim.id].failure
@@ -39,17 +37,16 @@ def test_each_loss_costs_one_claim(processes: int) -> None:
                 assert reason is None
                 assert found[task.claim.id].findings["no model"].witness == WITNESS
             case "hang":
-                assert reason == "stopped after 2 seconds"
-                assert 2 <= found[task.claim.id].seconds < 7
+                assert reason == "stopped after 2 processor seconds"
+                assert found[task.claim.id].accident is None
             case "die":
-                assert reason == "the process that judged it ended without an answer"
+                assert reason == "the process that judged it was ended by SIGKILL, twice"
+                assert found[task.claim.id].accident == reason
             case "fail":
                 assert reason == "the judge stopped: KeyError: 'oh'"
             case "talk":
                 assert reason is not None
                 assert "bytes" in reason
-    # each that hangs does so for two seconds; the rest is the start of new processes
-    assert spent < 60
     assert not multiprocessing.active_children()
 
 
@@ -100,7 +97,7 @@ def test_an_answer_to_nobody_is_no_answer_to_the_next_tasks() -> None:
 def test_a_task_may_have_less_time_than_a_claim() -> None:
     (hang,) = odd("hang")
     found = tried_apart([replace(hang, most=0.5)], [], 600.0)
-    assert found[hang.claim.id].failure == "stopped after 0.5 seconds"
+    assert found[hang.claim.id].failure == "stopped after 0.5 processor seconds"
 
 
 @pytest.mark.skipif(os.name != "posix", reason="signals to threads")
@@ -119,7 +116,7 @@ def test_no_process_is_left_behind_by_an_interrupt() -> None:
     assert not multiprocessing.active_children()
 
 
-@pytest.mark.skipif(not process_limits.LIMITED, reason="this system cannot limit processor time")
+@pytest.mark.skipif(not process_limits.TIMED, reason="this system cannot limit processor time")
 def test_a_child_whose_parent_was_killed_ends() -> None:
     context = multiprocessing.get_context("spawn")
     parent = context.Process(target=judge_and_hang)
