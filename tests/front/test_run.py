@@ -12,7 +12,7 @@ from typing import Any
 import pytest
 from catalogue_subjects import certificate as certificate_of
 
-from gainproof import cli, derivations, generated_files, places
+from gainproof import cli, derivations, generated_files, judgements, places
 from gainproof.workshop import open_workshop
 
 Capture = pytest.CaptureFixture[str]
@@ -205,3 +205,27 @@ def test_fresh_takes_nothing_from_the_cache(house: House, capsys: Capture) -> No
     (house.claims / "own-paper.toml").write_text(CLAIMS)
     assert house.run("--fresh") == 0
     assert "unchanged" not in capsys.readouterr().err
+
+
+def test_an_accident_has_status_1_and_nothing_of_it_is_accepted(
+    house: House, monkeypatch: pytest.MonkeyPatch, capsys: Capture
+) -> None:
+    snapshot = house.claims / "own-paper.verdicts.json"
+    before = snapshot.read_bytes()
+    judge = judgements.judge
+
+    def broken_off(*given: Any, **options: Any) -> Any:
+        (judged,) = judge(*given, **options)
+        lost = {"verdict": "undecided", "reason": "killed", "accident": "killed"}
+        return [{**judged, "claims": [{**judged["claims"][0], **lost}]}]
+
+    monkeypatch.setattr(judgements, "judge", broken_off)
+    for options in ((), ("--accept",)):
+        assert house.run(*options) == 1
+        out = capsys.readouterr().out
+        assert "not judged:       1, by accident" in out
+        assert "own-paper, 1: killed" in out
+        assert "snapshot:         unchanged" in out
+        assert house.found()["good"] is False
+    assert snapshot.read_bytes() == before
+    monkeypatch.undo()

@@ -119,3 +119,27 @@ def test_unsettled_and_tally() -> None:
     data["claims"] += [claim("d", "held"), claim("e", "undecided")]
     assert verdicts.unsettled(data) == ["d", "e"]
     assert list(verdicts.tally([data])) == ["proved", "refuted", "held", "undecided", "remark"]
+
+
+def test_what_met_with_an_accident_is_no_change_and_stays_as_it_was(file: Path) -> None:
+    """Nor is it settled, and a claim that is new does not get into the snapshot by it."""
+    again = copy.deepcopy(JUDGED)
+    again["claims"][0] |= {"verdict": "undecided", "accident": "killed"}
+    again["claims"].append(claim("d", "refuted", accident="killed"))
+    assert verdicts.changes(again, file) == []
+    assert verdicts.unsettled(again) == ["a", "d"]
+    assert verdicts.accidents(again) == {"a": "killed", "d": "killed"}
+    before = file.with_name("lecture.verdicts.json").read_text()
+    again["claims"][1]["verdict"] = "conditional"
+    assert len(verdicts.changes(again, file)) == 1
+    verdicts.write_snapshot(again, file)
+    after = file.with_name("lecture.verdicts.json").read_text()
+    assert after == before.replace('"refuted"', '"conditional"')
+
+
+def test_without_a_snapshot_an_accident_is_left_out(tmp_path: Path) -> None:
+    judged = copy.deepcopy(JUDGED)
+    judged["claims"][1]["accident"] = "killed"
+    verdicts.write_snapshot(judged, tmp_path / "new.toml")
+    data = json.loads((tmp_path / "new.verdicts.json").read_text())
+    assert [entry["id"] for entry in data["claims"]] == ["a", "c"]

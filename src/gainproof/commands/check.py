@@ -109,12 +109,10 @@ def _say_accidents(judged: Sequence[Mapping[str, Any]]) -> None:
     for judgement in judged:
         found = verdicts.accidents(judgement)
         if found:
-            told = "; ".join(f"{name}: {why}" for name, why in found.items())
+            key, why = judgement["source"]["key"], next(iter(found.values()))
             sys.stdout.flush()
-            key = judgement["source"]["key"]
-            print(
-                f"gainproof: {key}: not judged, by accident (check again): {told}", file=sys.stderr
-            )
+            told = f"not judged, by accident: {', '.join(found)} ({why}); check again"
+            print(f"gainproof: {key}: {told}", file=sys.stderr)
 
 
 def _errors_as_json(name: str | None, error: Exception) -> str:
