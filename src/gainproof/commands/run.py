@@ -8,8 +8,9 @@ HELP = "derive all, compare kernels, check certificates, judge claim files, writ
 DESCRIPTION = """\
 Derives every subject afresh, compares generated/ byte for byte, checks every certificate again,
 judges every claim file against its snapshot of verdicts, and writes report/report.txt and
-report.json. Exit status 1 on drift, on a rejected certificate or on a verdict that changed; 2
-where all is well and the report cannot be written."""
+report.json. Exit status 1 on drift, on a rejected certificate, on a verdict that changed or that
+an accident such as a killed process kept from being found; 2 where all is well and the report
+cannot be written."""
 
 
 def configure(parser: argparse.ArgumentParser) -> None:
