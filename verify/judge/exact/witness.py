@@ -12,6 +12,7 @@ import flint
 
 from gainproof.verify.judge.exact.box import Box
 from gainproof.verify.judge.exact.connected import Connected, Sample
+from gainproof.verify.judge.exact.enclose import compared
 from gainproof.verify.judge.exact.enclosure import enclosure, separated
 from gainproof.verify.judge.exact.limits import Undecided
 from gainproof.verify.judge.exact.local import FIRST_PRECISION, Local
@@ -20,6 +21,7 @@ from gainproof.verify.judge.exact.poly import Ball
 from gainproof.verify.judge.exact.radicand import Element
 from gainproof.verify.judge.exact.statement import (
     NOT_COMPARED,
+    NOT_EVALUATED,
     Enclosure,
     Rel,
     Statement,
@@ -115,24 +117,11 @@ def find_witness(
                 if a is None or b is None:
                     continue
                 shown = separated(a, b)
-                if shown is None or not fails(rel.operator, a, b):
+                if shown is None or compared(rel.operator, a, b):
                     continue
                 point = point_text(local, sample, free, labels)
                 return Witness(point, rel.operator, *shown), tried
     return None
-
-
-def fails(operator: str, a: Ball, b: Ball) -> bool:
-    """Whether the relation fails for numbers in two balls that do not overlap."""
-    match operator:
-        case "=":
-            return True
-        case "<" | "<=":
-            return bool(a > b)
-        case ">" | ">=":
-            return bool(a < b)
-        case _:
-            return False
 
 
 def point_text(
@@ -195,7 +184,7 @@ def undefined_witness(
         if why is None and ball is not None:
             sides.append(enclosure(ball, 12))
         else:
-            sides.append(Enclosure("", "", why or "not evaluated"))
+            sides.append(Enclosure("", "", why or NOT_EVALUATED))
     point = point_text(local, samples[0], free, labels)
     return Witness(point, rel.operator, sides[0], sides[1], note="a side has no value")
 

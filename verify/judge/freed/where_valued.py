@@ -7,14 +7,13 @@ from contextlib import suppress
 from dataclasses import replace
 from fractions import Fraction
 
-from gainproof.verify.judge.exact.box import Box
+from gainproof.verify.judge.exact.box import Box, Boxes
 from gainproof.verify.judge.exact.limits import Undecided
 from gainproof.verify.judge.exact.statement import Outcome, Rel, Statement
 from gainproof.verify.judge.freed.away import sides
 from gainproof.verify.judge.freed.certificate import Decides
 from gainproof.verify.judge.freed.freely import where_valued
 from gainproof.verify.judge.freed.scaled import Scaled, scaled
-from gainproof.verify.judge.freed.smooth import Boxes
 
 
 def but_where_it_has(

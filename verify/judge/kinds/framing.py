@@ -21,9 +21,9 @@ from gainproof.verify.judge.exact.statement import (
     Rel,
     Statement,
 )
+from gainproof.verify.judge.exact.total import is_total
 from gainproof.verify.judge.freed.certificate import certificate_of
 from gainproof.verify.judge.freed.deciding import decided
-from gainproof.verify.judge.freed.total import is_total
 from gainproof.verify.judge.hypothesis import without_equations
 from gainproof.verify.judge.kinds.slopes import with_slopes
 from gainproof.verify.judge.meaning.derivatives import Slope

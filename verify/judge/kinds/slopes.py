@@ -13,7 +13,7 @@ from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import dataclass, replace
 from fractions import Fraction
 
-from gainproof.verify.judge.exact.box import Box
+from gainproof.verify.judge.exact.box import Boxes
 from gainproof.verify.judge.exact.calculus import (
     differentiated,
     rebuilt,
@@ -21,8 +21,8 @@ from gainproof.verify.judge.exact.calculus import (
     substituted,
 )
 from gainproof.verify.judge.exact.constant_value import constant_value
-from gainproof.verify.judge.exact.enclose import Balls, NoValue, Unresolved
-from gainproof.verify.judge.exact.enclosure import enclosure
+from gainproof.verify.judge.exact.enclose import Balls
+from gainproof.verify.judge.exact.enclosure import value_shown
 from gainproof.verify.judge.exact.expression import (
     Expr,
     add,
@@ -34,8 +34,9 @@ from gainproof.verify.judge.exact.expression import (
     whole_power,
 )
 from gainproof.verify.judge.exact.limits import DEFAULT_LIMITS, Undecided
-from gainproof.verify.judge.exact.points import NOT_RESOLVED as UNKNOWN
 from gainproof.verify.judge.exact.statement import (
+    NOT_EVALUATED,
+    STRICT,
     Enclosure,
     Outcome,
     Rel,
@@ -44,17 +45,16 @@ from gainproof.verify.judge.exact.statement import (
     unstated,
 )
 from gainproof.verify.judge.exact.survey import Work, survey
+from gainproof.verify.judge.exact.total import divisors
 from gainproof.verify.judge.exact.truth import NO_VALUE
 from gainproof.verify.judge.meaning.derivatives import VARIABLE, Slope
 from gainproof.verify.judge.meaning.sums import powers_put_in
 from gainproof.verify.judge.series.slope import slope_at, without_roots_of_zero
 
-Boxes = Mapping[str, Box]
 Decide = Callable[[Statement, Boxes], Outcome]
 MOST_PLACES = 4
 BITS = 128
 NO_SLOPE = "there is no derivative"
-STRICT = ("<", ">", "!=")
 
 
 def with_slopes(
@@ -392,7 +392,9 @@ def _without_slope(
     rels = statement.all_relations()
     rel = next((r for r in rels if any(_holds((r,), s) for s in lost)), rels[0])
     left, right = (
-        Enclosure("", "", NO_SLOPE) if _standing(lost, side) else _side(side, values)
+        Enclosure("", "", NO_SLOPE)
+        if _standing(lost, side)
+        else value_shown(side, Balls(values, BITS))
         for side in (rel.left, rel.right)
     )
     witness = Witness(point.point, rel.operator, left, right, note="a side has no value")
@@ -424,14 +426,8 @@ def _may_lack(slope: Slope) -> bool:
 
 def _divisors(expr: Expr) -> set[Expr]:
     """The factors that must not be zero, at a glance; numbers are left out."""
-    pending: list[Expr] = []
-    for node in walk(expr):
-        if node.kind == "div":
-            pending.append(node.parts[1])
-        elif (node.kind == "pow" and node.fraction < 0) or (
-            node.kind == "call" and node.name == "log"
-        ):
-            pending.append(node.parts[0])
+    logarithms = (n.parts[0] for n in walk(expr) if n.kind == "call" and n.name == "log")
+    pending = [*divisors(expr), *logarithms]
     found = set()
     while pending:
         node = pending.pop()
@@ -458,16 +454,7 @@ def _exchanged(expr: Expr, values: Mapping[Expr, Expr]) -> Expr:
 
 
 def _has_no_value(expr: Expr, point: Mapping[str, Fraction]) -> bool:
-    return _side(expr, point).undefined not in (None, UNKNOWN)
-
-
-def _side(expr: Expr, point: Mapping[str, Fraction]) -> Enclosure:
-    try:
-        return enclosure(Balls(point, BITS).round(expr), 12)
-    except NoValue as reason:
-        return Enclosure("", "", str(reason))
-    except Unresolved:
-        return Enclosure("", "", UNKNOWN)
+    return value_shown(expr, Balls(point, BITS)).undefined not in (None, NOT_EVALUATED)
 
 
 def _decided_as(found: Outcome) -> dict[str, object]:
