@@ -61,7 +61,7 @@ def main() -> int:
 def judge(kind: str, has_value: bool, seed: int, count: int, _code: str) -> list[dict[str, Any]]:
     """The claims of one block with their verdicts."""
     found = []
-    for claim in MADE[kind](seed, count, has_value=has_value):  # type: ignore[operator]
+    for claim in MADE[kind](seed, count, has_value=has_value):
         start = time.process_time()
         verdict = claim.judged()
         found.append(

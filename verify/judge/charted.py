@@ -32,6 +32,7 @@ from gainproof.verify.judge.scope import Scope
 from gainproof.verify.judge.setting.chart_decision import EQUAL
 from gainproof.verify.judge.setting.environment import Environment
 from gainproof.verify.judge.verdict import Finding
+from gainproof.verify.judge.verdict_words import LACKS_VALUE
 
 KINDS = ("identity", "inequality", "monotone", "recursion")
 """What a chart helps to decide; limits are taken in the parameters themselves."""
@@ -116,7 +117,7 @@ def _without_value(
         left, right = (_side(expr, point) for expr in (rel.left, rel.right))
         if left.undefined or right.undefined:
             where = {labels.get(name, name): str(value) for name, value in point.items()}
-            return Witness(where, rel.operator, left, right, note="a side has no value")
+            return Witness(where, rel.operator, left, right, note=LACKS_VALUE)
     return None
 
 

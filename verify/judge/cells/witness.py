@@ -21,6 +21,7 @@ from gainproof.verify.judge.exact.points import failure_at
 from gainproof.verify.judge.exact.statement import NOT_EVALUATED, STRICT, Enclosure, Rel, Witness
 from gainproof.verify.judge.exact.truth import FALSE
 from gainproof.verify.judge.exact.witness import sides_witness, value_ball
+from gainproof.verify.judge.verdict_words import BOTH_EQUAL, LACKS_VALUE
 
 PRECISIONS = (64, 256, 1024, 4096)
 MOST_SIMPLE = 60
@@ -94,7 +95,7 @@ def _at(piece: Piece, sample: Sample | None, labels: Mapping[str, str]) -> Witne
     point = _point(piece, sample, labels)
     if piece.truth != FALSE:
         sides = [_side(piece, expr, sample) for expr in (rel.left, rel.right)]
-        return Witness(point, rel.operator, sides[0], sides[1], note="a side has no value")
+        return Witness(point, rel.operator, sides[0], sides[1], note=LACKS_VALUE)
     if piece.task.statement.connective != "if":
         return sides_witness(piece.task.statement, piece.local, point)
     elements = local.tower.element(rel.left), local.tower.element(rel.right)
@@ -109,8 +110,7 @@ def _at(piece: Piece, sample: Sample | None, labels: Mapping[str, str]) -> Witne
         a = value_ball(local, elements[0], sample, PRECISIONS[0], ())
         if a is not None:
             both = enclosure(a, 12)
-            note = "both sides are equal, exactly"
-            return Witness(point, rel.operator, both, both, exact=True, note=note)
+            return Witness(point, rel.operator, both, both, exact=True, note=BOTH_EQUAL)
     return None
 
 

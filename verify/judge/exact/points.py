@@ -24,6 +24,7 @@ from gainproof.verify.judge.exact.statement import (
     Witness,
     refuted,
 )
+from gainproof.verify.judge.verdict_words import BOTH_EQUAL, LACKS_VALUE
 
 PRECISIONS = (128, 512, 2048)
 AGREED_BITS = 400
@@ -82,7 +83,7 @@ def without_value(
             reasons = {left.undefined, right.undefined} - {None}
             if reasons and NOT_EVALUATED not in reasons:
                 where = {labels.get(name, name): str(value) for name, value in point.items()}
-                found = Witness(where, rel.operator, left, right, note="a side has no value")
+                found = Witness(where, rel.operator, left, right, note=LACKS_VALUE)
                 return refuted(found, "no value at an exact point", tried)
     return None
 
@@ -143,8 +144,7 @@ def _at(
                 where = {labels.get(name, name): str(value) for name, value in point.items()}
                 if _are_one_number(left, right):
                     both = enclosure(left, 12)
-                    note = "both sides are equal, exactly"
-                    return Witness(where, rel.operator, both, both, exact=True, note=note)
+                    return Witness(where, rel.operator, both, both, exact=True, note=BOTH_EQUAL)
                 shown = separated(left, right)
                 if shown is None:
                     raise Unresolved("sides too close")

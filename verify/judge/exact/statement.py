@@ -9,6 +9,7 @@ from typing import Any
 from gainproof.verify.judge.exact.box import Box
 from gainproof.verify.judge.exact.expression import Expr, symbols_of
 from gainproof.verify.judge.exact.place import Place
+from gainproof.verify.judge.verdict_words import NOT_COMPARED, Shown
 
 ORDERS = ("<", "<=", ">", ">=")
 STRICT = ("<", ">", "!=")
@@ -28,8 +29,6 @@ ALLOWED: Mapping[str, tuple[int, ...]] = {
 """For each relation the signs that the difference of its sides may have."""
 NOT_EVALUATED = "not evaluated"
 """Of a side of which balls do not tell whether it has a value."""
-NOT_COMPARED = "not compared"
-"""Of the sides of a relation where the note of a witness says what fails."""
 
 
 @dataclass(frozen=True)
@@ -135,6 +134,7 @@ class Witness:
     values: Mapping[str, Enclosure] = field(default_factory=dict)
     exact: bool = False
     note: str = ""
+    shows: Shown = Shown.SIDES
 
     def to_json(self) -> dict[str, Any]:
         """Plain data."""
@@ -149,6 +149,8 @@ class Witness:
             found["values"] = {name: value.to_json() for name, value in self.values.items()}
         if self.note:
             found["note"] = self.note
+        if self.shows != Shown.SIDES:
+            found["shows"] = str(self.shows)
         return found
 
     def text(self) -> str:

@@ -20,7 +20,6 @@ from gainproof.verify.judge.exact.place import Place
 from gainproof.verify.judge.exact.poly import Ball
 from gainproof.verify.judge.exact.radicand import Element
 from gainproof.verify.judge.exact.statement import (
-    NOT_COMPARED,
     NOT_EVALUATED,
     Enclosure,
     Rel,
@@ -29,9 +28,8 @@ from gainproof.verify.judge.exact.statement import (
 )
 from gainproof.verify.judge.exact.tower import Tower
 from gainproof.verify.judge.exact.truth import FALSE, NO_VALUE, TRUE, Question, truth
+from gainproof.verify.judge.verdict_words import BOTH_EQUAL, LACKS_VALUE, NOT_COMPARED, Shown
 
-SIDES_OF = "the left side of the"
-"""How the note of a witness against an equivalence or implication begins."""
 FREE_PATTERNS = (
     (1, 2, 3, 5, 7, 11, 13, 17),
     (2, 3, 5, 7, 11, 13, 17, 19),
@@ -158,7 +156,7 @@ def equal_sides_witness(
                     both,
                     both,
                     exact=True,
-                    note="both sides are equal, exactly",
+                    note=BOTH_EQUAL,
                 )
     raise Undecided("no simple point of the set where both sides are equal was found")
 
@@ -186,7 +184,7 @@ def undefined_witness(
         else:
             sides.append(Enclosure("", "", why or NOT_EVALUATED))
     point = point_text(local, samples[0], free, labels)
-    return Witness(point, rel.operator, sides[0], sides[1], note="a side has no value")
+    return Witness(point, rel.operator, sides[0], sides[1], note=LACKS_VALUE)
 
 
 SAID = {TRUE: "holds", FALSE: "does not hold", NO_VALUE: "has no value"}
@@ -200,6 +198,11 @@ class _Side(Question):
         self.differences = {rel: rel.left - rel.right for rel in relations}
 
 
+def truth_of_sides(what: str, first: str, second: str) -> str:
+    """The note of a witness against an equivalence or implication: what each side comes to."""
+    return f"the left side of the {what} {first}, the right {second}"
+
+
 def sides_witness(statement: Statement, local: Local, point: Mapping[str, str]) -> Witness:
     """Against an equivalence or implication: what each side comes to at a point of the place, in
     whose tower the statement is.
@@ -209,6 +212,8 @@ def sides_witness(statement: Statement, local: Local, point: Mapping[str, str]) 
         for rels in (statement.relations, statement.conditions)
     )
     what = "equivalence" if statement.connective == "iff" else "implication"
-    note = f"{SIDES_OF} {what} {first}, the right {second}"
+    note = truth_of_sides(what, first, second)
     none = Enclosure("", "", NOT_COMPARED)
-    return Witness(point, statement.relations[0].operator, none, none, exact=True, note=note)
+    return Witness(
+        point, statement.relations[0].operator, none, none, exact=True, note=note, shows=Shown.TRUTH
+    )

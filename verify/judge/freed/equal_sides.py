@@ -28,6 +28,7 @@ from gainproof.verify.judge.freed.folding import folded
 from gainproof.verify.judge.freed.lowest import lowest
 from gainproof.verify.judge.freed.slopes import above_zero, by_slopes, points
 from gainproof.verify.judge.freed.smooth import Proves
+from gainproof.verify.judge.verdict_words import BOTH_EQUAL
 
 PRECISION = 128
 SIDES = "both sides at an exact point, slopes away from it"
@@ -130,8 +131,7 @@ def _equal_at(
     except (NoValue, Unresolved):
         return None
     where = {labels.get(name, name): str(value) for name, value in point.items()}
-    note = "both sides are equal, exactly"
-    return Witness(where, rel.operator, ball, ball, exact=True, note=note)
+    return Witness(where, rel.operator, ball, ball, exact=True, note=BOTH_EQUAL)
 
 
 def _but_there(

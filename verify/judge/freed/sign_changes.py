@@ -36,6 +36,7 @@ from gainproof.verify.judge.freed.special_points import (
     lacking,
     lacks,
 )
+from gainproof.verify.judge.verdict_words import LACKS_VALUE
 
 PRECISION = 128
 HALVINGS = 60
@@ -83,7 +84,7 @@ def without_value(statement: Statement, boxes: Boxes, labels: Mapping[str, str])
             for side in (rel.left, rel.right)
         )
         point = found.point(lack.zero, labels)
-        witness = Witness(point, rel.operator, left, right, note="a side has no value")
+        witness = Witness(point, rel.operator, left, right, note=LACKS_VALUE)
         return refuted(witness, "a change of sign of what must not be 0")
     return None
 

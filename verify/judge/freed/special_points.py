@@ -49,6 +49,7 @@ from gainproof.verify.judge.freed.freely import freely
 from gainproof.verify.judge.freed.monomials import UNIT, monomials
 from gainproof.verify.judge.freed.rewriting import bound_names
 from gainproof.verify.judge.freed.scaled import scaled
+from gainproof.verify.judge.verdict_words import BOTH_EQUAL, LACKS_VALUE
 
 TWELFTHS = (0, 6, -6, 12, -12, 3, -3, 9, -9, 4, -4, 8, -8, 2, -2, 10, -10, 1, -1, 18, -18, 24, -24)
 """Multiples of pi/12, those where functions of angles are 0 or have no value first."""
@@ -131,9 +132,7 @@ def without_value(statement: Statement, boxes: Boxes, labels: Mapping[str, str])
             left, right = (_told(side, point) for side in (rel.left, rel.right))
             if {left.undefined, right.undefined} <= {None, NOT_EVALUATED}:
                 continue
-            found = Witness(
-                _text(point, labels), rel.operator, left, right, note="a side has no value"
-            )
+            found = Witness(_text(point, labels), rel.operator, left, right, note=LACKS_VALUE)
             return refuted(found, "no value at an exact point")
     return None
 
@@ -152,8 +151,9 @@ def equal_sides(statement: Statement, boxes: Boxes, labels: Mapping[str, str]) -
             needed = [_told(each, point) for each in statement.needed]
             if any(each.undefined for each in (left, right, *needed)):
                 continue
-            note = "both sides are equal, exactly"
-            found = Witness(_text(point, labels), rel.operator, left, left, exact=True, note=note)
+            found = Witness(
+                _text(point, labels), rel.operator, left, left, exact=True, note=BOTH_EQUAL
+            )
             return refuted(found, "both sides at an exact point")
     return None
 

@@ -14,6 +14,7 @@ from gainproof.verify.judge.freed.away import sides
 from gainproof.verify.judge.freed.certificate import Decides
 from gainproof.verify.judge.freed.freely import where_valued
 from gainproof.verify.judge.freed.scaled import Scaled, scaled
+from gainproof.verify.judge.verdict_words import DECIDES
 
 
 def but_where_it_has(
@@ -58,7 +59,7 @@ def _on_a_part(nowhere: Outcome, found: Outcome, held: str, words: Sequence[str]
         domain=held,
         reason=f"fails {nowhere.witness.text() if nowhere.witness else ''}; holds {held}",
         witness=nowhere.witness,
-        certificate={**found.certificate, "decides": found.verdict},
+        certificate={**found.certificate, DECIDES: found.verdict},
     )
 
 

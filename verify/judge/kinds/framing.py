@@ -15,7 +15,6 @@ from gainproof.verify.judge.exact.expression import number, symbols_of
 from gainproof.verify.judge.exact.free_names import free_name
 from gainproof.verify.judge.exact.limits import Undecided
 from gainproof.verify.judge.exact.statement import (
-    NOT_COMPARED,
     Enclosure,
     Outcome,
     Rel,
@@ -31,6 +30,7 @@ from gainproof.verify.judge.meaning.domains import refuse_fractions
 from gainproof.verify.judge.scope import Scope
 from gainproof.verify.judge.setting.environment import SAMPLE, Environment
 from gainproof.verify.judge.verdict import Finding, finding_of
+from gainproof.verify.judge.verdict_words import NOT_COMPARED
 
 PLAIN = ("=", "!=", "<", "<=", ">", ">=")
 OTHER = {"=": "!=", "!=": "=", "<": ">=", "<=": ">", ">": "<=", ">=": "<"}

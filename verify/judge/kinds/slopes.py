@@ -50,6 +50,7 @@ from gainproof.verify.judge.exact.truth import NO_VALUE
 from gainproof.verify.judge.meaning.derivatives import VARIABLE, Slope
 from gainproof.verify.judge.meaning.sums import powers_put_in
 from gainproof.verify.judge.series.slope import slope_at, without_roots_of_zero
+from gainproof.verify.judge.verdict_words import DECIDES, LACKS_VALUE
 
 Decide = Callable[[Statement, Boxes], Outcome]
 MOST_PLACES = 4
@@ -298,7 +299,7 @@ class _Derivatives:
                 certificate={
                     **_parts(apart, "elsewhere"),
                     **_parts(at, f"at {place.text}"),
-                    "decides": "proved",
+                    DECIDES: "proved",
                 },
             )
         if at.witness is None:
@@ -397,7 +398,7 @@ def _without_slope(
         else value_shown(side, Balls(values, BITS))
         for side in (rel.left, rel.right)
     )
-    witness = Witness(point.point, rel.operator, left, right, note="a side has no value")
+    witness = Witness(point.point, rel.operator, left, right, note=LACKS_VALUE)
     old = None if found.witness is None else found.witness.text()
     reason = found.reason if old is None else found.reason.replace(old, witness.text())
     return replace(found, witness=witness, reason=reason)
@@ -459,7 +460,7 @@ def _has_no_value(expr: Expr, point: Mapping[str, Fraction]) -> bool:
 
 def _decided_as(found: Outcome) -> dict[str, object]:
     """The certificate of what is told as another verdict; it may be told so already."""
-    return {"decides": found.verdict, **found.certificate}
+    return {DECIDES: found.verdict, **found.certificate}
 
 
 def _parts(found: Outcome, title: str) -> dict[str, object]:
