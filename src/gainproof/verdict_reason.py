@@ -18,8 +18,6 @@ from gainproof.verify.judge.verdict_words import (
 Claim = Mapping[str, Any]
 
 ANY_FILTER = "holds whatever the filter is: it follows from the file's own definitions"
-_PARTS = ("for ", "where", "everywhere", "nowhere", "on ", "as ")
-"""How the words of a domain begin that are no bare condition."""
 DECIDED_AS_STATED = frozenset({"proved", "definition"})
 
 
@@ -46,20 +44,15 @@ def where_true(claim: Claim) -> str:
     """Where a claim is true that is not true everywhere, or under what; empty for any other."""
     if claim["verdict"] != "conditional" or not claim["domain"]:
         return ""
-    other = is_contradicted(claim)
-    under = ["under another convention"] if other else []
-    # true everywhere under a convention: the reason says under which
-    on = [] if other and claim["domain"] == "everywhere" else [_on(claim["domain"])]
-    where = "as the conventions are stated" if other else "everywhere"
+    on = f"({claim['domain']})"
     if _is_proved_by_itself(claim):
-        named = f" under {claim['convention']}," if claim["convention"] else ""
-        return f"true{named} {on[0]}; other claims of its setting want another choice"
-    return f"true {', '.join([*under, *on])}; not {where}"
-
-
-def _on(domain: str) -> str:
-    """A domain as a part of a sentence: a bare condition follows a `where`."""
-    return domain if domain.startswith(_PARTS) else f"where {domain}"
+        named = f" under {claim['convention']}" if claim["convention"] else ""
+        return f"true{named} {on}; other claims of its setting want another choice"
+    if not is_contradicted(claim):
+        return f"true on a part only {on}"
+    # true everywhere under a convention: the reason says under which
+    part = "" if claim["domain"] == "everywhere" else f" {on}"
+    return f"true under another convention{part}; not as the conventions are stated"
 
 
 def is_contradicted(claim: Claim) -> bool:
