@@ -19,13 +19,7 @@ from gainproof.verify.judge.exact.local import FIRST_PRECISION, Local
 from gainproof.verify.judge.exact.place import Place
 from gainproof.verify.judge.exact.poly import Ball
 from gainproof.verify.judge.exact.radicand import Element
-from gainproof.verify.judge.exact.statement import (
-    NOT_EVALUATED,
-    Enclosure,
-    Rel,
-    Statement,
-    Witness,
-)
+from gainproof.verify.judge.exact.statement import NOT_EVALUATED, Enclosure, Rel, Statement, Witness
 from gainproof.verify.judge.exact.tower import Tower
 from gainproof.verify.judge.exact.truth import FALSE, NO_VALUE, TRUE, Question, truth
 from gainproof.verify.judge.verdict_words import BOTH_EQUAL, LACKS_VALUE, NOT_COMPARED, Shown
@@ -150,14 +144,8 @@ def equal_sides_witness(
             if ball is not None:
                 both = enclosure(ball, 12)
                 point = point_text(local, sample, free, labels)
-                return Witness(
-                    point,
-                    rel.operator,
-                    both,
-                    both,
-                    exact=True,
-                    note=BOTH_EQUAL,
-                )
+                note = BOTH_EQUAL
+                return Witness(point, rel.operator, both, both, exact=True, note=note)
     raise Undecided("no simple point of the set where both sides are equal was found")
 
 

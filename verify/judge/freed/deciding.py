@@ -21,12 +21,7 @@ from gainproof.verify.judge.exact.total import is_total
 from gainproof.verify.judge.freed import sign_changes, special_points
 from gainproof.verify.judge.freed.certificate import certificate_of
 from gainproof.verify.judge.freed.domain_words import domain_text
-from gainproof.verify.judge.freed.freely import (
-    VALUED,
-    freely,
-    refuse_without_value,
-    where_valued,
-)
+from gainproof.verify.judge.freed.freely import VALUED, freely, refuse_without_value, where_valued
 from gainproof.verify.judge.freed.induction import open_sums
 from gainproof.verify.judge.freed.other_variables import in_other_variables
 from gainproof.verify.judge.freed.restated import put_in, restated

@@ -14,12 +14,7 @@ from gainproof.verify.judge.exact.constant_value import constant_value
 from gainproof.verify.judge.exact.expression import number, symbols_of
 from gainproof.verify.judge.exact.free_names import free_name
 from gainproof.verify.judge.exact.limits import Undecided
-from gainproof.verify.judge.exact.statement import (
-    Enclosure,
-    Outcome,
-    Rel,
-    Statement,
-)
+from gainproof.verify.judge.exact.statement import Enclosure, Outcome, Rel, Statement
 from gainproof.verify.judge.exact.total import is_total
 from gainproof.verify.judge.freed.certificate import certificate_of
 from gainproof.verify.judge.freed.deciding import decided

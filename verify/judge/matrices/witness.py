@@ -7,11 +7,7 @@ from decimal import Context, Decimal
 from flint import fmpq, fmpq_mat
 
 from gainproof.verify.judge.exact.statement import Enclosure, Witness
-from gainproof.verify.judge.matrices.definite_values import (
-    bad_direction,
-    compared,
-    is_symmetric,
-)
+from gainproof.verify.judge.matrices.definite_values import bad_direction, compared, is_symmetric
 from gainproof.verify.judge.matrices.instance import Instance, NoValueError
 from gainproof.verify.judge.matrices.letter import MatrixSetting
 from gainproof.verify.judge.matrices.opened import names_in, outside_means

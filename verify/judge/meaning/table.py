@@ -36,13 +36,7 @@ from gainproof.verify.judge.meaning.reach import names_in
 from gainproof.verify.judge.meaning.sequences import indexed
 from gainproof.verify.judge.meaning.sums import INFINITE, range_of, sum_of
 from gainproof.verify.judge.meaning.symbols import Symbols
-from gainproof.verify.judge.meaning.value import (
-    Value,
-    entries,
-    mapped,
-    multiplied,
-    put_in,
-)
+from gainproof.verify.judge.meaning.value import Value, entries, mapped, multiplied, put_in
 from gainproof.verify.judge.setting.environment import SAMPLE
 
 MOST_CALLS = 500

@@ -11,13 +11,7 @@ from gainproof.verify.judge.exact.certificate import statement_data
 from gainproof.verify.judge.exact.limits import Undecided
 from gainproof.verify.judge.exact.poly import text
 from gainproof.verify.judge.exact.statement import ALLOWED, ORDERS, Outcome, Rel, Statement
-from gainproof.verify.judge.setting.chart_field import (
-    HIGH,
-    LOW,
-    ChartField,
-    SignInside,
-    field_over,
-)
+from gainproof.verify.judge.setting.chart_field import HIGH, LOW, ChartField, SignInside, field_over
 from gainproof.verify.judge.setting.quadrant_chart import sign_on_quadrant
 from gainproof.verify.judge.setting.triangle import sign_on_triangle
 
