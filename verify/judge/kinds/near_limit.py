@@ -17,7 +17,7 @@ from gainproof.verify.judge.kinds.approach import SMALL, Approach
 from gainproof.verify.judge.kinds.framing import Frame
 from gainproof.verify.judge.kinds.valued import where_valued
 from gainproof.verify.judge.series.of_expression import expanded
-from gainproof.verify.judge.series.series import leading, neat
+from gainproof.verify.judge.series.series import ProvingOracle, leading, neat
 
 TRIED = tuple(Fraction(n) for n in ("1", "2", "-1", "1/2", "0", "-1/2", "3", "-2"))
 MOST_TRIED = 100
@@ -183,37 +183,18 @@ def _samples(approach: Approach, frame: Frame) -> Iterator[dict[str, Expr]]:
         yield dict(zip(names, values, strict=True))
 
 
-class Coefficients:
+class Coefficients(ProvingOracle):
     """What a frame knows of coefficients: the oracle of expansions. `valued` are constant parts of
     the formula that is expanded: nothing is asked about where these have no values.
     """
-
-    logarithm: Expr | None = None
 
     def __init__(self, frame: Frame, valued: tuple[Expr, ...] = ()) -> None:
         self.frame = frame
         self._valued = where_valued(*valued)
         self._known: dict[tuple[str, Expr], bool] = {}
 
-    def is_zero(self, coefficient: Expr) -> bool:
-        """Zero always, or never. Raises Undecided."""
-        value = constant_value(coefficient)
-        if value is not None:
-            return value == 0
-        if self._holds("=", coefficient):
-            return True
-        if self._holds("!=", coefficient):
-            return False
-        raise Undecided(
-            "a coefficient of the expansion may be zero for some values of the other symbols"
-        )
-
-    def is_positive(self, coefficient: Expr) -> bool:
-        """Positive always; False also where that is not known."""
-        value = constant_value(coefficient)
-        return self._holds(">", coefficient) if value is None else value > 0
-
-    def _holds(self, operator: str, coefficient: Expr) -> bool:
+    def holds(self, operator: str, coefficient: Expr) -> bool:
+        """Whether it is proved, which is asked once."""
         key = (operator, coefficient)
         if key not in self._known:
             self._known[key] = self._follows(operator, coefficient) or self.frame.holds(

@@ -49,6 +49,7 @@ from gainproof.verify.judge.exact.total import divisors
 from gainproof.verify.judge.exact.truth import NO_VALUE
 from gainproof.verify.judge.meaning.derivatives import VARIABLE, Slope
 from gainproof.verify.judge.meaning.sums import powers_put_in
+from gainproof.verify.judge.series.series import ProvingOracle
 from gainproof.verify.judge.series.slope import slope_at, without_roots_of_zero
 from gainproof.verify.judge.verdict_words import DECIDES, LACKS_VALUE
 
@@ -72,29 +73,13 @@ def with_slopes(
 
 
 @dataclass(frozen=True)
-class _Known:
+class _Known(ProvingOracle):
     """What the domain says of coefficients: the oracle of expansions."""
 
     statement: Statement
     boxes: Boxes
     decide: Decide
-    logarithm: Expr | None = None
-
-    def is_zero(self, coefficient: Expr) -> bool:
-        """Zero always, or never. Raises Undecided."""
-        value = constant_value(coefficient)
-        if value is not None:
-            return value == 0
-        if self.holds("=", coefficient):
-            return True
-        if self.holds("!=", coefficient):
-            return False
-        raise Undecided("a derivative that may exist for some values of the other symbols only")
-
-    def is_positive(self, coefficient: Expr) -> bool:
-        """Positive always; False also where that is not known."""
-        value = constant_value(coefficient)
-        return self.holds(">", coefficient) if value is None else value > 0
+    unknown = "a derivative that may exist for some values of the other symbols only"
 
     def holds(self, operator: str, coefficient: Expr) -> bool:
         rel = Rel(operator, coefficient, number(0))
