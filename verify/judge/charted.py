@@ -10,13 +10,20 @@ from fractions import Fraction
 
 from gainproof.verify.judge.claim.record import Claim, Setting
 from gainproof.verify.judge.exact.box import Box
-from gainproof.verify.judge.exact.enclose import NoValue, Unresolved, enclosed
-from gainproof.verify.judge.exact.enclosure import enclosure
+from gainproof.verify.judge.exact.enclose import Balls, enclosed
+from gainproof.verify.judge.exact.enclosure import value_shown
 from gainproof.verify.judge.exact.expression import Expr, symbols_of
 from gainproof.verify.judge.exact.expression_text import labelled
 from gainproof.verify.judge.exact.limits import Undecided
 from gainproof.verify.judge.exact.points import try_points
-from gainproof.verify.judge.exact.statement import Enclosure, Outcome, Statement, Witness
+from gainproof.verify.judge.exact.statement import (
+    NOT_EVALUATED,
+    STRICT,
+    Enclosure,
+    Outcome,
+    Statement,
+    Witness,
+)
 from gainproof.verify.judge.exact.zero_divisor import divisor_factors, rational_zero
 from gainproof.verify.judge.fixed_gain.judging import judge_free
 from gainproof.verify.judge.formula import Reading
@@ -25,6 +32,7 @@ from gainproof.verify.judge.scope import Scope
 from gainproof.verify.judge.setting.chart_decision import EQUAL
 from gainproof.verify.judge.setting.environment import Environment
 from gainproof.verify.judge.verdict import Finding
+from gainproof.verify.judge.verdict_words import LACKS_VALUE
 
 KINDS = ("identity", "inequality", "monotone", "recursion")
 """What a chart helps to decide; limits are taken in the parameters themselves."""
@@ -85,7 +93,7 @@ def _by_points(
 def _as_equal(statement: Statement, boxes: Mapping[str, Box], labels: Mapping[str, str]) -> Outcome:
     """The same for one relation that excludes equality, of sides that are known to be equal."""
     found = _by_points(statement, boxes, labels)
-    strict = [rel for rel in statement.relations if rel.operator in ("<", ">", "!=")]
+    strict = [rel for rel in statement.relations if rel.operator in STRICT]
     known = {name: box for name, box in boxes.items() if name in statement.symbols()}
     inside = all(box.holds(Fraction(1)) for box in known.values())
     if found.witness is not None or len(strict) != 1 or statement.domain or not inside:
@@ -109,13 +117,12 @@ def _without_value(
         left, right = (_side(expr, point) for expr in (rel.left, rel.right))
         if left.undefined or right.undefined:
             where = {labels.get(name, name): str(value) for name, value in point.items()}
-            return Witness(where, rel.operator, left, right, note="a side has no value")
+            return Witness(where, rel.operator, left, right, note=LACKS_VALUE)
     return None
 
 
 def _side(expr: Expr, point: Mapping[str, Fraction]) -> Enclosure:
     whole = dict.fromkeys(symbols_of(expr), Fraction(1)) | dict(point)
-    try:
-        return enclosure(enclosed(expr, whole, BITS), 12)
-    except (NoValue, Unresolved):
-        return Enclosure("", "", "a divisor is zero")
+    found = value_shown(expr, Balls(whole, BITS))
+    unknown = found.undefined == NOT_EVALUATED
+    return replace(found, undefined="a divisor is zero") if unknown else found

@@ -11,6 +11,7 @@ from gainproof.verify.judge.exact.expression import Expr, symbols_of, walk
 from gainproof.verify.judge.exact.limits import Undecided
 from gainproof.verify.judge.exact.poly import Poly, fraction, rational, univariate
 from gainproof.verify.judge.exact.tidy import expression_of
+from gainproof.verify.judge.exact.total import divisors
 from gainproof.verify.judge.exact.tower_building import build_tower
 
 TRIED = tuple(
@@ -24,13 +25,7 @@ TRIED = tuple(
 def divisor_factors(*exprs: Expr) -> Iterator[Expr]:
     """Irreducible factors, polynomials in two symbols, of the divisors without roots."""
     seen: set[str] = set()
-    for node in walk(*exprs):
-        if node.kind == "div":
-            divisor = node.parts[1]
-        elif node.kind == "pow" and node.fraction < 0:
-            divisor = node.parts[0]
-        else:
-            continue
+    for divisor in divisors(*exprs):
         if any(n.kind == "pow" and n.fraction.denominator != 1 for n in walk(divisor)):
             continue
         names = tuple(sorted(symbols_of(divisor)))

@@ -7,14 +7,14 @@ from contextlib import suppress
 from dataclasses import replace
 from fractions import Fraction
 
-from gainproof.verify.judge.exact.box import Box
+from gainproof.verify.judge.exact.box import Box, Boxes
 from gainproof.verify.judge.exact.limits import Undecided
 from gainproof.verify.judge.exact.statement import Outcome, Rel, Statement
 from gainproof.verify.judge.freed.away import sides
 from gainproof.verify.judge.freed.certificate import Decides
 from gainproof.verify.judge.freed.freely import where_valued
 from gainproof.verify.judge.freed.scaled import Scaled, scaled
-from gainproof.verify.judge.freed.smooth import Boxes
+from gainproof.verify.judge.verdict_words import DECIDES
 
 
 def but_where_it_has(
@@ -59,7 +59,7 @@ def _on_a_part(nowhere: Outcome, found: Outcome, held: str, words: Sequence[str]
         domain=held,
         reason=f"fails {nowhere.witness.text() if nowhere.witness else ''}; holds {held}",
         witness=nowhere.witness,
-        certificate={**found.certificate, "decides": found.verdict},
+        certificate={**found.certificate, DECIDES: found.verdict},
     )
 
 

@@ -13,7 +13,7 @@ from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import dataclass, replace
 from fractions import Fraction
 
-from gainproof.verify.judge.exact.box import Box
+from gainproof.verify.judge.exact.box import Boxes
 from gainproof.verify.judge.exact.calculus import (
     differentiated,
     rebuilt,
@@ -21,8 +21,8 @@ from gainproof.verify.judge.exact.calculus import (
     substituted,
 )
 from gainproof.verify.judge.exact.constant_value import constant_value
-from gainproof.verify.judge.exact.enclose import Balls, NoValue, Unresolved
-from gainproof.verify.judge.exact.enclosure import enclosure
+from gainproof.verify.judge.exact.enclose import Balls
+from gainproof.verify.judge.exact.enclosure import value_shown
 from gainproof.verify.judge.exact.expression import (
     Expr,
     add,
@@ -34,8 +34,9 @@ from gainproof.verify.judge.exact.expression import (
     whole_power,
 )
 from gainproof.verify.judge.exact.limits import DEFAULT_LIMITS, Undecided
-from gainproof.verify.judge.exact.points import NOT_RESOLVED as UNKNOWN
 from gainproof.verify.judge.exact.statement import (
+    NOT_EVALUATED,
+    STRICT,
     Enclosure,
     Outcome,
     Rel,
@@ -44,17 +45,18 @@ from gainproof.verify.judge.exact.statement import (
     unstated,
 )
 from gainproof.verify.judge.exact.survey import Work, survey
+from gainproof.verify.judge.exact.total import divisors
 from gainproof.verify.judge.exact.truth import NO_VALUE
 from gainproof.verify.judge.meaning.derivatives import VARIABLE, Slope
 from gainproof.verify.judge.meaning.sums import powers_put_in
+from gainproof.verify.judge.series.series import ProvingOracle
 from gainproof.verify.judge.series.slope import slope_at, without_roots_of_zero
+from gainproof.verify.judge.verdict_words import DECIDES, LACKS_VALUE
 
-Boxes = Mapping[str, Box]
 Decide = Callable[[Statement, Boxes], Outcome]
 MOST_PLACES = 4
 BITS = 128
 NO_SLOPE = "there is no derivative"
-STRICT = ("<", ">", "!=")
 
 
 def with_slopes(
@@ -71,29 +73,13 @@ def with_slopes(
 
 
 @dataclass(frozen=True)
-class _Known:
+class _Known(ProvingOracle):
     """What the domain says of coefficients: the oracle of expansions."""
 
     statement: Statement
     boxes: Boxes
     decide: Decide
-    logarithm: Expr | None = None
-
-    def is_zero(self, coefficient: Expr) -> bool:
-        """Zero always, or never. Raises Undecided."""
-        value = constant_value(coefficient)
-        if value is not None:
-            return value == 0
-        if self.holds("=", coefficient):
-            return True
-        if self.holds("!=", coefficient):
-            return False
-        raise Undecided("a derivative that may exist for some values of the other symbols only")
-
-    def is_positive(self, coefficient: Expr) -> bool:
-        """Positive always; False also where that is not known."""
-        value = constant_value(coefficient)
-        return self.holds(">", coefficient) if value is None else value > 0
+    unknown = "a derivative that may exist for some values of the other symbols only"
 
     def holds(self, operator: str, coefficient: Expr) -> bool:
         rel = Rel(operator, coefficient, number(0))
@@ -298,7 +284,7 @@ class _Derivatives:
                 certificate={
                     **_parts(apart, "elsewhere"),
                     **_parts(at, f"at {place.text}"),
-                    "decides": "proved",
+                    DECIDES: "proved",
                 },
             )
         if at.witness is None:
@@ -392,10 +378,12 @@ def _without_slope(
     rels = statement.all_relations()
     rel = next((r for r in rels if any(_holds((r,), s) for s in lost)), rels[0])
     left, right = (
-        Enclosure("", "", NO_SLOPE) if _standing(lost, side) else _side(side, values)
+        Enclosure("", "", NO_SLOPE)
+        if _standing(lost, side)
+        else value_shown(side, Balls(values, BITS))
         for side in (rel.left, rel.right)
     )
-    witness = Witness(point.point, rel.operator, left, right, note="a side has no value")
+    witness = Witness(point.point, rel.operator, left, right, note=LACKS_VALUE)
     old = None if found.witness is None else found.witness.text()
     reason = found.reason if old is None else found.reason.replace(old, witness.text())
     return replace(found, witness=witness, reason=reason)
@@ -424,14 +412,8 @@ def _may_lack(slope: Slope) -> bool:
 
 def _divisors(expr: Expr) -> set[Expr]:
     """The factors that must not be zero, at a glance; numbers are left out."""
-    pending: list[Expr] = []
-    for node in walk(expr):
-        if node.kind == "div":
-            pending.append(node.parts[1])
-        elif (node.kind == "pow" and node.fraction < 0) or (
-            node.kind == "call" and node.name == "log"
-        ):
-            pending.append(node.parts[0])
+    logarithms = (n.parts[0] for n in walk(expr) if n.kind == "call" and n.name == "log")
+    pending = [*divisors(expr), *logarithms]
     found = set()
     while pending:
         node = pending.pop()
@@ -458,21 +440,12 @@ def _exchanged(expr: Expr, values: Mapping[Expr, Expr]) -> Expr:
 
 
 def _has_no_value(expr: Expr, point: Mapping[str, Fraction]) -> bool:
-    return _side(expr, point).undefined not in (None, UNKNOWN)
-
-
-def _side(expr: Expr, point: Mapping[str, Fraction]) -> Enclosure:
-    try:
-        return enclosure(Balls(point, BITS).round(expr), 12)
-    except NoValue as reason:
-        return Enclosure("", "", str(reason))
-    except Unresolved:
-        return Enclosure("", "", UNKNOWN)
+    return value_shown(expr, Balls(point, BITS)).undefined not in (None, NOT_EVALUATED)
 
 
 def _decided_as(found: Outcome) -> dict[str, object]:
     """The certificate of what is told as another verdict; it may be told so already."""
-    return {"decides": found.verdict, **found.certificate}
+    return {DECIDES: found.verdict, **found.certificate}
 
 
 def _parts(found: Outcome, title: str) -> dict[str, object]:

@@ -19,9 +19,10 @@ from typing import Any
 
 from gainproof.verify.judge.exact.expression import Expr, number
 from gainproof.verify.judge.exact.limits import Undecided
+from gainproof.verify.judge.freed.folding import folded
 from gainproof.verify.judge.setting.environment import Fact
 from gainproof.verify.judge.setting.established import established
-from gainproof.verify.judge.setting.factor import Factor, folded
+from gainproof.verify.judge.setting.factor import Factor
 from gainproof.verify.judge.setting.matrix import (
     Exprs,
     Numbers,

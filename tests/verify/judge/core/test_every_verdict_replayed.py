@@ -42,7 +42,7 @@ def test_drawn_claims() -> None:
     again: Counter[str] = Counter()
     elsewhere: list[Any] = []
     for drawn in drawn_claims(37, samples(80)):
-        claim = judged(drawn.kind, drawn.fields).to_json()
+        claim = drawn.judged().to_json()
         good, said = checked(claim)
         if not good:
             elsewhere.append((drawn, claim["verdict"], said))
