@@ -24,14 +24,13 @@ from gainproof.verify.judge.exact.points import failure_at
 from gainproof.verify.judge.exact.poly import Ball, rational
 from gainproof.verify.judge.exact.simple_points import simple_points
 from gainproof.verify.judge.exact.statement import Enclosure, Outcome, Rel, Statement, Witness
+from gainproof.verify.judge.freed.lacks import factors, lacks
 from gainproof.verify.judge.freed.rewriting import bound_names
 from gainproof.verify.judge.freed.smooth import Boxes
 from gainproof.verify.judge.freed.special_points import (
     STRICT,
     UNKNOWN,
-    factors,
     lacking,
-    lacks,
     refuted,
 )
 
