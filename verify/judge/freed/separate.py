@@ -148,8 +148,8 @@ def _terms(expr: Expr, factor: Fraction) -> tuple[Fraction, Terms]:
         case "mul":
             numbers = [part.fraction for part in expr.parts if part.kind == "number"]
             others = [part for part in expr.parts if part.kind != "number"]
-            # a term with the factor 0 may have no value
-            if len(others) == 1 and all(numbers):
+            # a term with the factor 0 stays one: it may have no value
+            if len(others) == 1:
                 for each in numbers:
                     factor *= each
                 return _terms(others[0], factor)

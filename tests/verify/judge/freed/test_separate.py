@@ -108,7 +108,8 @@ def test_terms_without_a_value_somewhere_are_left() -> None:
     # 1/x^2 + y^2 is positive, and has no value at x = 0
     boxes = dict.fromkeys("xyzv", ANY)
     assert proved(quotient(1 / X**2, Y**2), boxes) is None
-    assert proved(quotient(0 * (1 / X), Y**2, number(1)), boxes) is None
+    assert proved(quotient(0 * (1 / X), Y**2, Z**2, number(1)), boxes) is None
     unstated = dict.fromkeys("xyzv", Box(stated=False))
     assert proved(quotient(X**2, Y**2), unstated) is True
     assert proved(quotient(X**2, Y**2), {**unstated, "x": ANY}) is False
+    assert proved(quotient(1 / X**2, Y**2), {**unstated, "y": ANY}) is None
