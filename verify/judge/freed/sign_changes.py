@@ -30,8 +30,9 @@ from gainproof.verify.judge.exact.statement import (
     Witness,
     refuted,
 )
+from gainproof.verify.judge.freed.lacks import factors, lacks
 from gainproof.verify.judge.freed.rewriting import bound_names
-from gainproof.verify.judge.freed.special_points import factors, lacking, lacks
+from gainproof.verify.judge.freed.special_points import lacking
 from gainproof.verify.judge.verdict_words import LACKS_VALUE
 
 PRECISION = 128

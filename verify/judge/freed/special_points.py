@@ -6,7 +6,6 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from contextlib import suppress
-from dataclasses import dataclass
 from fractions import Fraction
 from functools import partial
 from itertools import islice, product
@@ -46,6 +45,7 @@ from gainproof.verify.judge.freed.atoms import ANGLES
 from gainproof.verify.judge.freed.circle import LABEL, PI, TURN
 from gainproof.verify.judge.freed.folding import folded
 from gainproof.verify.judge.freed.freely import freely
+from gainproof.verify.judge.freed.lacks import Lack, lacks
 from gainproof.verify.judge.freed.monomials import UNIT, monomials
 from gainproof.verify.judge.freed.rewriting import bound_names
 from gainproof.verify.judge.freed.scaled import scaled
@@ -64,45 +64,6 @@ MOST_BESIDE = 12
 Point = Mapping[str, Expr]
 Choice = tuple[Expr, Ball | None]
 At = Callable[[Iterable[Choice]], Ball | None]
-
-
-@dataclass(frozen=True)
-class Lack:
-    """What leaves a part without a value where it is 0."""
-
-    zero: Expr
-    reason: str
-
-
-def lacks(expr: Expr) -> Iterator[Lack]:
-    """Divisors, arguments of logarithms and cosines below tangents, factor by factor."""
-    for node in walk(expr):
-        match node.kind:
-            case "div":
-                zeros, reason = factors(node.parts[1]), "a divisor is zero"
-            case "pow" if node.fraction < 0:
-                zeros, reason = factors(node.parts[0]), "a divisor is zero"
-            case "call" if node.name == "log":
-                zeros = factors(node.parts[0])
-                reason = "a logarithm of a number that is not positive"
-            case "call" if node.name == "tan":
-                zeros, reason = [Expr("call", "cos", node.parts)], "the tangent of a right angle"
-            case _:
-                continue
-        yield from (Lack(zero, reason) for zero in zeros)
-
-
-def factors(expr: Expr) -> list[Expr]:
-    """Parts of each of which a zero is one of the whole, or leaves it without a value."""
-    match expr.kind:
-        case "mul":
-            return [each for part in expr.parts for each in factors(part)]
-        case "neg" | "div":
-            return factors(expr.parts[0])
-        case "pow" if expr.fraction > 0:
-            return factors(expr.parts[0])
-        case _:
-            return [expr]
 
 
 def lacking(statement: Statement, boxes: Boxes) -> Iterator[tuple[Rel, Lack]]:
