@@ -143,8 +143,9 @@ class Witness:
             "left": self.left.to_json(),
             "operator": self.operator,
             "right": self.right.to_json(),
-            "exact": self.exact,
         }
+        if self.exact:
+            found["exact"] = True
         if self.values:
             found["values"] = {name: value.to_json() for name, value in self.values.items()}
         if self.note:

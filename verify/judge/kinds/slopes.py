@@ -272,8 +272,10 @@ class _Derivatives:
         if at is None or apart.verdict == "refuted":
             return apart
         if apart.verdict == "conditional":
-            kept = at.verdict == "proved"
-            return apart if kept else replace(apart, domain=_but(apart.domain, statement, place))
+            if at.verdict == "proved":
+                return apart
+            left_out = self._left_out(statement, boxes, place, at, places)
+            return replace(apart, domain=_but(apart.domain, statement, *left_out))
         if at.verdict == "proved":
             # what is told of the one place and of all others, each with its own certificate
             return replace(
@@ -294,7 +296,8 @@ class _Derivatives:
             reason = f"fails {witness.text()}; where it may hold is not determined"
             told = replace(at, verdict="refuted", domain="", certificate=_decided_as(at))
             return replace(told, reason=reason, witness=witness)
-        domain = _but(apart.domain, statement, place)
+        left_out = self._left_out(statement, boxes, place, at, places)
+        domain = _but(apart.domain, statement, *left_out)
         return replace(
             apart,
             verdict="conditional",
@@ -303,6 +306,27 @@ class _Derivatives:
             witness=witness,
             certificate=_decided_as(apart),
         )
+
+    def _left_out(
+        self, statement: Statement, boxes: Boxes, place: _Place, at: Outcome, places: int
+    ) -> tuple[_Place, ...]:
+        """The place, and the point of it that was found where all else of it is kept."""
+        point = {} if at.witness is None or at.verdict != "conditional" else at.witness.point
+        names = sorted(statement.symbols() - set(place.put_in))
+        labels = [self.labels.get(name, name) for name in names]
+        if not names or not place.put_in or not set(labels) <= set(point):
+            return (place,)
+        shown = {label: point[label] for label in labels}
+        try:
+            put_in = {n: number(point[label]) for n, label in zip(names, labels, strict=True)}
+            away = add(*[power(symbol(n) - value, 2) for n, value in put_in.items()])
+            given = (*statement.given, Rel("!=", away, number(0)))
+            rest = self._there(replace(statement, given=given), boxes, place, places)
+        except (ValueError, Undecided):
+            return (place,)
+        if rest is None or rest.verdict != "proved":
+            return (place,)
+        return place, _Place(away, put_in, shown)
 
     def _there(
         self, statement: Statement, boxes: Boxes, place: _Place, places: int
@@ -360,13 +384,19 @@ class _Derivatives:
         return found.domain if found.verdict == "proved" else ""
 
 
-def _but(domain: str, statement: Statement, place: _Place) -> str:
-    """A domain in words without a place, which conditions keep out of it. Of one symbol it tells
-    places one by one; otherwise conditions are not repeated in it.
+def _but(domain: str, statement: Statement, *places: _Place) -> str:
+    """A domain in words without what is on all of these places, which conditions keep out of it. Of
+    one symbol it tells places one by one; otherwise conditions are not repeated in it.
     """
     if len(statement.symbols()) < 2:
         return domain
-    but = f"except where {place.text}"
+    parts = [part for place in places for part in place.text.split(", ")]
+    told = {f"{name} != {value}" for place in places for name, value in place.point.items()}
+    if " or " not in domain and told & set(domain.removeprefix("for ").split(", ")):
+        return domain  # one of the values is left out already
+    if len(told) == 1 and " or " not in domain and domain != "everywhere":
+        return f"{domain}, {told.pop()}"
+    but = f"except where {' and '.join(parts)}"
     return f"everywhere {but}" if domain == "everywhere" else f"{domain}, {but}"
 
 
