@@ -166,8 +166,8 @@ def _retold(finding: Finding, meant: Meant, environment: Environment) -> Finding
         for old, new in _regions(finding.region, meant, environment):
             domain, reason = _put(old, new, domain), _put(old, new, reason)
         if meant.value == symbol(meant.name):
-            told = _exchanged(domain, meant)
-            reason, domain = _put(domain, told, reason, r"(^|[\s(])"), told
+            exchanged = _exchanged(domain, meant)
+            reason, domain = _put(domain, exchanged, reason, r"(^|[\s(])"), exchanged
         if _speaks_of(domain, meant.label):
             value = labelled(meant.value, {meant.name: meant.label})
             more = f"{domain}, where {meant.words} = {value}"
