@@ -6,6 +6,7 @@ import re
 import shutil
 import subprocess
 from pathlib import Path
+from typing import Any
 
 import pytest
 
@@ -93,7 +94,7 @@ def test_an_excerpt_in_latex_is_set_and_code_is_shown_as_seen() -> None:
 def test_a_sheet_compiles(tmp_path: Path) -> None:
     """With all that is special to LaTeX in its sentences."""
     words = r"50% of $x & #1 ~^_ {a} \foo \sigma_o x_1_2^3^4 x' c^2 > 0 <b> “q” \frac{1}{2} a_b"
-    claim = {
+    claim: dict[str, Any] = {
         "id": "1",
         "place": "page_1 & 2",
         "kind": "identity",
@@ -107,7 +108,13 @@ def test_a_sheet_compiles(tmp_path: Path) -> None:
         "undefined": [],
         "reason": words,
     }
-    source = {"key": "k", "title": words, "authors": ["A_B"], "publication": words, "year": 1}
+    source: dict[str, Any] = {
+        "key": "k",
+        "title": words,
+        "authors": ["A_B"],
+        "publication": words,
+        "year": 1,
+    }
     quoted = Said(text=words, note=words, quoted="a_b & \\x;\n\n  {", known=frozenset("ab"))
     text = errata.sheet([{"source": source, "claims": [claim]}], [{"1": quoted}], ".tex")
     (tmp_path / "sheet.tex").write_text(text, encoding="utf-8")

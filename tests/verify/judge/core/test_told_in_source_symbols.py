@@ -262,7 +262,7 @@ def test_images_of_sets(expr: Expr, kept: list[Place], wanted: str | None) -> No
     assert (None if found is None else region_text(found, "y")) == wanted
 
 
-TWO = r"""
+TWO_RATIOS = r"""
 [settings.s]
 title = 's'
 kind = 'steady_state'
@@ -297,7 +297,7 @@ def test_an_exception_is_named_by_the_symbol_that_is_zero_there(
     declared: str, claimed: str, wanted: str | None
 ) -> None:
     latex = rf"\frac{{K ({claimed})}}{{{claimed}}} = K"
-    file = claim_file(f"{TWO}{declared}\n", [("identity", latex)])
+    file = claim_file(f"{TWO_RATIOS}{declared}\n", [("identity", latex)])
     (found,) = judge_file(file, MODELS, solved=SOLVED)
     assert found.verdict == "conditional", found.reason
     assert found.domain is not None
