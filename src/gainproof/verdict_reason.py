@@ -117,12 +117,13 @@ def reason(claim: Claim) -> str:
     return str(claim["reason"] or "")
 
 
-def solutions(claim: Claim) -> list[str]:
-    """Undefined symbols whose meaning the other claims fix; a solution that no claim bears out is
-    told by the reason.
+def solutions(claim: Claim, places: Mapping[str, str] | None = None) -> list[str]:
+    """Undefined symbols whose meaning the other claims fix, told by their places in the source if
+    these are given, else by their ids; a solution that no claim bears out is told by the reason.
     """
+    named = places or {}
     return [
-        f"{entry['solution']}, fixed by {_ids(entry['consumed'])}"
+        f"{entry['solution']}, fixed by {', '.join(named.get(n, n) for n in entry['consumed'])}"
         for entry in claim["undefined"]
         if entry["consumed"]
     ]
@@ -138,7 +139,3 @@ def _against(claim: Claim, witness: Mapping[str, Any]) -> str:
     if len(others) == 1:
         return f"{name}: "
     return f"fits none of {len(others)} conventions; with {name}, "
-
-
-def _ids(value: Any) -> str:
-    return ", ".join(map(str, value)) if isinstance(value, list | tuple) else str(value)

@@ -9,7 +9,7 @@ from dataclasses import replace
 from gainproof.verify.judge.charted import judge_in
 from gainproof.verify.judge.cited import cited
 from gainproof.verify.judge.claim.record import Claim, Setting
-from gainproof.verify.judge.dimensions.claim import claim_readings
+from gainproof.verify.judge.dimensions.claim import claim_readings, likeliest_first
 from gainproof.verify.judge.exact.limits import Malformed, Undecided
 from gainproof.verify.judge.formula import Reading
 from gainproof.verify.judge.kinds.printed_decimal import decimals_read, with_rounded
@@ -106,7 +106,7 @@ def _of_dimensions(claim: Claim, fault: str, setting: Setting, environment: Envi
     """Refuted for its dimensions, with a point at which it fails in units of its own, if one is
     seen.
     """
-    readings = () if claim.formula is None else claim.formula.readings
+    readings = () if claim.formula is None else likeliest_first(claim.formula)
     failing = [seen_to_fail(claim, r, setting, environment) for r in readings]
     witness = failing[0].witness if failing and failing[0] and all(failing) else None
     return Finding("refuted", fault, method="dimensions", witness=witness)

@@ -4,9 +4,10 @@ parameters.
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import replace
 from fractions import Fraction
+from functools import partial
 
 from gainproof.verify.judge.claim.record import Claim, Setting
 from gainproof.verify.judge.exact.box import Box
@@ -14,7 +15,7 @@ from gainproof.verify.judge.exact.enclose import Balls, enclosed
 from gainproof.verify.judge.exact.enclosure import value_shown
 from gainproof.verify.judge.exact.expression import Expr, symbols_of
 from gainproof.verify.judge.exact.expression_text import labelled
-from gainproof.verify.judge.exact.limits import Undecided
+from gainproof.verify.judge.exact.limits import Malformed, Undecided
 from gainproof.verify.judge.exact.points import try_points
 from gainproof.verify.judge.exact.statement import (
     NOT_EVALUATED,
@@ -24,13 +25,14 @@ from gainproof.verify.judge.exact.statement import (
     Statement,
     Witness,
 )
-from gainproof.verify.judge.exact.zero_divisor import divisor_factors, rational_zero
+from gainproof.verify.judge.exact.zero_divisor import divisor_factors, is_zero_where, rational_zero
 from gainproof.verify.judge.fixed_gain.judging import judge_free
 from gainproof.verify.judge.formula import Reading
 from gainproof.verify.judge.kinds.catalogue import judge_reading
+from gainproof.verify.judge.meaning.symbols import UndefinedSymbol
 from gainproof.verify.judge.scope import Scope
 from gainproof.verify.judge.setting.chart_decision import EQUAL
-from gainproof.verify.judge.setting.environment import Environment
+from gainproof.verify.judge.setting.environment import Environment, NotEstablished
 from gainproof.verify.judge.verdict import Finding
 from gainproof.verify.judge.verdict_words import LACKS_VALUE
 
@@ -56,6 +58,8 @@ def judge_in(
     if found.verdict == "proved":
         return found
     at_points = replace(environment, chart=None, decide=_by_points)
+    scope = Scope(setting, at_points, held=claim.held)
+    at_points = replace(at_points, decide=partial(_by_points, named=partial(_named, scope)))
     seen = judge_reading(claim, reading, Scope(setting, at_points, held=claim.held))
     if seen.witness is None and found.reason == EQUAL:
         at_points = replace(at_points, decide=_as_equal)
@@ -69,8 +73,26 @@ def judge_in(
     return replace(found, reason=reason, witness=seen.witness, reach=seen.reach)
 
 
+def _named(scope: Scope, factor: Expr) -> str | None:
+    """The symbol of the source that is zero where a factor is, if there is one."""
+    for token, entry in scope.setting.symbols.items():
+        if entry.definition is None or entry.shape is not None:
+            continue
+        graph = {"nodes": [["symbol", token]], "outputs": {"value": 0}}
+        try:
+            value = scope.expression(graph)
+        except (Undecided, Malformed, UndefinedSymbol, NotEstablished):
+            continue
+        if is_zero_where(value, factor, scope.boxes()):
+            return token
+    return None
+
+
 def _by_points(
-    statement: Statement, boxes: Mapping[str, Box], labels: Mapping[str, str]
+    statement: Statement,
+    boxes: Mapping[str, Box],
+    labels: Mapping[str, str],
+    named: Callable[[Expr], str | None] = lambda _: None,
 ) -> Outcome:
     """`refuted` at a point where it fails, else where a divisor is zero; without evidence `proved`:
     only what is known to be false is asked for.
@@ -84,8 +106,9 @@ def _by_points(
         point = rational_zero(factor, boxes)
         witness = None if point is None else _without_value(statement, point, labels)
         if witness is not None:
-            named = ", ".join(f"{labels.get(n, n)} > 0" for n in sorted(point or {}))
-            domain = f"for {named}, where {labelled(factor, labels)} is not zero"
+            positive = ", ".join(f"{labels.get(n, n)} > 0" for n in sorted(point or {}))
+            divisor = named(factor) or labelled(factor, labels)
+            domain = f"for {positive}, where {divisor} is not zero"
             return Outcome("refuted", domain, "", "", witness)
     return Outcome("proved", "", "", "")
 

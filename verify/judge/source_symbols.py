@@ -169,6 +169,9 @@ def _retold(finding: Finding, meant: Meant, environment: Environment) -> Finding
     if domain is not None and _speaks_of(domain, meant.label):
         for old, new in _regions(finding.region, meant, environment):
             domain, reason = _put(old, new, domain), _put(old, new, reason)
+        if meant.value == symbol(meant.name):
+            exchanged = _exchanged(domain, meant)
+            reason, domain = _put(domain, exchanged, reason, r"(^|[\s(])"), exchanged
         if _speaks_of(domain, meant.label):
             value = labelled(meant.value, {meant.name: meant.label})
             more = f"{domain}, where {meant.words} = {value}"
@@ -180,7 +183,21 @@ def _retold(finding: Finding, meant: Meant, environment: Environment) -> Finding
 
 def _speaks_of(text: str, name: str) -> bool:
     """Whether a name stands in a text as a whole, not as a part of another name."""
-    return re.search(rf"(?<![\w\\{{]){re.escape(name)}(?![\w}}])", text) is not None
+    return re.search(_whole(name), text) is not None
+
+
+def _whole(name: str) -> str:
+    return rf"(?<![\w\\{{]){re.escape(name)}(?![\w}}])"
+
+
+def _exchanged(text: str, meant: Meant) -> str:
+    """The text with the words for a parameter that they are, in brackets amid a formula."""
+
+    def put(found: re.Match[str]) -> str:
+        amid = found.end() < len(text) and not re.match(r",| ->", text[found.end() :])
+        return f"({meant.words})" if amid and re.search(r"[ /]", meant.words) else meant.words
+
+    return re.sub(_whole(meant.label), put, text)
 
 
 def _put(old: str, new: str, text: str, before: str = BEFORE) -> str:

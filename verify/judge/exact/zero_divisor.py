@@ -7,7 +7,7 @@ from fractions import Fraction
 from itertools import permutations
 
 from gainproof.verify.judge.exact.box import Box
-from gainproof.verify.judge.exact.expression import Expr, symbols_of, walk
+from gainproof.verify.judge.exact.expression import Expr, symbol, symbols_of, walk
 from gainproof.verify.judge.exact.limits import Undecided
 from gainproof.verify.judge.exact.poly import Poly, fraction, rational, univariate
 from gainproof.verify.judge.exact.tidy import expression_of
@@ -56,3 +56,21 @@ def rational_zero(factor: Expr, boxes: Mapping[str, Box]) -> dict[str, Fraction]
                 if boxes.get(other, Box()).holds(root):
                     return {fixed: value, other: root}
     return None
+
+
+def is_zero_where(value: Expr, factor: Expr, boxes: Mapping[str, Box]) -> bool:
+    """Whether an expression without roots is known to be zero where an irreducible factor is, and
+    nowhere else in the boxes.
+    """
+    names = tuple(sorted(symbols_of(value, factor)))
+    if any(n.kind == "pow" and n.fraction.denominator != 1 for n in walk(value)):
+        return False
+    try:
+        tower = build_tower([value, factor], None, names, frozenset())
+        factors = [part for part, _ in tower.element(value).num.factor()[1]]
+        (wanted,) = (part for part, _ in tower.element(factor).num.factor()[1])
+    except (Undecided, ValueError):
+        return False
+    others = [expression_of(part, names) for part in factors if part != wanted]
+    own = [name for name in names if not boxes.get(name, Box()).holds(Fraction(0))]
+    return len(others) < len(factors) and all(other in map(symbol, own) for other in others)
