@@ -79,7 +79,7 @@ def package_file(_: Desk, path: str) -> Plain:
 
     subject = build_own_file(path)
     derived = plain_subject(subject).plain()
-    return {"derived": derived, "part": packaged(subject, derived["certificate"])}
+    return {"derived": derived, "part": packaged(subject, derived["certificate"], own=True)}
 
 
 def picture(_: Desk, module: str, kernel: Plain, graph: Plain) -> Plain:

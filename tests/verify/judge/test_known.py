@@ -38,6 +38,7 @@ TASKS = (
     "gainproof.verify.judge.repair.definition",
     "gainproof.verify.judge.repair.task",
     "gainproof.verify.judge.undefined.task",
+    "gainproof.verify.judge.noise_strength",
 )
 
 
