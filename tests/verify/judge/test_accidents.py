@@ -225,13 +225,19 @@ def test_a_pause_of_this_process_is_none_of_a_claim(monkeypatch: pytest.MonkeyPa
         def monotonic() -> float:
             return time.monotonic() + jump[0]
 
+    give = Workers._give
+
+    def given(self: Workers, *task: Any) -> None:
+        give(self, *task)
+        if not jump[0]:
+            threading.Timer(0.3, lambda: jump.__setitem__(0, 5_000.0)).start()
+
     monkeypatch.setattr(worker, "time", Clock)
-    timer = threading.Timer(1.0, lambda: jump.__setitem__(0, 5_000.0))
-    timer.start()
+    monkeypatch.setattr(Workers, "_give", given)
     found = tried_apart(odd("hang", "good"), [], 1.0)
-    timer.join()
     assert found["0 hang"].failure == "stopped after 1 processor seconds"
     assert found["1 good"].failure is None
+    assert jump[0]
 
 
 class Losing(Workers):
