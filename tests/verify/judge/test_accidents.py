@@ -232,6 +232,7 @@ def test_a_pause_of_this_process_is_none_of_a_claim(monkeypatch: pytest.MonkeyPa
         if not jump[0]:
             threading.Timer(0.3, lambda: jump.__setitem__(0, 5_000.0)).start()
 
+    monkeypatch.setattr(worker, "LOOKS", 0.2)
     monkeypatch.setattr(worker, "time", Clock)
     monkeypatch.setattr(Workers, "_give", given)
     found = tried_apart(odd("hang", "good"), [], 1.0)
