@@ -34,7 +34,7 @@ def serve(pipe: Connection, models: Models, seconds: float) -> None:
             task: Task = pipe.recv()
             limit_time(min(seconds, task.most))
             answer = answer_bytes(_trial(task, models, solved))
-            limit_time(0)
+            limit_time(None)
             # memory that was given back may be in pieces
             ends = most_memory() > usual
             pipe.send_bytes((ENDS if ends else STAYS) + answer)

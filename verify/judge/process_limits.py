@@ -12,6 +12,8 @@ LIMITED = sys.platform.startswith(("linux", "freebsd"))
 """Whether memory is limited: other systems have no such limit, or accept and do not keep it."""
 TIMED = hasattr(signal, "setitimer")
 """Whether processor time is limited: not on Windows."""
+LEAST = 1e-6
+"""Seconds to which a system can limit processor time."""
 GROWN = 512 << 20
 """Bytes of memory that a claim may take of its process without leaving others short of it."""
 UNLIMITED_NOTE = (
@@ -32,14 +34,14 @@ def limit_memory() -> None:
         resource.setrlimit(resource.RLIMIT_AS, (most, highest))
 
 
-def limit_time(seconds: float) -> None:
+def limit_time(seconds: float | None) -> None:
     """Processor time from now on, after which the system ends this process, in whatever code it is;
-    0 lifts the limit. Whether it ended so is told by `out_of_time`.
+    None lifts the limit. Whether it ended so is told by `out_of_time`.
     """
     if sys.platform != "win32":
         signal.signal(signal.SIGPROF, signal.SIG_DFL)
         signal.pthread_sigmask(signal.SIG_UNBLOCK, [signal.SIGPROF])
-        signal.setitimer(signal.ITIMER_PROF, seconds)
+        signal.setitimer(signal.ITIMER_PROF, 0.0 if seconds is None else max(seconds, LEAST))
 
 
 def out_of_time(exit_code: int | None) -> bool:

@@ -102,7 +102,8 @@ def test_lecture_is_decided_and_plain_data() -> None:
     assert by_id["table-ab-RA"]["convention"] == "process noise random-acceleration"
     assert set(data[0]) == {
         "id", "place", "kind", "latex", "verdict", "domain", "evidence", "repair", "repairs",
-        "truth", "convention", "reading", "undefined", "any_filter", "reason", "seconds",
+        "truth", "convention", "reading", "undefined", "any_filter", "reason", "accident",
+        "seconds",
     }  # fmt: skip
     assert set(data[0]["evidence"]) == {"method", "certificate", "witness"}
 
