@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 import os
 import signal
+import time
 from dataclasses import dataclass, replace
 
 import gainproof.verify.judge.process_limits as process_limits
@@ -33,6 +34,8 @@ class Odd:
             case "hang":
                 while True:
                     pass
+            case "sleep":
+                time.sleep(600)
             case "die":
                 os.kill(os.getpid(), signal.SIGKILL)
             case "fail":

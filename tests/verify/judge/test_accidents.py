@@ -241,6 +241,22 @@ def test_a_pause_of_this_process_is_none_of_a_claim(monkeypatch: pytest.MonkeyPa
     assert jump[0]
 
 
+@pytest.mark.parametrize(
+    ("timed", "why"),
+    [(True, "was paused, or had to wait"), (False, "does not limit")],
+)
+def test_time_that_the_processor_did_not_spend_is_no_finding(
+    timed: bool, why: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Nor on a system that does not tell the one from the other, as Windows."""
+    monkeypatch.setattr(worker, "TIMED", timed)
+    monkeypatch.setattr(worker, "WAITS", 1.0)
+    monkeypatch.setattr(worker, "SPARE", 0.0)
+    found = tried_apart(odd("sleep"), [], 2.0)["0 sleep"]
+    assert why in str(found.accident)
+    assert found.failure == found.accident
+
+
 class Losing(Workers):
     """Judges here; of one task, given by its kind and claim, nothing is known by accident."""
 
