@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
 
@@ -34,8 +34,9 @@ def find(shop: Workshop, *, accept: bool = False) -> Findings:
     """Look at everything. `accept`: verdicts that changed are written to the snapshots."""
     folder = places.generated_folder()
     claim_files = places.claim_files()
-    shop.ahead([derivations.CATALOGUE], following(shop, folder, claim_files), DONE)
-    subjects = derivations.derive(derivations.catalogue(shop), shop)
+    names = derivations.catalogue()
+    ahead(shop, folder, claim_files)
+    subjects = derivations.derive(names, shop)
     files = generated_files.fresh((), shop)
     pairs = [(committed(folder, subject.name), subject) for subject in subjects]
     reports = derivations.recheck(pairs, shop)
@@ -59,25 +60,17 @@ def find(shop: Workshop, *, accept: bool = False) -> Findings:
         words=tuple(claim_words(judgements.read(file)) for file in claim_files),
         changes=changes,
         accepted=accept,
+        taken=dict(shop.taken),
+        done=dict(shop.done),
     )
 
 
-def following(
-    shop: Workshop, folder: Path, claim_files: Sequence[Path]
-) -> Callable[[Job], list[Job]]:
-    """What can be done once a job is known: after the catalogue every subject, after a subject the
-    check of its committed certificate, and after the last one the claim files, since these need all
-    models, and then the check of their proofs.
+def ahead(shop: Workshop, folder: Path, claim_files: Sequence[Path]) -> None:
+    """Have all done that `find` asks for: every subject of the catalogue, after each the check of
+    its committed certificate; and the claim files, after each the check of its proofs.
     """
-    missing: set[str] = set()
 
     def after(job: Job) -> list[Job]:
-        if job.task == "catalogue":
-            names = derivations.catalogue(shop)
-            missing.update(names)
-            # the shortest first: what follows from the last comes first, and so the longest checks
-            names.sort(key=lambda name: _size(_path(folder, name)))
-            return [derivations.everything_job(name) for name in names]
         if job.task == "judge":
             judged = shop.answered(job)
             checking = None if judged is None else judgements.proofs_job(judged)
@@ -85,11 +78,12 @@ def following(
         if job.task != "everything":
             return []
         name = job.arguments["name"]
-        missing.discard(name)
-        jobs = [derivations.recheck_job(committed(folder, name), derivations.known(name, shop))]
-        return jobs if missing else [*jobs, *judgements.jobs(claim_files, shop).values()]
+        return [derivations.recheck_job(committed(folder, name), derivations.known(name, shop))]
 
-    return after
+    # the longest last among the subjects: its check ends among the short ones of claim files
+    names = sorted(derivations.catalogue(), key=lambda name: _size(_path(folder, name)))
+    jobs = [derivations.everything_job(name) for name in names]
+    shop.ahead([*jobs, *judgements.jobs(claim_files).values()], after, DONE)
 
 
 def committed(folder: Path, name: str) -> Any:

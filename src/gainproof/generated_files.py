@@ -18,11 +18,18 @@ def fresh(names: Sequence[str], shop: Workshop) -> dict[str, bytes]:
 
     Raises BadInputError.
     """
-    derivations.require_names(names, shop)
-    chosen = names or derivations.catalogue(shop)
-    jobs = [workers.Job(name, "print_one", {"name": name}) for name in chosen]
-    files = together(shop.results("printed", jobs))
-    return {name: files[name] for name in files if name != LIST or not names}
+    derivations.require_names(names)
+    if names:
+        files = together(shop.results("printed", [_job("print_one", name) for name in names]))
+        return {name: content for name, content in files.items() if name != LIST}
+    every = derivations.catalogue()
+    files = together(shop.results("printed", [_job("print_one", name) for name in every]))
+    outlines = shop.results("", [_job("outline", name) for name in every])
+    return files | {derivations.OUTLINES: derivations.outlines_file(outlines)}
+
+
+def _job(task: str, name: str) -> workers.Job:
+    return workers.Job(name, task, {"name": name})
 
 
 def together(parts: Sequence[Mapping[str, Any]]) -> dict[str, bytes]:

@@ -23,7 +23,7 @@ def judge(
 
     Raises BadInputError for a file that cannot be used.
     """
-    asked = jobs(files, shop, seconds)
+    asked = jobs(files, seconds)
     if keep_going:
         further = {"keep_going": True}
         asked = {
@@ -40,7 +40,7 @@ def judge_claim(file: Path, name: str, shop: Workshop, seconds: float = DEFAULT)
 
     Raises BadInputError for a file that cannot be used, or that does not have the claim.
     """
-    (job,) = jobs([file], shop, seconds).values()
+    (job,) = jobs([file], seconds).values()
     known = shop.answered(job)
     if known is None:
         alone = replace(job, arguments={**job.arguments, "only": name})
@@ -52,15 +52,13 @@ def judge_claim(file: Path, name: str, shop: Workshop, seconds: float = DEFAULT)
     return found
 
 
-def jobs(
-    files: Sequence[Path], shop: Workshop, seconds: float = DEFAULT
-) -> dict[Path, workers.Job]:
+def jobs(files: Sequence[Path], seconds: float = DEFAULT) -> dict[Path, workers.Job]:
     """The judgements of files, the longest first, so that the last to end is a short one.
 
     Raises BadInputError for a file that cannot be read.
     """
     texts = {file: read(file) for file in files}
-    models = _models(shop)
+    models = _models()
     shared = {"models": models, "seconds": seconds}
     # one file has all processors for its claims; many files share them
     also = {"processes": max(1, workers.processors() // max(1, len(files)))}
@@ -72,12 +70,12 @@ def jobs(
     }
 
 
-def _models(shop: Workshop) -> list[dict[str, Any]]:
+def _models() -> list[dict[str, Any]]:
     """The models of the subjects; one on which several rest is there once, or it would be judged
     as often and be taken for a choice.
     """
     found: list[dict[str, Any]] = []
-    for entry in derivations.overview(shop):
+    for entry in derivations.outlines():
         if entry["model"] and entry["model"] not in found:
             found.append(entry["model"])
     return found

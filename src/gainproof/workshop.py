@@ -1,28 +1,40 @@
-"""What the commands work with: the cache, where progress goes, and the digest of our code."""
+"""What the commands work with: the cache, where progress goes, and what is known already."""
 
 from __future__ import annotations
 
+import json
 import sys
+from collections import Counter
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Any
 
 from gainproof import code_digest, workers
 from gainproof.cache import Cache, default_folder, key_of
+from gainproof.files_read import unchanged
 from gainproof.progress import Progress
+from gainproof.tasks import FILES_READ, code_of
 
 Then = Callable[[workers.Job], Sequence[workers.Job]]
 
 
 @dataclass(frozen=True)
 class Workshop:
-    """Runs jobs in worker processes, or takes what they would answer from the cache."""
+    """Runs jobs in worker processes, or takes what they would answer from the cache.
+
+    An answer is known if the job is the same, the code that it runs (`code`: a digest of it, by
+    task and arguments), the versions, and the files that a user's code read.
+    """
 
     cache: Cache
     progress: Progress
-    code: str
+    code: Callable[[str, Mapping[str, Any]], str] = code_of
     known: dict[str, Any] = field(default_factory=dict)
-    """Answers of `ahead`, by key."""
+    """Answers by key, of this workshop's life."""
+    taken: Counter[str] = field(default_factory=Counter)
+    """How many answers came from the cache, by task."""
+    done: Counter[str] = field(default_factory=Counter)
+    """How many were worked for, by task."""
 
     def results(
         self, work: str, jobs: Sequence[workers.Job], *depends: bytes, at_once: int | None = None
@@ -30,16 +42,14 @@ class Workshop:
         """What the jobs answer, in their order; `work` is for people, and nothing is said without.
         So many run `at_once`, or one for each processor.
 
-        A result is known if the job, all code and versions, and whatever else it `depends` on are
-        the same. Raises BadInputError or JobError of the first job that fails.
+        A result is known if the job and whatever else it `depends` on are the same. Raises
+        BadInputError or JobError of the first job that fails.
         """
         keys = [self._key(job, *depends) for job in jobs]
-        found = [self.known[k] if k in self.known else self.cache.load(k) for k in keys]
-        unchanged = sum(
-            result is not None and key not in self.known
-            for key, result in zip(keys, found, strict=True)
-        )
+        before = sum(key in self.known for key in keys)
+        found = [self._answer(job, key) for job, key in zip(jobs, keys, strict=True)]
         missing = [i for i, result in enumerate(found) if result is None]
+        from_cache = len(jobs) - len(missing) - before
 
         def done(job: workers.Job, seconds: float) -> None:
             if work:
@@ -54,16 +64,15 @@ class Workshop:
             fresh = workers.run(chosen, on_done=done, on_told=told, limit=at_once)
             for i, result in zip(missing, fresh, strict=True):
                 found[i] = result
-                self.cache.store(keys[i], result)
+                self._keep(jobs[i], keys[i], result)
             self.cache.drop_old()
-        if work and unchanged:
-            self.progress.say(f"{work}: {unchanged} unchanged")
+        if work and from_cache:
+            self.progress.say(f"{work}: {from_cache} unchanged")
         return found
 
     def answered(self, job: workers.Job) -> Any | None:
         """What the job answers, if that is known; None if it would have to be done."""
-        key = self._key(job)
-        return self.known[key] if key in self.known else self.cache.load(key)
+        return self._answer(job, self._key(job))
 
     def ahead(
         self, jobs: Sequence[workers.Job], then: Then, done: Mapping[str, str] | None = None
@@ -84,9 +93,7 @@ class Workshop:
         def found(job: workers.Job, result: Any) -> list[workers.Job]:
             results = zip(job.answers, result, strict=True) if job.answers else [(job, result)]
             for part, one in results:
-                key = self._key(part)
-                self.known[key] = one
-                self.cache.store(key, one)
+                self._keep(part, self._key(part), one)
             return [other for further in then(job) for other in missing(further)]
 
         def said(job: workers.Job, seconds: float) -> None:
@@ -102,7 +109,25 @@ class Workshop:
             self.cache.drop_old()
 
     def _key(self, job: workers.Job, *depends: bytes) -> str:
-        return key_of(job.task, self.code, job.text, *depends)
+        versions = json.dumps(code_digest.versions())
+        return key_of(job.task, self.code(job.task, job.arguments), versions, job.text, *depends)
+
+    def _answer(self, job: workers.Job, key: str) -> Any | None:
+        """What is known under the key of the job."""
+        if key in self.known:
+            return self.known[key]
+        found = self.cache.load(key)
+        if isinstance(found, dict) and not unchanged(found.get(FILES_READ, {})):
+            return None
+        if found is not None:
+            self.known[key] = found
+            self.taken[job.task] += 1
+        return found
+
+    def _keep(self, job: workers.Job, key: str, result: Any) -> None:
+        self.known[key] = result
+        self.cache.store(key, result)
+        self.done[job.task] += 1
 
 
 def open_workshop(
@@ -112,4 +137,4 @@ def open_workshop(
     `quiet`, and with `only_terminal` not unless somebody can be looking on.
     """
     quiet = quiet or (only_terminal and not sys.stderr.isatty())
-    return Workshop(Cache(default_folder(), fresh), Progress(quiet), code_digest.of_everything())
+    return Workshop(Cache(default_folder(), fresh), Progress(quiet))

@@ -46,7 +46,7 @@ def test_every_byte_is_as_derived_with_another_hash_seed(
 ) -> None:
     monkeypatch.setenv(FOLDER_VARIABLE, str(tmp_path))
     shop = open_workshop(quiet=True)
-    derive_with_another_seed(shop, derivations.catalogue(shop))
+    derive_with_another_seed(shop, derivations.catalogue())
     fresh = generated_files.fresh((), shop)
     found = [difference.text() for difference in drift.compare(fresh, places.generated_folder())]
     assert not found, f"{found}; {drift.CURE}"

@@ -25,7 +25,7 @@ def _odd_worker(monkeypatch: pytest.MonkeyPatch) -> None:
 
 
 def workshop(folder: Path, *, fresh: bool = False) -> Workshop:
-    return Workshop(Cache(folder, fresh), Progress(), "the code")
+    return Workshop(Cache(folder, fresh), Progress(), lambda *_: "the code")
 
 
 def nothing(_: Job) -> list[Job]:

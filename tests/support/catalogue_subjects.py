@@ -111,7 +111,7 @@ def _preparing() -> Exception | None:
 def _prepare() -> None:
     shop = open_workshop(quiet=True)
     with _one_process_at_a_time(default_folder() / "deriving.lock"):
-        names = derivations.catalogue(shop)
+        names = derivations.catalogue()
         assert set(names) >= ALIKE
         derive_with_another_seed(shop, [name for name in names if name not in ALIKE])
         derive_with_another_seed(with_the_users(shop), names)

@@ -50,8 +50,8 @@ def fresh(
     """
     name = package_name(folder)
     places.require_folder(folder)
-    chosen = list(subjects) or derivations.catalogue(shop)
-    derivations.require_names([each for each in chosen if not derivations.is_file(each)], shop)
+    chosen = list(subjects) or derivations.catalogue()
+    derivations.require_names([each for each in chosen if not derivations.is_file(each)])
     found = _packaged(chosen, shop)
     derived = [derived_from(each["derived"]) for each in found]
     pairs = [(each.certificate, each) for each in derived]
