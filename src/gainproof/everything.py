@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+from collections import Counter
 from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
@@ -60,8 +61,8 @@ def find(shop: Workshop, *, accept: bool = False) -> Findings:
         words=tuple(claim_words(judgements.read(file)) for file in claim_files),
         changes=changes,
         accepted=accept,
-        taken=dict(shop.taken),
-        done=dict(shop.done),
+        taken=Counter(shop.taken.values()),
+        done=Counter(shop.done.values()),
     )
 
 

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import json
 import sys
-from collections import Counter
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Any
@@ -31,10 +30,10 @@ class Workshop:
     code: Callable[[str, Mapping[str, Any]], str] = code_of
     known: dict[str, Any] = field(default_factory=dict)
     """Answers by key, of this workshop's life."""
-    taken: Counter[str] = field(default_factory=Counter)
-    """How many answers came from the cache, by task."""
-    done: Counter[str] = field(default_factory=Counter)
-    """How many were worked for, by task."""
+    taken: dict[str, str] = field(default_factory=dict)
+    """Tasks by key of what came from the cache."""
+    done: dict[str, str] = field(default_factory=dict)
+    """Tasks by key of what was worked for."""
 
     def results(
         self, work: str, jobs: Sequence[workers.Job], *depends: bytes, at_once: int | None = None
@@ -46,10 +45,8 @@ class Workshop:
         BadInputError or JobError of the first job that fails.
         """
         keys = [self._key(job, *depends) for job in jobs]
-        before = sum(key in self.known for key in keys)
         found = [self._answer(job, key) for job, key in zip(jobs, keys, strict=True)]
         missing = [i for i, result in enumerate(found) if result is None]
-        from_cache = len(jobs) - len(missing) - before
 
         def done(job: workers.Job, seconds: float) -> None:
             if work:
@@ -66,8 +63,9 @@ class Workshop:
                 found[i] = result
                 self._keep(jobs[i], keys[i], result)
             self.cache.drop_old()
-        if work and from_cache:
-            self.progress.say(f"{work}: {from_cache} unchanged")
+        same = sum(key in self.taken for key in keys)
+        if work and same:
+            self.progress.say(f"{work}: {same} unchanged")
         return found
 
     def answered(self, job: workers.Job) -> Any | None:
@@ -121,13 +119,13 @@ class Workshop:
             return None
         if found is not None:
             self.known[key] = found
-            self.taken[job.task] += 1
+            self.taken[key] = job.task
         return found
 
     def _keep(self, job: workers.Job, key: str, result: Any) -> None:
         self.known[key] = result
         self.cache.store(key, result)
-        self.done[job.task] += 1
+        self.done[key] = job.task
 
 
 def open_workshop(

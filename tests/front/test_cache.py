@@ -102,7 +102,16 @@ def test_results_that_are_kept_make_room(cache: Cache) -> None:
     old = time.time() - (KEPT_DAYS + 1) * 86400
     os.utime(path, (old, old))
     shop = Workshop(cache, Progress(quiet=True))
-    shop.results("", [Job("a proof", "recheck_proofs", {"judgement": {"source": {"key": "none"}, "claims": []}})])
+    shop.results(
+        "",
+        [
+            Job(
+                "a proof",
+                "recheck_proofs",
+                {"judgement": {"source": {"key": "none"}, "claims": []}},
+            )
+        ],
+    )
     assert not path.exists()
 
 

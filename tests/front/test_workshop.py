@@ -86,7 +86,7 @@ def test_what_follows_from_a_job_is_done_too_known_or_not(tmp_path: Path) -> Non
     again = workshop(tmp_path)
     again.ahead(notes[:1], then)
     assert asked == ["a", "b", "c"] * 2
-    assert not again.known
+    assert not again.done
 
 
 def test_a_subject_is_the_same_derived_alone_or_with_its_files() -> None:
