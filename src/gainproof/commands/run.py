@@ -9,8 +9,8 @@ DESCRIPTION = """\
 Derives every subject, compares generated/ byte for byte, checks every certificate again, judges
 every claim file against its snapshot of verdicts, and writes report/report.txt and report.json.
 What was found before of the same input by the same code is taken from a cache, and counted apart;
-with --fresh nothing is, which is the verification. Exit status 1 on drift, on a rejected certificate or on a verdict that changed; 2
-where all is well and the report cannot be written."""
+with --fresh nothing is, which is the verification. Exit status 1 on drift, on a rejected
+certificate or on a verdict that changed; 2 where all is well and the report cannot be written."""
 
 
 def configure(parser: argparse.ArgumentParser) -> None:
