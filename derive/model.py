@@ -40,9 +40,9 @@ def scale(model: Model) -> ScaledModel:
     for label, matrix in (("transition", transition), ("measurement", measurement)):
         if matrix.free_symbols:
             raise ModelError(
-                f"model {model.name}: the scaled {label} should be numbers, it holds "
-                f"{sorted(map(str, matrix.free_symbols))}, which the units of the states and of "
-                "the measurement do not take away"
+                f"model {model.name}: in units T = 1 and sigma_v = 1 the {label} should hold "
+                f"numbers, it holds {', '.join(sorted(map(str, matrix.free_symbols)))}: the units "
+                "of the states and the measurement do not take these away"
             )
     measured = _measurement_noise(model, seen)
     ratio = sp.simplify(noise_at_zero_frequency(transition, noise, measurement))

@@ -307,11 +307,10 @@ def variances(
         (float64), 5.17 * 2^-23 (float32), proved for every input.
     updated_12: covariance of updated position and velocity over sigma_v^2, times T. Error over
         predicted_12 at most 3.01 * 2^-52 (float64), 3.01 * 2^-23 (float32), proved for every input.
-        Cancellation in updated_12_difference, condition number 1: changes its sign at beta = 2
-        alpha; error over the sum of its terms. Digits that can be lost: up to 16 of 16 in float64
-        and 7 of 7 in float32; half or more only where the value is below 7e-8 in float64 and 0.002
-        in float32 of what its error is relative to; what cancels: 2*beta/(2*(1 - alpha) + 2 - beta)
-        - beta/alpha*beta/(2*(1 - alpha) + 2 - beta).
+        Cancellation, condition number 1: changes its sign at beta = 2 alpha. Digits that can be
+        lost: up to 16 of 16 in float64 and 7 of 7 in float32; half or more only where the value is
+        below 8e-8 in float64 and 0.003 in float32 of what its error is relative to; what cancels:
+        2*beta/(2*(1 - alpha) + 2 - beta) - beta/alpha*beta/(2*(1 - alpha) + 2 - beta).
     updated_22: variance of the updated velocity over sigma_v^2, times T^2. Relative error at most
         2.51 * 2^-52 (float64), 2.51 * 2^-23 (float32), proved for every input.
 
@@ -524,7 +523,7 @@ def process_noise_variances(
         updated_11 = (q11 - q12) updated_11_by_q_11 + q22 updated_11_by_q_22,
         updated_12 = (q11 - q12) updated_12_by_q_11 + q22 updated_12_by_q_22,
         updated_22 = q11 predicted_22_by_q_11 + q12 predicted_22_by_q_12
-        + q22 updated_22_by_q_22; updated_12_by_q_22_scale is the sum of its terms' sizes
+        + q22 updated_22_by_q_22
 
     alpha: gain of the position; a number at least 1e-30 and at most 0.9999999, in float32 at least
         1e-12 and at most 0.999999.
@@ -549,13 +548,13 @@ def process_noise_variances(
         (float64), 5.01 * 2^-23 (float32), proved for every input.
     updated_12_by_q_11: what q11 adds to updated_12, over q11. Relative error at most 3.01 * 2^-52
         (float64), 3.01 * 2^-23 (float32), proved for every input.
-    updated_12_by_q_22: what q22 adds to updated_12, over q22. Error over updated_12_by_q_22_scale
-        at most 4.01 * 2^-52 (float64), 4.01 * 2^-23 (float32), proved for every input. Cancellation
-        in updated_12_by_q_22_difference, condition number 1: changes its sign at beta = alpha (2 -
-        alpha); error over the sum of its terms. Digits that can be lost: up to 16 of 16 in float64
-        and 7 of 7 in float32; half or more only where the value is below 9e-8 in float64 and 0.002
-        in float32 of what its error is relative to; what cancels: (1 - alpha)*(2 -
-        alpha)/(beta*(2*(1 - alpha) + 2 - beta)) - (1 - alpha)/(alpha*(2*(1 - alpha) + 2 - beta)).
+    updated_12_by_q_22: what q22 adds to updated_12, over q22. Error over the sum of its terms'
+        sizes at most 4.01 * 2^-52 (float64), 4.01 * 2^-23 (float32), proved for every input.
+        Cancellation, condition number 1: changes its sign at beta = alpha (2 - alpha). Digits that
+        can be lost: up to 16 of 16 in float64 and 7 of 7 in float32; half or more only where the
+        value is below 2e-7 in float64 and 0.004 in float32 of what its error is relative to; what
+        cancels: (1 - alpha)*(2 - alpha)/(beta*(2*(1 - alpha) + 2 - beta)) - (1 -
+        alpha)/(alpha*(2*(1 - alpha) + 2 - beta)).
     updated_22_by_q_22: what q22 adds to updated_22, over q22. Relative error at most 4.00 * 2^-52
         (float64), 3.92 * 2^-23 (float32), proved for every input.
 
@@ -823,11 +822,11 @@ def lags(
     updated_position_lag: truth less updated position. Relative error at most 1.01 * 2^-52
         (float64), 1.01 * 2^-23 (float32), proved for every input.
     updated_velocity_lag: truth less updated velocity. Error over predicted_velocity_lag at most
-        1.01 * 2^-52 (float64), 1.01 * 2^-23 (float32), proved for every input. Cancellation in
-        updated_velocity_lag_difference, condition number 1: changes its sign at beta = 2 alpha;
-        error over the sum of its terms. Digits that can be lost: up to 16 of 16 in float64, half or
-        more only where 0.499987 <= alpha/beta <= 0.500021; up to 7 of 7 in float32, half or more
-        only where 0.49 <= alpha/beta <= 0.51; what cancels: 2*alpha/(2*beta) - beta/(2*beta).
+        1.01 * 2^-52 (float64), 1.01 * 2^-23 (float32), proved for every input. Cancellation,
+        condition number 1: changes its sign at beta = 2 alpha. Digits that can be lost: up to 16 of
+        16 in float64, half or more only where 0.499987 <= alpha/beta <= 0.500021; up to 7 of 7 in
+        float32, half or more only where 0.49 <= alpha/beta <= 0.51; what cancels: 2*alpha/(2*beta)
+        - beta/(2*beta).
 
     Every true value that an error is relative to is a normal number. Numbers and arrays are taken,
     arrays of any shapes that broadcast. Where all inputs are float32 so are the results; otherwise
@@ -895,30 +894,26 @@ def closed_loop_poles(
     """Closed-loop poles, half_sum +- sqrt(quarter_discriminant).
 
         half_sum = 1 - (alpha + beta)/2, modulus = sqrt(1 - alpha) (of a complex pair),
-        quarter_discriminant = (alpha + beta)^2/4 - beta; the scales of the errors are the sums
-        half_sum_scale = 1 + (alpha + beta)/2,
-        quarter_discriminant_scale = (alpha + beta)^2/4 + beta
+        quarter_discriminant = (alpha + beta)^2/4 - beta
 
     alpha: gain of the position; a number at least 1e-30 and at most 0.9999999, in float32 at least
         1e-12 and at most 0.999999.
     beta: gain of the velocity times T; a number at least 1e-30 and at most 1.9999999, in float32 at
         least 1e-12 and at most 1.999999.
 
-    half_sum: half the sum of the poles. Error over half_sum_scale at most 0.80 * 2^-52 (float64),
-        0.81 * 2^-23 (float32), proved for every input. Cancellation in half_sum_difference,
-        condition number 1: changes its sign; error over the sum of its terms. Digits that can be
-        lost: up to 16 of 16 in float64 and 7 of 7 in float32; half or more only where the value is
-        below 2e-8 in float64 and 0.0004 in float32 of what its error is relative to; what cancels:
-        1 - (alpha + beta)/2.
+    half_sum: half the sum of the poles. Error over the sum of its terms' sizes at most 0.80 * 2^-52
+        (float64), 0.81 * 2^-23 (float32), proved for every input. Cancellation, condition number 1:
+        changes its sign. Digits that can be lost: up to 16 of 16 in float64 and 7 of 7 in float32;
+        half or more only where the value is below 3e-8 in float64 and 0.0007 in float32 of what its
+        error is relative to; what cancels: 1 - (alpha + beta)/2.
     modulus: square root of the product of the poles, the modulus of a complex pair. Relative error
         at most 0.76 * 2^-52 (float64), 0.76 * 2^-23 (float32), proved for every input.
     quarter_discriminant: the square of half their difference, negative where they are complex.
-        Error over quarter_discriminant_scale at most 2.01 * 2^-52 (float64), 2.01 * 2^-23
-        (float32), proved for every input. Cancellation in quarter_discriminant_difference,
-        condition number 1: changes its sign where poles turn real; error over the sum of its terms.
-        Digits that can be lost: up to 16 of 16 in float64 and 7 of 7 in float32; half or more only
-        where the value is below 5e-8 in float64 and 0.001 in float32 of what its error is relative
-        to; what cancels: ((alpha + beta)/2)**2 - beta.
+        Error over the sum of its terms' sizes at most 2.01 * 2^-52 (float64), 2.01 * 2^-23
+        (float32), proved for every input. Cancellation, condition number 1: changes its sign where
+        poles turn real. Digits that can be lost: up to 16 of 16 in float64 and 7 of 7 in float32;
+        half or more only where the value is below 6e-8 in float64 and 0.002 in float32 of what its
+        error is relative to; what cancels: ((alpha + beta)/2)**2 - beta.
 
     Every true value that an error is relative to is a normal number. Numbers and arrays are taken,
     arrays of any shapes that broadcast. Where all inputs are float32 so are the results; otherwise

@@ -387,8 +387,7 @@ def variances(
         updated_12 = beta (2 alpha - beta) (2 beta - gamma)/(g margin),
         updated_13 = gamma (2 g - beta (2 beta - gamma))/(g margin),
         updated_22 = (beta (2 beta - gamma)^2 + gamma^2 margin)/(g margin),
-        updated_23 = 2 beta gamma (2 beta - gamma)/(g margin); updated_12_scale and
-        updated_13_scale are updated_12 and updated_13 with plus between their terms
+        updated_23 = 2 beta gamma (2 beta - gamma)/(g margin)
 
     alpha: gain of the position; a number at least 1e-20 and at most 0.999999, in float32 at least
         1e-5 and at most 0.99999.
@@ -413,18 +412,22 @@ def variances(
         at most 6.51 * 2^-52 (float64), 6.51 * 2^-23 (float32), proved for every input.
     updated_11: variance of the updated position over sigma_v^2. Relative error at most 7.01 * 2^-52
         (float64), 7.01 * 2^-23 (float32), proved for every input.
-    updated_12: covariance of updated position and velocity over sigma_v^2, times T. Error over
-        updated_12_scale at most 7.00 * 2^-52 (float64), 7.00 * 2^-23 (float32), proved for every
-        input. Cancellation in updated_12_difference, condition number 1: changes its sign; error
-        over the sum of its terms. Digits that can be lost: up to 16 of 16 in float64 and 7 of 7 in
-        float32; half or more only where the value is below 2e-7 in float64 and 0.004 in float32 of
-        what its error is relative to; what cancels: updated_12_difference.
+    updated_12: covariance of updated position and velocity over sigma_v^2, times T. Error over the
+        sum of its terms' sizes at most 7.00 * 2^-52 (float64), 7.00 * 2^-23 (float32), proved for
+        every input. Cancellation, condition number 1: changes its sign. Digits that can be lost: up
+        to 16 of 16 in float64 and 7 of 7 in float32; half or more only where the value is below
+        2e-7 in float64 and 0.006 in float32 of what its error is relative to; what cancels:
+        2*beta/(2 - alpha)*(2*(1 - alpha) + alpha*(1 - share))/((1 - share)*(2*(1 - alpha) + 2 -
+        beta)) - beta/2*2*beta/(2 - alpha)*(2*(1 - alpha) + alpha*(1 - share))/(alpha*(1 -
+        share)*(2*(1 - alpha) + 2 - beta)).
     updated_13: covariance of updated position and acceleration over sigma_v^2, times T^2. Error
-        over updated_13_scale at most 8.00 * 2^-52 (float64), 8.00 * 2^-23 (float32), proved for
-        every input. Cancellation in updated_13_difference, condition number 1: changes its sign;
-        error over the sum of its terms. Digits that can be lost: up to 16 of 16 in float64 and 7 of
-        7 in float32; half or more only where the value is below 2e-7 in float64 and 0.004 in
-        float32 of what its error is relative to; what cancels: updated_13_difference.
+        over the sum of its terms' sizes at most 8.00 * 2^-52 (float64), 8.00 * 2^-23 (float32),
+        proved for every input. Cancellation, condition number 1: changes its sign. Digits that can
+        be lost: up to 16 of 16 in float64 and 7 of 7 in float32; half or more only where the value
+        is below 3e-7 in float64 and 0.007 in float32 of what its error is relative to; what
+        cancels: 2*alpha*share*2*beta/(2 - alpha)/(2*(1 - alpha) + 2 - beta) - beta*share/((2 -
+        alpha)*(1 - share))*2*beta/(2 - alpha)*(2*(1 - alpha) + alpha*(1 - share))/(2*(1 - alpha) +
+        2 - beta).
     updated_22: variance of the updated velocity over sigma_v^2, times T^2. Relative error at most
         10.00 * 2^-52 (float64), 10.00 * 2^-23 (float32), proved for every input.
     updated_23: covariance of updated velocity and acceleration over sigma_v^2, times T^3. Relative
@@ -713,8 +716,7 @@ def updated_variances_of_coordinates(
         updated_12 = 2 x (x - 1) (1 + y - x)/(d m),
         updated_13 = 4 (m + x - x^2)/(d m),
         updated_22 = 4 x (x - 1)^2/(d m) + 4/m, updated_23 = 8 x (x - 1)/(d m), y = (d + m)/x;
-        updated_33 is predicted_33, updated_11 is (1 - alpha)^2 predicted_11 + alpha^2; scales
-        have plus between the two sums of terms of one sign
+        updated_33 is predicted_33, updated_11 is (1 - alpha)^2 predicted_11 + alpha^2
 
     linear_coefficient: x, the coefficient of s in c(z) = 0 under z = (1 + s)/(1 - s), over the
         constant one; a number at least 1e-20 and at most 1e20, in float32 at least 1e-4 and at most
@@ -724,24 +726,31 @@ def updated_variances_of_coordinates(
     hurwitz_determinant: m = x y - d with y the coefficient of s^2; a number at least 1e-20 and at
         most 1e20, in float32 at least 1e-4 and at most 1e4.
 
-    updated_12: covariance of updated position and velocity over sigma_v^2, times T. Error over
-        updated_12_scale at most 4.51 * 2^-52 (float64), 4.50 * 2^-23 (float32), proved for every
-        input. Cancellation in updated_12_difference, condition number 1: changes its sign; error
-        over the sum of its terms. Digits that can be lost: up to 16 of 16 in float64 and 7 of 7 in
-        float32; half or more only where the value is below 1e-7 in float64 and 0.003 in float32 of
-        what its error is relative to; what cancels: updated_12_difference.
+    updated_12: covariance of updated position and velocity over sigma_v^2, times T. Error over the
+        sum of its terms' sizes at most 4.51 * 2^-52 (float64), 4.50 * 2^-23 (float32), proved for
+        every input. Cancellation, condition number 1: changes its sign. Digits that can be lost: up
+        to 16 of 16 in float64 and 7 of 7 in float32; half or more only where the value is below
+        2e-7 in float64 and 0.004 in float32 of what its error is relative to; what cancels:
+        ((cubic_coefficient + hurwitz_determinant)/linear_coefficient + 1 +
+        1)*linear_coefficient*2*linear_coefficient/(cubic_coefficient*hurwitz_determinant) -
+        (linear_coefficient**2 + (cubic_coefficient + hurwitz_determinant)/linear_coefficient +
+        1)*2*linear_coefficient/(cubic_coefficient*hurwitz_determinant).
     updated_13: covariance of updated position and acceleration over sigma_v^2, times T^2. Error
-        over updated_13_scale at most 2.01 * 2^-52 (float64), 2.01 * 2^-23 (float32), proved for
-        every input. Cancellation in updated_13_difference, condition number 1: changes its sign;
-        error over the sum of its terms. Digits that can be lost: up to 16 of 16 in float64 and 7 of
-        7 in float32; half or more only where the value is below 5e-8 in float64 and 0.001 in
-        float32 of what its error is relative to; what cancels: updated_13_difference.
+        over the sum of its terms' sizes at most 2.01 * 2^-52 (float64), 2.01 * 2^-23 (float32),
+        proved for every input. Cancellation, condition number 1: changes its sign. Digits that can
+        be lost: up to 16 of 16 in float64 and 7 of 7 in float32; half or more only where the value
+        is below 6e-8 in float64 and 0.002 in float32 of what its error is relative to; what
+        cancels: 4*(hurwitz_determinant +
+        linear_coefficient)/(cubic_coefficient*hurwitz_determinant) -
+        4*linear_coefficient**2/(cubic_coefficient*hurwitz_determinant).
     updated_23: covariance of updated velocity and acceleration over sigma_v^2, times T^3. Error
-        over updated_23_scale at most 2.01 * 2^-52 (float64), 2.00 * 2^-23 (float32), proved for
-        every input. Cancellation in updated_23_difference, condition number 1: changes its sign;
-        error over the sum of its terms. Digits that can be lost: up to 16 of 16 in float64, half or
-        more only where 0.999824 <= linear_coefficient <= 1.00018; up to 7 of 7 in float32, half or
-        more only where 0.9 <= linear_coefficient <= 1.1; what cancels: updated_23_difference.
+        over the sum of its terms' sizes at most 2.01 * 2^-52 (float64), 2.00 * 2^-23 (float32),
+        proved for every input. Cancellation, condition number 1: changes its sign. Digits that can
+        be lost: up to 16 of 16 in float64, half or more only where 0.999824 <= linear_coefficient
+        <= 1.00018; up to 7 of 7 in float32, half or more only where 0.9 <= linear_coefficient <=
+        1.1; what cancels:
+        8*linear_coefficient/(cubic_coefficient*hurwitz_determinant)*linear_coefficient -
+        8*linear_coefficient/(cubic_coefficient*hurwitz_determinant).
     updated_22: variance of the updated velocity over sigma_v^2, times T^2. Relative error at most
         3.51 * 2^-52 (float64), 3.51 * 2^-23 (float32), proved for every input.
 
@@ -870,9 +879,7 @@ def acceleration_noise_variances(
         N = 64, a = 1, f = 0, h = 0, K = 1 + y, V = (1 + y)^2,
         predicted_11 = K n^2/(N m), predicted_13 = 4 n (a + K/m)/N,
         predicted_23 = 8 ((1 + x) V/m + a x + f)/N, predicted_33 = 16 (V/m + a x + h)/N
-        and after the update (I - K H) D (I - K H)'; x, d and m are those of `coordinates`,
-        and updated_12_scale to updated_33_scale are their entries with plus between the two sums
-        of terms of one sign
+        and after the update (I - K H) D (I - K H)'; x, d and m are those of `coordinates`
 
     alpha: gain of the position; a number at least 1e-20 and at most 0.999999, in float32 at least
         1e-5 and at most 0.99999.
@@ -901,39 +908,44 @@ def acceleration_noise_variances(
     updated_11: added to the variance of the updated position over sigma_v^2. Relative error at most
         6.51 * 2^-52 (float64), 6.51 * 2^-23 (float32), proved for every input.
     updated_12: added to the covariance of updated position and velocity over sigma_v^2, times T.
-        Error over updated_12_scale at most 6.51 * 2^-52 (float64), 6.51 * 2^-23 (float32), proved
-        for every input. Cancellation in updated_12_difference, condition number 1: terms of both
-        signs; error over the sum of their sizes. Digits that can be lost: up to 16 of 16 in float64
-        and 7 of 7 in float32; half or more only where the value is below 2e-7 in float64 and 0.004
-        in float32 of what its error is relative to; what cancels: updated_12_difference.
+        Error over the sum of its terms' sizes at most 6.51 * 2^-52 (float64), 6.51 * 2^-23
+        (float32), proved for every input. Cancellation, condition number 1: terms of both signs.
+        Digits that can be lost: up to 16 of 16 in float64 and 7 of 7 in float32; half or more only
+        where the value is below 2e-7 in float64 and 0.006 in float32 of what its error is relative
+        to; what cancels: 4*alpha/(alpha*share*2*beta/(2 - alpha))*4*alpha*2*8*(1 -
+        alpha)/(8*alpha*beta*(1 - share))/64 - 4*alpha/(alpha*share*2*beta/(2 -
+        alpha))*2*beta*2*8*(1 - alpha)/(8*alpha*beta*(1 - share))/64.
     updated_13: added to the covariance of updated position and acceleration over sigma_v^2, times
-        T^2. Error over updated_13_scale at most 4.01 * 2^-52 (float64), 4.01 * 2^-23 (float32),
-        proved for every input. Cancellation in updated_13_difference, condition number 1: terms of
-        both signs; error over the sum of their sizes. Digits that can be lost: up to 16 of 16 in
-        float64 and 7 of 7 in float32; half or more only where the value is below 9e-8 in float64
-        and 0.002 in float32 of what its error is relative to; what cancels:
-        4*1/(alpha*share*2*beta/(2 - alpha))*8*(1 - alpha)/64 - 4*4*alpha/(8*alpha*beta*(1 -
-        share))*8*(1 - alpha)/64.
+        T^2. Error over the sum of its terms' sizes at most 4.01 * 2^-52 (float64), 4.01 * 2^-23
+        (float32), proved for every input. Cancellation, condition number 1: terms of both signs.
+        Digits that can be lost: up to 16 of 16 in float64 and 7 of 7 in float32; half or more only
+        where the value is below 2e-7 in float64 and 0.004 in float32 of what its error is relative
+        to; what cancels: 4*1/(alpha*share*2*beta/(2 - alpha))*8*(1 - alpha)/64 -
+        4*4*alpha/(8*alpha*beta*(1 - share))*8*(1 - alpha)/64.
     updated_22: added to the variance of the updated velocity over sigma_v^2, times T^2. Error over
-        updated_22_scale at most 8.01 * 2^-52 (float64), 8.01 * 2^-23 (float32), proved for every
-        input. Cancellation in updated_22_difference, condition number 1: terms of both signs; error
-        over the sum of their sizes. Digits that can be lost: up to 16 of 16 in float64 and 7 of 7
-        in float32; half or more only where the value is below 2e-7 in float64 and 0.004 in float32
-        of what its error is relative to; what cancels: updated_22_difference.
+        the sum of its terms' sizes at most 8.01 * 2^-52 (float64), 8.01 * 2^-23 (float32), proved
+        for every input. Cancellation, condition number 1: terms of both signs. Digits that can be
+        lost: up to 16 of 16 in float64 and 7 of 7 in float32; half or more only where the value is
+        below 3e-7 in float64 and 0.007 in float32 of what its error is relative to; what cancels:
+        (4*alpha/(alpha*share*2*beta/(2 - alpha))*(4*alpha + 2*beta)*(4*alpha + 2*beta) + 2*(2*(1 -
+        alpha) + 2 - beta)*(1*2*(2*(1 - alpha) + 2 - beta) + 1*2*beta))*4/(8*alpha*beta*(1 -
+        share))/64 - 4*4*alpha/(alpha*share*2*beta/(2 - alpha))*4*alpha*2*beta*4/(8*alpha*beta*(1 -
+        share))/64.
     updated_23: added to the covariance of updated velocity and acceleration over sigma_v^2, times
-        T^3. Error over updated_23_scale at most 9.00 * 2^-52 (float64), 9.01 * 2^-23 (float32),
-        proved for every input. Cancellation in updated_23_difference, condition number 1: terms of
-        both signs; error over the sum of their sizes. Digits that can be lost: up to 16 of 16 in
-        float64 and 7 of 7 in float32; half or more only where the value is below 2e-7 in float64
-        and 0.005 in float32 of what its error is relative to; what cancels: updated_23_difference.
+        T^3. Error over the sum of its terms' sizes at most 9.00 * 2^-52 (float64), 9.01 * 2^-23
+        (float32), proved for every input. Cancellation, condition number 1: terms of both signs.
+        Digits that can be lost: up to 16 of 16 in float64 and 7 of 7 in float32; half or more only
+        where the value is below 3e-7 in float64 and 0.008 in float32 of what its error is relative
+        to; what cancels: 8*2*beta/(2 - alpha)*(2*(1 - alpha) + alpha*(1 -
+        share))/(alpha*share*2*beta/(2 - alpha))*(4*alpha)**2/(8*alpha*beta*(1 - share))/64 -
+        8*1*2*beta/(alpha*share*2*beta/(2 - alpha))/64.
     updated_33: added to the variance of the updated acceleration over sigma_v^2, times T^4. Error
-        over updated_33_scale at most 3.51 * 2^-52 (float64), 3.51 * 2^-23 (float32), proved for
-        every input. Cancellation in updated_33_difference, condition number 1: terms of both signs;
-        error over the sum of their sizes. Digits that can be lost: up to 16 of 16 in float64, half
-        or more only where alpha >= 5.6e-12 and share >= 0.0031; up to 7 of 7 in float32, half or
-        more only where alpha >= 0.00017 and share >= 0.23; what cancels:
-        16*((4*alpha)**2/(8*alpha*beta*(1 - share)) + 1*2*beta/(alpha*share*2*beta/(2 - alpha)))/64
-        - 1*(1 - share + share).
+        over the sum of its terms' sizes at most 3.51 * 2^-52 (float64), 3.51 * 2^-23 (float32),
+        proved for every input. Cancellation, condition number 1: terms of both signs. Digits that
+        can be lost: up to 16 of 16 in float64, half or more only where alpha >= 5.6e-12 and share
+        >= 0.0031; up to 7 of 7 in float32, half or more only where alpha >= 8.6e-5 and share >=
+        0.11; what cancels: 16*((4*alpha)**2/(8*alpha*beta*(1 - share)) +
+        1*2*beta/(alpha*share*2*beta/(2 - alpha)))/64 - 1*(1 - share + share).
 
     Every true value that an error is relative to is a normal number. Numbers and arrays are taken,
     arrays of any shapes that broadcast. Where all inputs are float32 so are the results; otherwise
@@ -1146,9 +1158,7 @@ def jerk_noise_variances(
         V = (1 + y) (9 y + 6) + 1 + x/d,
         predicted_11 = K n^2/(N m), predicted_13 = 4 n (a + K/m)/N,
         predicted_23 = 8 ((1 + x) V/m + a x + f)/N, predicted_33 = 16 (V/m + a x + h)/N
-        and after the update (I - K H) D (I - K H)'; x, d and m are those of `coordinates`,
-        and updated_12_scale to updated_33_scale are their entries with plus between the two sums
-        of terms of one sign
+        and after the update (I - K H) D (I - K H)'; x, d and m are those of `coordinates`
 
     alpha: gain of the position; a number at least 1e-20 and at most 0.999999, in float32 at least
         1e-5 and at most 0.99999.
@@ -1177,35 +1187,37 @@ def jerk_noise_variances(
     updated_11: added to the variance of the updated position over sigma_v^2. Relative error at most
         11.51 * 2^-52 (float64), 11.51 * 2^-23 (float32), proved for every input.
     updated_12: added to the covariance of updated position and velocity over sigma_v^2, times T.
-        Error over updated_12_scale at most 11.51 * 2^-52 (float64), 11.51 * 2^-23 (float32), proved
-        for every input. Cancellation in updated_12_difference, condition number 1: terms of both
-        signs; error over the sum of their sizes. Digits that can be lost: up to 16 of 16 in float64
-        and 7 of 7 in float32; half or more only where the value is below 3e-7 in float64 and 0.006
-        in float32 of what its error is relative to; what cancels: updated_12_difference.
+        Error over the sum of its terms' sizes at most 11.51 * 2^-52 (float64), 11.51 * 2^-23
+        (float32), proved for every input. Cancellation, condition number 1: terms of both signs.
+        Digits that can be lost: up to 16 of 16 in float64 and 7 of 7 in float32; half or more only
+        where the value is below 3e-7 in float64 and 0.01 in float32 of what its error is relative
+        to.
     updated_13: added to the covariance of updated position and acceleration over sigma_v^2, times
-        T^2. Error over updated_13_scale at most 8.51 * 2^-52 (float64), 8.51 * 2^-23 (float32),
-        proved for every input. Cancellation in updated_13_difference, condition number 1: terms of
-        both signs; error over the sum of their sizes. Digits that can be lost: up to 16 of 16 in
-        float64 and 7 of 7 in float32; half or more only where the value is below 2e-7 in float64
-        and 0.005 in float32 of what its error is relative to; what cancels: updated_13_difference.
+        T^2. Error over the sum of its terms' sizes at most 8.51 * 2^-52 (float64), 8.51 * 2^-23
+        (float32), proved for every input. Cancellation, condition number 1: terms of both signs.
+        Digits that can be lost: up to 16 of 16 in float64 and 7 of 7 in float32; half or more only
+        where the value is below 3e-7 in float64 and 0.007 in float32 of what its error is relative
+        to; what cancels: 4*9/(alpha*share*2*beta/(2 - alpha))*8*(1 - alpha)/576 -
+        4*(2*alpha*(beta*(1 - share) + 2*(1 - alpha) + 2 - beta)/(2 - alpha)*9 +
+        6*alpha*share*2*beta/(2 - alpha) + 1*2*beta/(2*(2*(1 - alpha) + 2 -
+        beta))*alpha*share*2*beta/(2 - alpha))/(8*alpha*beta*(1 - share))*8*(1 - alpha)/576.
     updated_22: added to the variance of the updated velocity over sigma_v^2, times T^2. Error over
-        updated_22_scale at most 14.00 * 2^-52 (float64), 14.00 * 2^-23 (float32), proved for every
-        input. Cancellation in updated_22_difference, condition number 1: terms of both signs; error
-        over the sum of their sizes. Digits that can be lost: up to 16 of 16 in float64 and 7 of 7
-        in float32; half or more only where the value is below 3e-7 in float64 and 0.007 in float32
-        of what its error is relative to; what cancels: updated_22_difference.
+        the sum of its terms' sizes at most 14.00 * 2^-52 (float64), 14.00 * 2^-23 (float32), proved
+        for every input. Cancellation, condition number 1: terms of both signs. Digits that can be
+        lost: up to 16 of 16 in float64 and 7 of 7 in float32; half or more only where the value is
+        below 4e-7 in float64 and 0.02 in float32 of what its error is relative to.
     updated_23: added to the covariance of updated velocity and acceleration over sigma_v^2, times
-        T^3. Error over updated_23_scale at most 17.00 * 2^-52 (float64), 17.00 * 2^-23 (float32),
-        proved for every input. Cancellation in updated_23_difference, condition number 1: terms of
-        both signs; error over the sum of their sizes. Digits that can be lost: up to 16 of 16 in
-        float64 and 7 of 7 in float32; half or more only where the value is below 4e-7 in float64
-        and 0.009 in float32 of what its error is relative to; what cancels: updated_23_difference.
+        T^3. Error over the sum of its terms' sizes at most 17.00 * 2^-52 (float64), 17.00 * 2^-23
+        (float32), proved for every input. Cancellation, condition number 1: terms of both signs.
+        Digits that can be lost: up to 16 of 16 in float64 and 7 of 7 in float32; half or more only
+        where the value is below 5e-7 in float64 and 0.02 in float32 of what its error is relative
+        to.
     updated_33: added to the variance of the updated acceleration over sigma_v^2, times T^4. Error
-        over updated_33_scale at most 11.00 * 2^-52 (float64), 11.00 * 2^-23 (float32), proved for
-        every input. Cancellation in updated_33_difference, condition number 1: terms of both signs;
-        error over the sum of their sizes. Digits that can be lost: up to 16 of 16 in float64, half
-        or more only where alpha >= 5.6e-12 and share >= 0.0031; up to 7 of 7 in float32, half or
-        more only where alpha >= 8.6e-5 and share >= 0.056; what cancels: updated_33_difference.
+        over the sum of its terms' sizes at most 11.00 * 2^-52 (float64), 11.00 * 2^-23 (float32),
+        proved for every input. Cancellation, condition number 1: terms of both signs. Digits that
+        can be lost: up to 16 of 16 in float64, half or more only where alpha >= 5.6e-12 and share
+        >= 0.0031; up to 7 of 7 in float32, half or more only where alpha >= 4.2e-5 and share >=
+        0.056.
 
     Every true value that an error is relative to is a normal number. Numbers and arrays are taken,
     arrays of any shapes that broadcast. Where all inputs are float32 so are the results; otherwise
@@ -1460,9 +1472,7 @@ def white_jerk_noise_variances(
         V = 15 (1 + y)^2 + 2 + 2 x/d,
         predicted_11 = K n^2/(N m), predicted_13 = 4 n (a + K/m)/N,
         predicted_23 = 8 ((1 + x) V/m + a x + f)/N, predicted_33 = 16 (V/m + a x + h)/N
-        and after the update (I - K H) D (I - K H)'; x, d and m are those of `coordinates`,
-        and updated_12_scale to updated_33_scale are their entries with plus between the two sums
-        of terms of one sign
+        and after the update (I - K H) D (I - K H)'; x, d and m are those of `coordinates`
 
     alpha: gain of the position; a number at least 1e-20 and at most 0.999999, in float32 at least
         1e-5 and at most 0.99999.
@@ -1491,35 +1501,37 @@ def white_jerk_noise_variances(
     updated_11: added to the variance of the updated position over sigma_v^2. Relative error at most
         11.51 * 2^-52 (float64), 11.51 * 2^-23 (float32), proved for every input.
     updated_12: added to the covariance of updated position and velocity over sigma_v^2, times T.
-        Error over updated_12_scale at most 11.51 * 2^-52 (float64), 11.51 * 2^-23 (float32), proved
-        for every input. Cancellation in updated_12_difference, condition number 1: terms of both
-        signs; error over the sum of their sizes. Digits that can be lost: up to 16 of 16 in float64
-        and 7 of 7 in float32; half or more only where the value is below 3e-7 in float64 and 0.006
-        in float32 of what its error is relative to; what cancels: updated_12_difference.
+        Error over the sum of its terms' sizes at most 11.51 * 2^-52 (float64), 11.51 * 2^-23
+        (float32), proved for every input. Cancellation, condition number 1: terms of both signs.
+        Digits that can be lost: up to 16 of 16 in float64 and 7 of 7 in float32; half or more only
+        where the value is below 3e-7 in float64 and 0.01 in float32 of what its error is relative
+        to.
     updated_13: added to the covariance of updated position and acceleration over sigma_v^2, times
-        T^2. Error over updated_13_scale at most 8.51 * 2^-52 (float64), 8.51 * 2^-23 (float32),
-        proved for every input. Cancellation in updated_13_difference, condition number 1: terms of
-        both signs; error over the sum of their sizes. Digits that can be lost: up to 16 of 16 in
-        float64 and 7 of 7 in float32; half or more only where the value is below 2e-7 in float64
-        and 0.005 in float32 of what its error is relative to; what cancels: updated_13_difference.
+        T^2. Error over the sum of its terms' sizes at most 8.51 * 2^-52 (float64), 8.51 * 2^-23
+        (float32), proved for every input. Cancellation, condition number 1: terms of both signs.
+        Digits that can be lost: up to 16 of 16 in float64 and 7 of 7 in float32; half or more only
+        where the value is below 3e-7 in float64 and 0.007 in float32 of what its error is relative
+        to; what cancels: 4*15/(alpha*share*2*beta/(2 - alpha))*8*(1 - alpha)/960 -
+        4*(2*alpha*(beta*(1 - share) + 2*(1 - alpha) + 2 - beta)/(2 - alpha)*15 +
+        15*alpha*share*2*beta/(2 - alpha) + 2*2*beta/(2*(2*(1 - alpha) + 2 -
+        beta))*alpha*share*2*beta/(2 - alpha))/(8*alpha*beta*(1 - share))*8*(1 - alpha)/960.
     updated_22: added to the variance of the updated velocity over sigma_v^2, times T^2. Error over
-        updated_22_scale at most 14.00 * 2^-52 (float64), 14.00 * 2^-23 (float32), proved for every
-        input. Cancellation in updated_22_difference, condition number 1: terms of both signs; error
-        over the sum of their sizes. Digits that can be lost: up to 16 of 16 in float64 and 7 of 7
-        in float32; half or more only where the value is below 3e-7 in float64 and 0.007 in float32
-        of what its error is relative to; what cancels: updated_22_difference.
+        the sum of its terms' sizes at most 14.00 * 2^-52 (float64), 14.00 * 2^-23 (float32), proved
+        for every input. Cancellation, condition number 1: terms of both signs. Digits that can be
+        lost: up to 16 of 16 in float64 and 7 of 7 in float32; half or more only where the value is
+        below 4e-7 in float64 and 0.02 in float32 of what its error is relative to.
     updated_23: added to the covariance of updated velocity and acceleration over sigma_v^2, times
-        T^3. Error over updated_23_scale at most 17.00 * 2^-52 (float64), 17.00 * 2^-23 (float32),
-        proved for every input. Cancellation in updated_23_difference, condition number 1: terms of
-        both signs; error over the sum of their sizes. Digits that can be lost: up to 16 of 16 in
-        float64 and 7 of 7 in float32; half or more only where the value is below 4e-7 in float64
-        and 0.009 in float32 of what its error is relative to; what cancels: updated_23_difference.
+        T^3. Error over the sum of its terms' sizes at most 17.00 * 2^-52 (float64), 17.00 * 2^-23
+        (float32), proved for every input. Cancellation, condition number 1: terms of both signs.
+        Digits that can be lost: up to 16 of 16 in float64 and 7 of 7 in float32; half or more only
+        where the value is below 5e-7 in float64 and 0.02 in float32 of what its error is relative
+        to.
     updated_33: added to the variance of the updated acceleration over sigma_v^2, times T^4. Error
-        over updated_33_scale at most 11.00 * 2^-52 (float64), 11.00 * 2^-23 (float32), proved for
-        every input. Cancellation in updated_33_difference, condition number 1: terms of both signs;
-        error over the sum of their sizes. Digits that can be lost: up to 16 of 16 in float64, half
-        or more only where alpha >= 5.6e-12 and share >= 0.0031; up to 7 of 7 in float32, half or
-        more only where alpha >= 8.6e-5 and share >= 0.056; what cancels: updated_33_difference.
+        over the sum of its terms' sizes at most 11.00 * 2^-52 (float64), 11.00 * 2^-23 (float32),
+        proved for every input. Cancellation, condition number 1: terms of both signs. Digits that
+        can be lost: up to 16 of 16 in float64, half or more only where alpha >= 5.6e-12 and share
+        >= 0.0031; up to 7 of 7 in float32, half or more only where alpha >= 4.2e-5 and share >=
+        0.056.
 
     Every true value that an error is relative to is a normal number. Numbers and arrays are taken,
     arrays of any shapes that broadcast. Where all inputs are float32 so are the results; otherwise
@@ -2278,12 +2290,11 @@ def lags(
     updated_position_lag: truth less updated position. Relative error at most 3.01 * 2^-52
         (float64), 3.01 * 2^-23 (float32), proved for every input.
     updated_velocity_lag: truth less updated velocity. Error over predicted_velocity_lag at most
-        3.51 * 2^-52 (float64), 3.50 * 2^-23 (float32), proved for every input. Cancellation in
-        updated_velocity_lag_difference, condition number 1: changes its sign; error over the sum of
-        its terms. Digits that can be lost: up to 16 of 16 in float64 and 7 of 7 in float32; half or
-        more only where the value is below 8e-8 in float64 and 0.002 in float32 of what its error is
-        relative to; what cancels: alpha/(alpha*share*2*beta/(2 - alpha)) + 1/12 -
-        beta/(2*alpha*share*2*beta/(2 - alpha)).
+        3.51 * 2^-52 (float64), 3.50 * 2^-23 (float32), proved for every input. Cancellation,
+        condition number 1: changes its sign. Digits that can be lost: up to 16 of 16 in float64 and
+        7 of 7 in float32; half or more only where the value is below 9e-8 in float64 and 0.003 in
+        float32 of what its error is relative to; what cancels: alpha/(alpha*share*2*beta/(2 -
+        alpha)) + 1/12 - beta/(2*alpha*share*2*beta/(2 - alpha)).
     updated_acceleration_lag: truth less updated acceleration. Relative error at most 4.01 * 2^-52
         (float64), 4.01 * 2^-23 (float32), proved for every input.
 
@@ -2391,8 +2402,8 @@ def closed_loop_poles(
         q/p^(3/2); else with r = (|q| + sqrt(-discriminant))^(1/3) and the sign of q the real one
         has w = +-(r + p/r), the pair real parts of -1/2 and imaginary parts of +-sqrt(3)/2 times
         r + p/r and r - p/r. No bound of the poles themselves holds everywhere: next to a threefold
-        pole they move by the cube root of what p and q move by. Scales are the sums of all terms
-        taken positive; the domain holds all stable gains from 1e-20 on, and others
+        pole they move by the cube root of what p and q move by. The domain holds all stable gains
+        from 1e-20 on, and others
 
     alpha: gain of the position; a number at least 1e-20 and at most 2, in float32 at least 1e-4 and
         at most 2.
@@ -2403,25 +2414,26 @@ def closed_loop_poles(
 
     mean_distance: 1 less the mean of the poles. Relative error at most 1.51 * 2^-52 (float64), 1.50
         * 2^-23 (float32), proved for every input.
-    reduced_linear: p of the reduced cubic. Error over reduced_linear_scale at most 3.51 * 2^-52
-        (float64), 3.50 * 2^-23 (float32), proved for every input. Cancellation in
-        reduced_linear_difference, condition number 1: changes its sign; error over the sum of its
-        terms. Digits that can be lost: up to 16 of 16 in float64 and 7 of 7 in float32; half or
-        more only where the value is below 8e-8 in float64 and 0.002 in float32 of what its error is
-        relative to; what cancels: (alpha + beta + gamma/2)**2/9 - (beta + gamma + gamma/2)/3.
-    reduced_constant: q of the reduced cubic. Error over reduced_constant_scale at most 5.51 * 2^-52
-        (float64), 5.50 * 2^-23 (float32), proved for every input. Cancellation in
-        reduced_constant_difference, condition number 1: changes its sign; error over the sum of its
-        terms. Digits that can be lost: up to 16 of 16 in float64 and 7 of 7 in float32; half or
-        more only where the value is below 2e-7 in float64 and 0.003 in float32 of what its error is
-        relative to; what cancels: (alpha + beta + gamma/2)*(beta + gamma + gamma/2)/6 - ((alpha +
-        beta + gamma/2)**2*(alpha + beta + gamma/2)/27 + gamma/2).
-    discriminant: p^3 - q^2, 0 or more where all poles are real. Error over discriminant_scale at
-        most 7.00 * 2^-52 (float64), 6.97 * 2^-23 (float32), proved for every input. Cancellation in
-        discriminant_difference, condition number 1: changes its sign; error over the sum of its
-        terms. Digits that can be lost: up to 16 of 16 in float64 and 7 of 7 in float32; half or
-        more only where the value is below 2e-7 in float64 and 0.004 in float32 of what its error is
-        relative to; what cancels: discriminant_difference.
+    reduced_linear: p of the reduced cubic. Error over the sum of its terms' sizes at most 3.51 *
+        2^-52 (float64), 3.50 * 2^-23 (float32), proved for every input. Cancellation, condition
+        number 1: changes its sign. Digits that can be lost: up to 16 of 16 in float64 and 7 of 7 in
+        float32; half or more only where the value is below 9e-8 in float64 and 0.003 in float32 of
+        what its error is relative to; what cancels: (alpha + beta + gamma/2)**2/9 - (beta + gamma +
+        gamma/2)/3.
+    reduced_constant: q of the reduced cubic. Error over the sum of its terms' sizes at most 5.51 *
+        2^-52 (float64), 5.50 * 2^-23 (float32), proved for every input. Cancellation, condition
+        number 1: changes its sign. Digits that can be lost: up to 16 of 16 in float64 and 7 of 7 in
+        float32; half or more only where the value is below 2e-7 in float64 and 0.005 in float32 of
+        what its error is relative to; what cancels: (alpha + beta + gamma/2)*(beta + gamma +
+        gamma/2)/6 - ((alpha + beta + gamma/2)**2*(alpha + beta + gamma/2)/27 + gamma/2).
+    discriminant: p^3 - q^2, 0 or more where all poles are real. Error over the sum of its terms'
+        sizes at most 7.00 * 2^-52 (float64), 6.97 * 2^-23 (float32), proved for every input.
+        Cancellation, condition number 1: changes its sign. Digits that can be lost: up to 16 of 16
+        in float64 and 7 of 7 in float32; half or more only where the value is below 2e-7 in float64
+        and 0.006 in float32 of what its error is relative to; what cancels: ((alpha + beta +
+        gamma/2)*(beta + gamma + gamma/2) + gamma*18)*(alpha + beta + gamma/2)*(beta + gamma +
+        gamma/2)/108 - (4*((beta + gamma + gamma/2)**2*(beta + gamma + gamma/2) + (alpha + beta +
+        gamma/2)**2*(alpha + beta + gamma/2)*gamma) + gamma**2*27)/108.
 
     Every true value that an error is relative to is a normal number. Numbers and arrays are taken,
     arrays of any shapes that broadcast. Where all inputs are float32 so are the results; otherwise

@@ -1305,7 +1305,6 @@ def predicted_covariance_second_derivatives(
         d2 M12 = (sigma/Lambda) (psi/2) (2 + psi/2 - chi), d2 M22 = 2 + d2 X22.
         psi = (1 + e/(2 kappa))/rho with e = 1/3: sigma^2 grows like this power of Lambda, and psi
         itself like the power 1 - chi.
-        predicted_11_scale = (sigma/Lambda)^2 psi (psi + chi).
         kappa = sqrt(4/Lambda^2 + 1/12), rho = sqrt(kappa + 1/3) = alpha/beta,
         sigma = Lambda/beta = Lambda (1/2 + kappa + rho)/2
 
@@ -1314,14 +1313,13 @@ def predicted_covariance_second_derivatives(
         finite.
 
     predicted_11: second derivative by Lambda of the variance of the predicted position over
-        sigma_v^2. Error over predicted_11_scale at most 14.28 * 2^-52 (float64), 14.41 * 2^-23
-        (float32), proved for 1.569734840911731e-206 <= tracking_index <= 1.7976931348623157e308
-        (float64) and 1.0258393e-26 <= tracking_index <= 3.4028235e38 (float32). Cancellation in
-        predicted_11_turn, condition number 1: the variance bends down for a small index and up for
-        a large one, so that it vanishes between; predicted_11_scale is the sum of the terms whose
-        difference it is. Digits that can be lost: up to 16 of 16 in float64, half or more only
-        where 0.502633 <= tracking_index <= 0.50274; up to 7 of 7 in float32, half or more only
-        where 0.48 <= tracking_index <= 0.52; what cancels: predicted_11_turn.
+        sigma_v^2. Error over the sum of its terms' sizes at most 14.28 * 2^-52 (float64), 14.41 *
+        2^-23 (float32), proved for 1.569734840911731e-206 <= tracking_index <=
+        1.7976931348623157e308 (float64) and 1.0258393e-26 <= tracking_index <= 3.4028235e38
+        (float32). Cancellation, condition number 1: the variance bends down for a small index and
+        up for a large one, so that it vanishes between. Digits that can be lost: up to 16 of 16 in
+        float64, half or more only where 0.502633 <= tracking_index <= 0.50274; up to 7 of 7 in
+        float32, half or more only where 0.47 <= tracking_index <= 0.53.
     predicted_12: second derivative by Lambda of the covariance of predicted position and velocity
         times T/sigma_v^2. Relative error at most 7.54 * 2^-52 (float64), 7.54 * 2^-23 (float32),
         proved for 5e-324 <= tracking_index <= 1.7976931348623157e308 (float64) and 1e-45 <=
@@ -1624,7 +1622,8 @@ def closed_loop_poles(
 ) -> ClosedLoopPoles:
     """Poles of the filter: a complex pair or two real numbers.
 
-        z^2 - (2 - alpha - beta) z + (1 - alpha) = 0
+        z^2 - (2 - alpha - beta) z + (1 - alpha) = 0; first_modulus and second_modulus are
+        the moduli of the poles;
         all poles lie inside the unit circle; rounded, a real part may come as 1 + 2^-52
         kappa = sqrt(4/Lambda^2 + 1/12), rho = sqrt(kappa + 1/3) = alpha/beta,
         sigma = Lambda/beta = Lambda (1/2 + kappa + rho)/2
@@ -1636,23 +1635,23 @@ def closed_loop_poles(
     first_real: real part of the first pole. Error over first_modulus at most 10.67 * 2^-52
         (float64), 10.58 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=
         1.7976931348623157e308 (float64) and 1e-45 <= tracking_index <= 3.4028235e38 (float32).
-        Digits that can be lost: up to 4 of 16 in float64; up to 3 of 7 in float32, a quarter or
-        more only where 5.5 <= tracking_index <= 8.2.
+        Digits that can be lost: up to 3.8 of 16 in float64; up to 2.3 of 7 in float32, a quarter or
+        more only where 2.1 <= tracking_index <= 8.2.
     first_imaginary: imaginary part of the first pole, not negative. Error over first_modulus at
         most 8.13 * 2^-52 (float64), 8.13 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=
         1.7976931348623157e308 (float64) and 1e-45 <= tracking_index <= 3.4028235e38 (float32).
         Digits that can be lost: up to 16 of 16 in float64, half or more only where tracking_index
-        <= 5.9e-14; up to 7 of 7 in float32, half or more only where tracking_index <= 3.5e-5.
+        <= 8.4e-14; up to 7 of 7 in float32, half or more only where tracking_index <= 8.8e-5.
     second_real: real part of the second pole. Error over second_modulus at most 10.67 * 2^-52
         (float64), 10.58 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=
         1.6421143998800672e154 (float64) and 1e-45 <= tracking_index <= 2.2592554e19 (float32).
-        Digits that can be lost: up to 4 of 16 in float64; up to 3 of 7 in float32, a quarter or
-        more only where 3 <= tracking_index <= 7.2.
+        Digits that can be lost: up to 3.4 of 16 in float64; up to 2.1 of 7 in float32, a quarter or
+        more only where 1.9 <= tracking_index <= 8.4.
     second_imaginary: imaginary part of the second pole, not positive. Error over second_modulus at
         most 8.13 * 2^-52 (float64), 8.13 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=
         1.6421143998800672e154 (float64) and 1e-45 <= tracking_index <= 2.2592554e19 (float32).
         Digits that can be lost: up to 16 of 16 in float64, half or more only where tracking_index
-        <= 6.4e-14; up to 7 of 7 in float32, half or more only where tracking_index <= 3.4e-5.
+        <= 1.1e-13; up to 7 of 7 in float32, half or more only where tracking_index <= 0.00011.
 
     Outside an output's range, a few numbers next to its ends apart, its true value is no normal
     number: it comes as 0, a subnormal number or infinity, never as NaN. Numbers and arrays are

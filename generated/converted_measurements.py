@@ -282,8 +282,9 @@ def debiased_conversion_in_plane(
         (float32) beside it where a product underflows, provided np.sin, np.cos, np.exp and np.expm1
         err by at most 4 units in the last place of the true value. Digits that can be lost: up to
         16 of 16 in float64 and 7 of 7 in float32; half or more only where the value is below 2e-6
-        in float64 and 0.06 in float32 of what its error is relative to; what cancels: ((... +
-        ...)*...*... + range_deviation**2*(1 + ...))/2 - (-expm1(...))*(...*... + ...*...)/2.
+        in float64 and 0.09 in float32 of what its error is relative to; what cancels:
+        ((slant_range**2 + range_deviation**2)*... + range_deviation**2*(1 + ...))/2 -
+        ...*(slant_range**2*(1 + ...) + range_deviation**2*...)/2.
     covariance_yy: stated variance of y, m^2. Relative error at most 55.01 * 2^-52 (float64), 55.01
         * 2^-23 (float32), proved for every input, provided np.sin, np.cos, np.exp and np.expm1 err
         by at most 4 units in the last place of the true value.
@@ -454,10 +455,13 @@ def unbiased_conversion_in_plane(
         at most 33.51 * 2^-52 (float64), 33.51 * 2^-23 (float32), proved for every input, and 8e-45
         (float32) beside it where a product underflows, provided np.sin, np.cos, np.exp and np.expm1
         err by at most 4 units in the last place of the true value. Digits that can be lost: up to
-        16 of 16 in float64 and 7 of 7 in float32; half or more only where the value is below 8e-7
-        in float64 and 0.04 in float32 of what its error is relative to; what cancels: (...**2 +
-        ...*...)/2 + (slant_range*...)**2/exp(...)**2 - (slant_range**2 +
-        range_deviation**2)*(-change_azimuth)*(1 + ...)/2.
+        16 of 16 in float64 and 7 of 7 in float32; half or more only where the value is below 9e-7
+        in float64 and 0.06 in float32 of what its error is relative to; what cancels:
+        ((slant_range*(-expm1(-azimuth_deviation**2)))**2 + range_deviation**2*(1 +
+        (exp((-azimuth_deviation**2)/2)**2)**2))/2 +
+        (slant_range*(-expm1(-azimuth_deviation**2)))**2/exp((-azimuth_deviation**2)/2)**2 -
+        (slant_range**2 + range_deviation**2)*(-expm1(-azimuth_deviation**2))*(1 +
+        exp((-azimuth_deviation**2)/2)**2)/2.
     covariance_yy: stated variance of y, m^2. Relative error at most 33.51 * 2^-52 (float64), 33.51
         * 2^-23 (float32), proved for every input, provided np.sin, np.cos, np.exp and np.expm1 err
         by at most 4 units in the last place of the true value.
@@ -609,10 +613,12 @@ def modified_unbiased_conversion_in_plane(
         at most 33.01 * 2^-52 (float64), 33.01 * 2^-23 (float32), proved for every input, and 8e-45
         (float32) beside it where a product underflows, provided np.sin, np.cos, np.exp and np.expm1
         err by at most 4 units in the last place of the true value. Digits that can be lost: up to
-        16 of 16 in float64 and 7 of 7 in float32; half or more only where the value is below 7e-7
-        in float64 and 0.04 in float32 of what its error is relative to; what cancels:
-        ((slant_range*...)**2 + range_deviation**2*(1 + ...))/2 - (slant_range**2 +
-        range_deviation**2)*(-change_azimuth)*(1 + ...)/2.
+        16 of 16 in float64 and 7 of 7 in float32; half or more only where the value is below 9e-7
+        in float64 and 0.06 in float32 of what its error is relative to; what cancels:
+        ((slant_range*(-expm1(-azimuth_deviation**2)))**2 + range_deviation**2*(1 +
+        (exp((-azimuth_deviation**2)/2)**2)**2))/2 - (slant_range**2 +
+        range_deviation**2)*(-expm1(-azimuth_deviation**2))*(1 +
+        exp((-azimuth_deviation**2)/2)**2)/2.
     covariance_yy: stated variance of y, m^2. Relative error at most 33.01 * 2^-52 (float64), 33.01
         * 2^-23 (float32), proved for every input, provided np.sin, np.cos, np.exp and np.expm1 err
         by at most 4 units in the last place of the true value.
@@ -774,16 +780,17 @@ def classical_conversion(
         at most 20.51 * 2^-52 (float64), 20.51 * 2^-23 (float32), proved for every input, and 2e-44
         (float32) beside it where a product underflows, provided np.sin and np.cos err by at most 4
         units in the last place of the true value. Digits that can be lost: up to 16 of 16 in
-        float64 and 7 of 7 in float32; half or more only where the value is below 5e-7 in float64
-        and 0.03 in float32 of what its error is relative to; what cancels:
-        cos_elevation**2*range_deviation**2 + sin_elevation**2*...**2 -
-        (slant_range*cos_elevation*azimuth_deviation)**2.
+        float64 and 7 of 7 in float32; half or more only where the value is below 6e-7 in float64
+        and 0.04 in float32 of what its error is relative to; what cancels:
+        cos(elevation)**2*range_deviation**2 +
+        sin(elevation)**2*(slant_range*elevation_deviation)**2 -
+        (slant_range*cos(elevation)*azimuth_deviation)**2.
     covariance_xz: stated covariance of x and z, m^2. Error over the sum of its terms taken positive
         at most 15.51 * 2^-52 (float64), 15.51 * 2^-23 (float32), proved for every input, and 2e-44
         (float32) beside it where a product underflows, provided np.sin and np.cos err by at most 4
         units in the last place of the true value. Digits that can be lost: up to 16 of 16 in
         float64 and 7 of 7 in float32; half or more only where the value is below 4e-7 in float64
-        and 0.02 in float32 of what its error is relative to; what cancels: range_deviation**2 -
+        and 0.03 in float32 of what its error is relative to; what cancels: range_deviation**2 -
         (slant_range*elevation_deviation)**2.
     covariance_yy: stated variance of y, m^2. Relative error at most 20.51 * 2^-52 (float64), 20.51
         * 2^-23 (float32), proved for every input, and 3e-44 (float32) beside it where a product
@@ -794,7 +801,7 @@ def classical_conversion(
         (float32) beside it where a product underflows, provided np.sin and np.cos err by at most 4
         units in the last place of the true value. Digits that can be lost: up to 16 of 16 in
         float64 and 7 of 7 in float32; half or more only where the value is below 4e-7 in float64
-        and 0.02 in float32 of what its error is relative to; what cancels: range_deviation**2 -
+        and 0.03 in float32 of what its error is relative to; what cancels: range_deviation**2 -
         (slant_range*elevation_deviation)**2.
     covariance_zz: stated variance of z, m^2. Relative error at most 11.01 * 2^-52 (float64), 11.01
         * 2^-23 (float32), proved for every input, provided np.sin and np.cos err by at most 4 units
@@ -978,14 +985,16 @@ def debiased_conversion(
         np.expm1 err by at most 4 units in the last place of the true value. Digits that can be
         lost: up to 16 of 16 in float64 and 7 of 7 in float32; half or more only where the value is
         below 3e-6 in float64 and 0.2 in float32 of what its error is relative to; what cancels:
-        ((... + ...)*(1 + ...) + .../2*...*...)/2 - ((... + ...)*...*... + .../2*(1 + ...))/2.
+        (...*(1 + ...) + ...*...*(1 + ...)/2*...*(1 + ...))/2 - (...*...*(1 + ...) + ...*...*(1 +
+        ...)/2*(1 + ...))/2.
     covariance_xz: stated covariance of x and z, m^2. Error over the sum of its terms taken positive
         at most 70.51 * 2^-52 (float64), 70.52 * 2^-23 (float32), proved for every input, and 3e-44
         (float32) beside it where a product underflows, provided np.sin, np.cos, np.exp and np.expm1
         err by at most 4 units in the last place of the true value. Digits that can be lost: up to
         16 of 16 in float64 and 7 of 7 in float32; half or more only where the value is below 2e-6
-        in float64 and 0.07 in float32 of what its error is relative to; what cancels: ((... +
-        ...)*...*... + range_deviation**2*(1 + ...))/2 - (-expm1(...))*(...*... + ...*...)/2.
+        in float64 and 0.2 in float32 of what its error is relative to; what cancels:
+        ((slant_range**2 + range_deviation**2)*... + range_deviation**2*(1 + ...))/2 -
+        ...*(slant_range**2*(1 + ...) + range_deviation**2*...)/2.
     covariance_yy: stated variance of y, m^2. Relative error at most 104.52 * 2^-52 (float64),
         104.52 * 2^-23 (float32), proved for every input, and 6e-44 (float32) beside it where a
         product underflows, provided np.sin, np.cos, np.exp and np.expm1 err by at most 4 units in
@@ -995,8 +1004,9 @@ def debiased_conversion(
         (float32) beside it where a product underflows, provided np.sin, np.cos, np.exp and np.expm1
         err by at most 4 units in the last place of the true value. Digits that can be lost: up to
         16 of 16 in float64 and 7 of 7 in float32; half or more only where the value is below 2e-6
-        in float64 and 0.07 in float32 of what its error is relative to; what cancels: ((... +
-        ...)*...*... + range_deviation**2*(1 + ...))/2 - (-expm1(...))*(...*... + ...*...)/2.
+        in float64 and 0.2 in float32 of what its error is relative to; what cancels:
+        ((slant_range**2 + range_deviation**2)*... + range_deviation**2*(1 + ...))/2 -
+        ...*(slant_range**2*(1 + ...) + range_deviation**2*...)/2.
     covariance_zz: stated variance of z, m^2. Relative error at most 55.01 * 2^-52 (float64), 55.01
         * 2^-23 (float32), proved for every input, provided np.sin, np.cos, np.exp and np.expm1 err
         by at most 4 units in the last place of the true value.
@@ -1286,17 +1296,19 @@ def unbiased_conversion(
         (float32) beside it where a product underflows, provided np.sin, np.cos, np.exp and np.expm1
         err by at most 4 units in the last place of the true value. Digits that can be lost: up to
         16 of 16 in float64 and 7 of 7 in float32; half or more only where the value is below 2e-6
-        in float64 and 0.08 in float32 of what its error is relative to; what cancels:
-        kept_azimuth**2*(... + ...) + ...*.../2 + (...*.../(kept_azimuth*kept_elevation))**2 - (...
-        + ...)*.../2*(-change_azimuth)*(1 + ...)/2.
+        in float64 and 0.2 in float32 of what its error is relative to; what cancels: ... +
+        (slant_range*cos(elevation)*.../...)**2 - (slant_range**2 + range_deviation**2)*...*...*(1 +
+        ...)/2.
     covariance_xz: stated covariance of x and z, m^2. Error over the sum of its terms taken positive
         at most 52.51 * 2^-52 (float64), 52.51 * 2^-23 (float32), proved for every input, and 3e-44
         (float32) beside it where a product underflows, provided np.sin, np.cos, np.exp and np.expm1
         err by at most 4 units in the last place of the true value. Digits that can be lost: up to
         16 of 16 in float64 and 7 of 7 in float32; half or more only where the value is below 2e-6
-        in float64 and 0.06 in float32 of what its error is relative to; what cancels:
-        ((slant_range*...)**2 + range_deviation**2*(1 + ...))/2 - (slant_range**2 +
-        range_deviation**2)*(-change_elevation)*(1 + ...)/2.
+        in float64 and 0.09 in float32 of what its error is relative to; what cancels:
+        ((slant_range*(-expm1(-elevation_deviation**2)))**2 + range_deviation**2*(1 +
+        (exp((-elevation_deviation**2)/2)**2)**2))/2 - (slant_range**2 +
+        range_deviation**2)*(-expm1(-elevation_deviation**2))*(1 +
+        exp((-elevation_deviation**2)/2)**2)/2.
     covariance_yy: stated variance of y, m^2. Relative error at most 74.51 * 2^-52 (float64), 74.51
         * 2^-23 (float32), proved for every input, and 4e-44 (float32) beside it where a product
         underflows, provided np.sin, np.cos, np.exp and np.expm1 err by at most 4 units in the last
@@ -1306,9 +1318,11 @@ def unbiased_conversion(
         (float32) beside it where a product underflows, provided np.sin, np.cos, np.exp and np.expm1
         err by at most 4 units in the last place of the true value. Digits that can be lost: up to
         16 of 16 in float64 and 7 of 7 in float32; half or more only where the value is below 2e-6
-        in float64 and 0.06 in float32 of what its error is relative to; what cancels:
-        ((slant_range*...)**2 + range_deviation**2*(1 + ...))/2 - (slant_range**2 +
-        range_deviation**2)*(-change_elevation)*(1 + ...)/2.
+        in float64 and 0.09 in float32 of what its error is relative to; what cancels:
+        ((slant_range*(-expm1(-elevation_deviation**2)))**2 + range_deviation**2*(1 +
+        (exp((-elevation_deviation**2)/2)**2)**2))/2 - (slant_range**2 +
+        range_deviation**2)*(-expm1(-elevation_deviation**2))*(1 +
+        exp((-elevation_deviation**2)/2)**2)/2.
     covariance_zz: stated variance of z, m^2. Relative error at most 33.51 * 2^-52 (float64), 33.51
         * 2^-23 (float32), proved for every input, and 8e-45 (float32) beside it where a product
         underflows, provided np.sin, np.cos, np.exp and np.expm1 err by at most 4 units in the last
@@ -1568,17 +1582,18 @@ def modified_unbiased_conversion(
         (float32) beside it where a product underflows, provided np.sin, np.cos, np.exp and np.expm1
         err by at most 4 units in the last place of the true value. Digits that can be lost: up to
         16 of 16 in float64 and 7 of 7 in float32; half or more only where the value is below 2e-6
-        in float64 and 0.06 in float32 of what its error is relative to; what cancels:
-        exp(...)**2*(...*... + ...*...) + ...**2*...*.../2 - (... + ...)*.../2*(-change_azimuth)*(1
-        + ...)/2.
+        in float64 and 0.1 in float32 of what its error is relative to; what cancels: ... -
+        (slant_range**2 + range_deviation**2)*...*...*(1 + ...)/2.
     covariance_xz: stated covariance of x and z, m^2. Error over the sum of its terms taken positive
         at most 43.01 * 2^-52 (float64), 43.01 * 2^-23 (float32), proved for every input, and 3e-44
         (float32) beside it where a product underflows, provided np.sin, np.cos, np.exp and np.expm1
         err by at most 4 units in the last place of the true value. Digits that can be lost: up to
-        16 of 16 in float64 and 7 of 7 in float32; half or more only where the value is below 1e-6
-        in float64 and 0.05 in float32 of what its error is relative to; what cancels:
-        ((slant_range*...)**2 + range_deviation**2*(1 + ...))/2 - (slant_range**2 +
-        range_deviation**2)*(-change_elevation)*(1 + ...)/2.
+        16 of 16 in float64 and 7 of 7 in float32; half or more only where the value is below 2e-6
+        in float64 and 0.07 in float32 of what its error is relative to; what cancels:
+        ((slant_range*(-expm1(-elevation_deviation**2)))**2 + range_deviation**2*(1 +
+        (exp((-elevation_deviation**2)/2)**2)**2))/2 - (slant_range**2 +
+        range_deviation**2)*(-expm1(-elevation_deviation**2))*(1 +
+        exp((-elevation_deviation**2)/2)**2)/2.
     covariance_yy: stated variance of y, m^2. Relative error at most 59.01 * 2^-52 (float64), 59.01
         * 2^-23 (float32), proved for every input, and 4e-44 (float32) beside it where a product
         underflows, provided np.sin, np.cos, np.exp and np.expm1 err by at most 4 units in the last
@@ -1587,10 +1602,12 @@ def modified_unbiased_conversion(
         at most 43.01 * 2^-52 (float64), 43.01 * 2^-23 (float32), proved for every input, and 3e-44
         (float32) beside it where a product underflows, provided np.sin, np.cos, np.exp and np.expm1
         err by at most 4 units in the last place of the true value. Digits that can be lost: up to
-        16 of 16 in float64 and 7 of 7 in float32; half or more only where the value is below 1e-6
-        in float64 and 0.05 in float32 of what its error is relative to; what cancels:
-        ((slant_range*...)**2 + range_deviation**2*(1 + ...))/2 - (slant_range**2 +
-        range_deviation**2)*(-change_elevation)*(1 + ...)/2.
+        16 of 16 in float64 and 7 of 7 in float32; half or more only where the value is below 2e-6
+        in float64 and 0.07 in float32 of what its error is relative to; what cancels:
+        ((slant_range*(-expm1(-elevation_deviation**2)))**2 + range_deviation**2*(1 +
+        (exp((-elevation_deviation**2)/2)**2)**2))/2 - (slant_range**2 +
+        range_deviation**2)*(-expm1(-elevation_deviation**2))*(1 +
+        exp((-elevation_deviation**2)/2)**2)/2.
     covariance_zz: stated variance of z, m^2. Relative error at most 33.01 * 2^-52 (float64), 33.01
         * 2^-23 (float32), proved for every input, provided np.sin, np.cos, np.exp and np.expm1 err
         by at most 4 units in the last place of the true value.
@@ -1789,37 +1806,36 @@ def correlated_unbiased_conversion_in_plane(
         (float64), 11.51 * 2^-23 (float32), proved for every input, provided np.sin, np.cos and
         np.exp err by at most 4 units in the last place of the true value. Digits that can be lost:
         up to 16 of 16 in float64 and 7 of 7 in float32; half or more only where the value is below
-        3e-7 in float64 and 0.006 in float32 of what its error is relative to; what cancels:
+        3e-7 in float64 and 0.01 in float32 of what its error is relative to; what cancels:
         slant_range/exp((-azimuth_deviation**2)/2)*cos(azimuth) -
-        (-range_deviation*azimuth_deviation*correlation/exp((-...)/2))*sin(azimuth).
+        (-range_deviation*azimuth_deviation*correlation/exp((-azimuth_deviation**2)/2))*sin(azimuth).
     y: converted y, m. Error over the sum of its terms taken positive at most 11.51 * 2^-52
         (float64), 11.51 * 2^-23 (float32), proved for every input, provided np.sin, np.cos and
         np.exp err by at most 4 units in the last place of the true value. Digits that can be lost:
         up to 16 of 16 in float64 and 7 of 7 in float32; half or more only where the value is below
-        3e-7 in float64 and 0.006 in float32 of what its error is relative to; what cancels:
+        3e-7 in float64 and 0.01 in float32 of what its error is relative to; what cancels:
         slant_range/exp((-azimuth_deviation**2)/2)*sin(azimuth) +
-        (-range_deviation*azimuth_deviation*correlation/exp((-...)/2))*cos(azimuth).
+        (-range_deviation*azimuth_deviation*correlation/exp((-azimuth_deviation**2)/2))*cos(azimuth).
     covariance_xx: stated variance of x, m^2. Error over the sum of its terms taken positive at most
         47.01 * 2^-52 (float64), 47.01 * 2^-23 (float32), proved for every input, and 5e-44
         (float32) beside it where a product underflows, provided np.sin, np.cos, np.exp and np.expm1
         err by at most 4 units in the last place of the true value. Digits that can be lost: up to
-        16 of 16 in float64 and 7 of 7 in float32; half or more only where the value is below 1e-6
-        in float64 and 0.05 in float32 of what its error is relative to; what cancels: 1 -
+        16 of 16 in float64 and 7 of 7 in float32; half or more only where the value is below 2e-6
+        in float64 and 0.08 in float32 of what its error is relative to; what cancels: 1 -
         2*exp((-azimuth_deviation**2)/2)**2.
     covariance_xy: stated covariance of x and y, m^2. Error over the sum of its terms taken positive
         at most 47.01 * 2^-52 (float64), 47.01 * 2^-23 (float32), proved for every input, and 3e-44
         (float32) beside it where a product underflows, provided np.sin, np.cos, np.exp and np.expm1
         err by at most 4 units in the last place of the true value. Digits that can be lost: up to
-        16 of 16 in float64 and 7 of 7 in float32; half or more only where the value is below 1e-6
-        in float64 and 0.05 in float32 of what its error is relative to; what cancels: (... + ...)/2
-        - 2*...*... + (slant_range*.../exp(...))**2 - (...*.../2 - ...*...*(1 - ...) +
-        (-.../kept_azimuth)**2).
+        16 of 16 in float64 and 7 of 7 in float32; half or more only where the value is below 2e-6
+        in float64 and 0.08 in float32 of what its error is relative to; what cancels: ... +
+        (slant_range*.../...)**2 - (... - ...*(1 - ...) + ...).
     covariance_yy: stated variance of y, m^2. Error over the sum of its terms taken positive at most
         47.01 * 2^-52 (float64), 47.01 * 2^-23 (float32), proved for every input, and 5e-44
         (float32) beside it where a product underflows, provided np.sin, np.cos, np.exp and np.expm1
         err by at most 4 units in the last place of the true value. Digits that can be lost: up to
-        16 of 16 in float64 and 7 of 7 in float32; half or more only where the value is below 1e-6
-        in float64 and 0.05 in float32 of what its error is relative to; what cancels: 1 -
+        16 of 16 in float64 and 7 of 7 in float32; half or more only where the value is below 2e-6
+        in float64 and 0.08 in float32 of what its error is relative to; what cancels: 1 -
         2*exp((-azimuth_deviation**2)/2)**2.
 
     Numbers and arrays are taken, arrays of any shapes that broadcast. Where all inputs are float32
@@ -1990,36 +2006,36 @@ def correlated_modified_unbiased_conversion_in_plane(
         (float64), 11.51 * 2^-23 (float32), proved for every input, provided np.sin, np.cos and
         np.exp err by at most 4 units in the last place of the true value. Digits that can be lost:
         up to 16 of 16 in float64 and 7 of 7 in float32; half or more only where the value is below
-        3e-7 in float64 and 0.006 in float32 of what its error is relative to; what cancels:
-        slant_range*exp((-...)/2)*cos(azimuth) -
-        range_deviation*azimuth_deviation*correlation*exp((-...)/2)*sin(azimuth).
+        3e-7 in float64 and 0.01 in float32 of what its error is relative to; what cancels:
+        slant_range*exp((-azimuth_deviation**2)/2)*cos(azimuth) -
+        range_deviation*azimuth_deviation*correlation*exp((-azimuth_deviation**2)/2)*sin(azimuth).
     y: converted y, m. Error over the sum of its terms taken positive at most 11.51 * 2^-52
         (float64), 11.51 * 2^-23 (float32), proved for every input, provided np.sin, np.cos and
         np.exp err by at most 4 units in the last place of the true value. Digits that can be lost:
         up to 16 of 16 in float64 and 7 of 7 in float32; half or more only where the value is below
-        3e-7 in float64 and 0.006 in float32 of what its error is relative to; what cancels:
-        slant_range*exp((-...)/2)*sin(azimuth) +
-        range_deviation*azimuth_deviation*correlation*exp((-...)/2)*cos(azimuth).
+        3e-7 in float64 and 0.01 in float32 of what its error is relative to; what cancels:
+        slant_range*exp((-azimuth_deviation**2)/2)*sin(azimuth) +
+        range_deviation*azimuth_deviation*correlation*exp((-azimuth_deviation**2)/2)*cos(azimuth).
     covariance_xx: stated variance of x, m^2. Error over the sum of its terms taken positive at most
         35.51 * 2^-52 (float64), 35.51 * 2^-23 (float32), proved for every input, and 5e-44
         (float32) beside it where a product underflows, provided np.sin, np.cos, np.exp and np.expm1
         err by at most 4 units in the last place of the true value. Digits that can be lost: up to
-        16 of 16 in float64 and 7 of 7 in float32; half or more only where the value is below 8e-7
-        in float64 and 0.04 in float32 of what its error is relative to; what cancels: 1 -
+        16 of 16 in float64 and 7 of 7 in float32; half or more only where the value is below 9e-7
+        in float64 and 0.06 in float32 of what its error is relative to; what cancels: 1 -
         2*exp((-azimuth_deviation**2)/2)**2.
     covariance_xy: stated covariance of x and y, m^2. Error over the sum of its terms taken positive
         at most 35.51 * 2^-52 (float64), 35.51 * 2^-23 (float32), proved for every input, and 3e-44
         (float32) beside it where a product underflows, provided np.sin, np.cos, np.exp and np.expm1
         err by at most 4 units in the last place of the true value. Digits that can be lost: up to
-        16 of 16 in float64 and 7 of 7 in float32; half or more only where the value is below 8e-7
-        in float64 and 0.04 in float32 of what its error is relative to; what cancels: (...**2 +
-        ...*...)/2 - 2*...**2*...**2 - ((... + ...)*...*.../2 - kept_azimuth**2*...**2*(1 - 2*...)).
+        16 of 16 in float64 and 7 of 7 in float32; half or more only where the value is below 9e-7
+        in float64 and 0.06 in float32 of what its error is relative to; what cancels: ... - (... -
+        ...*(1 - ...)).
     covariance_yy: stated variance of y, m^2. Error over the sum of its terms taken positive at most
         35.51 * 2^-52 (float64), 35.51 * 2^-23 (float32), proved for every input, and 5e-44
         (float32) beside it where a product underflows, provided np.sin, np.cos, np.exp and np.expm1
         err by at most 4 units in the last place of the true value. Digits that can be lost: up to
-        16 of 16 in float64 and 7 of 7 in float32; half or more only where the value is below 8e-7
-        in float64 and 0.04 in float32 of what its error is relative to; what cancels: 1 -
+        16 of 16 in float64 and 7 of 7 in float32; half or more only where the value is below 9e-7
+        in float64 and 0.06 in float32 of what its error is relative to; what cancels: 1 -
         2*exp((-azimuth_deviation**2)/2)**2.
 
     Numbers and arrays are taken, arrays of any shapes that broadcast. Where all inputs are float32

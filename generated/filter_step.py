@@ -347,14 +347,14 @@ def step_two_states(
         at most 2.51 * 2^-52 (float64), 2.51 * 2^-23 (float32), proved for every input, and 3e-319
         (float64) and 8e-41 (float32) beside it where a product underflows. Digits that can be lost:
         up to 16 of 16 in float64 and 7 of 7 in float32; half or more only where the value is below
-        2e-7 in float64 and 0.003 in float32 of what its error is relative to; values below 5e-304
+        2e-7 in float64 and 0.004 in float32 of what its error is relative to; values below 5e-304
         (float64) and 3e-34 (float32) apart; what cancels: observed - (position +
         interval*velocity).
     updated_velocity: velocity after this update, m/s. Error over the sum of its terms taken
         positive at most 3.01 * 2^-52 (float64), 3.01 * 2^-23 (float32), proved for every input, and
         3e-309 (float64) and 8e-38 (float32) beside it where a product underflows. Digits that can
         be lost: up to 16 of 16 in float64 and 7 of 7 in float32; half or more only where the value
-        is below 2e-7 in float64 and 0.003 in float32 of what its error is relative to; values below
+        is below 2e-7 in float64 and 0.005 in float32 of what its error is relative to; values below
         4e-294 (float64) and 2e-31 (float32) apart; what cancels: observed - (position +
         interval*velocity).
 
@@ -455,7 +455,7 @@ def step_three_states(
         at most 3.51 * 2^-52 (float64), 3.51 * 2^-23 (float32), proved for every input, and 3e-309
         (float64) and 8e-37 (float32) beside it where a product underflows. Digits that can be lost:
         up to 16 of 16 in float64 and 7 of 7 in float32; half or more only where the value is below
-        2e-7 in float64 and 0.004 in float32 of what its error is relative to; values below 4e-294
+        2e-7 in float64 and 0.006 in float32 of what its error is relative to; values below 4e-294
         (float64) and 2e-30 (float32) apart; what cancels: position + interval*(velocity +
         interval/2*acceleration) + alpha*(observed - (position + interval*(velocity +
         interval/2*acceleration))).
@@ -463,14 +463,14 @@ def step_three_states(
         positive at most 4.01 * 2^-52 (float64), 4.01 * 2^-23 (float32), proved for every input, and
         3e-299 (float64) and 8e-34 (float32) beside it where a product underflows. Digits that can
         be lost: up to 16 of 16 in float64 and 7 of 7 in float32; half or more only where the value
-        is below 2e-7 in float64 and 0.004 in float32 of what its error is relative to; values below
+        is below 3e-7 in float64 and 0.007 in float32 of what its error is relative to; values below
         3e-284 (float64) and 2e-27 (float32) apart; what cancels: observed - (position +
         interval*(velocity + interval/2*acceleration)).
     updated_acceleration: acceleration after this update, m/s^2. Error over the sum of its terms
         taken positive at most 4.51 * 2^-52 (float64), 4.51 * 2^-23 (float32), proved for every
         input, and 3e-289 (float64) and 8e-31 (float32) beside it where a product underflows. Digits
         that can be lost: up to 16 of 16 in float64 and 7 of 7 in float32; half or more only where
-        the value is below 2e-7 in float64 and 0.005 in float32 of what its error is relative to;
+        the value is below 3e-7 in float64 and 0.008 in float32 of what its error is relative to;
         values below 3e-274 (float64) and 2e-24 (float32) apart; what cancels: acceleration +
         gamma*(observed - (position + interval*(velocity +
         interval/2*acceleration)))/interval/interval.
@@ -634,46 +634,54 @@ def step_interacting(
         positive at most 3.51 * 2^-52 (float64), 3.51 * 2^-23 (float32), proved for every input, and
         8e-319 (float64) and 3e-40 (float32) beside it where a product underflows. Digits that can
         be lost: up to 16 of 16 in float64 and 7 of 7 in float32; half or more only where the value
-        is below 2e-7 in float64 and 0.004 in float32 of what its error is relative to; values below
+        is below 2e-7 in float64 and 0.006 in float32 of what its error is relative to; values below
         1e-303 (float64) and 6e-34 (float32) apart; what cancels: x_position + interval*x_velocity +
-        position_gain_11*... + position_gain_12*... + position_gain_13*(z_observed - ...).
+        position_gain_11*(x_observed - (x_position + interval*x_velocity)) +
+        position_gain_12*(y_observed - (y_position + interval*y_velocity)) +
+        position_gain_13*(z_observed - (z_position + interval*z_velocity)).
     updated_y_position: position along y after this update, m. Error over the sum of its terms taken
         positive at most 3.51 * 2^-52 (float64), 3.51 * 2^-23 (float32), proved for every input, and
         8e-319 (float64) and 3e-40 (float32) beside it where a product underflows. Digits that can
         be lost: up to 16 of 16 in float64 and 7 of 7 in float32; half or more only where the value
-        is below 2e-7 in float64 and 0.004 in float32 of what its error is relative to; values below
+        is below 2e-7 in float64 and 0.006 in float32 of what its error is relative to; values below
         1e-303 (float64) and 6e-34 (float32) apart; what cancels: y_position + interval*y_velocity +
-        position_gain_21*... + position_gain_22*... + position_gain_23*(z_observed - ...).
+        position_gain_21*(x_observed - (x_position + interval*x_velocity)) +
+        position_gain_22*(y_observed - (y_position + interval*y_velocity)) +
+        position_gain_23*(z_observed - (z_position + interval*z_velocity)).
     updated_z_position: position along z after this update, m. Error over the sum of its terms taken
         positive at most 3.51 * 2^-52 (float64), 3.51 * 2^-23 (float32), proved for every input, and
         8e-319 (float64) and 3e-40 (float32) beside it where a product underflows. Digits that can
         be lost: up to 16 of 16 in float64 and 7 of 7 in float32; half or more only where the value
-        is below 2e-7 in float64 and 0.004 in float32 of what its error is relative to; values below
+        is below 2e-7 in float64 and 0.006 in float32 of what its error is relative to; values below
         1e-303 (float64) and 6e-34 (float32) apart; what cancels: z_position + interval*z_velocity +
-        position_gain_31*... + position_gain_32*... + position_gain_33*(z_observed - ...).
+        position_gain_31*(x_observed - (x_position + interval*x_velocity)) +
+        position_gain_32*(y_observed - (y_position + interval*y_velocity)) +
+        position_gain_33*(z_observed - (z_position + interval*z_velocity)).
     updated_x_velocity: velocity along x after this update, m/s. Error over the sum of its terms
         taken positive at most 3.51 * 2^-52 (float64), 3.51 * 2^-23 (float32), proved for every
         input, and 8e-309 (float64) and 3e-37 (float32) beside it where a product underflows. Digits
         that can be lost: up to 16 of 16 in float64 and 7 of 7 in float32; half or more only where
-        the value is below 2e-7 in float64 and 0.004 in float32 of what its error is relative to;
+        the value is below 2e-7 in float64 and 0.006 in float32 of what its error is relative to;
         values below 1e-293 (float64) and 6e-31 (float32) apart; what cancels: x_velocity +
-        velocity_gain_11*(x_observed - ...) + velocity_gain_12*(y_observed - ...) +
-        velocity_gain_13*(z_observed - (z_position + ...)).
+        velocity_gain_11*(x_observed - (x_position + interval*x_velocity)) +
+        velocity_gain_12*(y_observed - (y_position + interval*y_velocity)) +
+        velocity_gain_13*(z_observed - (z_position + interval*z_velocity)).
     updated_y_velocity: velocity along y after this update, m/s. Error over the sum of its terms
         taken positive at most 3.51 * 2^-52 (float64), 3.51 * 2^-23 (float32), proved for every
         input, and 8e-309 (float64) and 3e-37 (float32) beside it where a product underflows. Digits
         that can be lost: up to 16 of 16 in float64 and 7 of 7 in float32; half or more only where
-        the value is below 2e-7 in float64 and 0.004 in float32 of what its error is relative to;
+        the value is below 2e-7 in float64 and 0.006 in float32 of what its error is relative to;
         values below 1e-293 (float64) and 6e-31 (float32) apart; what cancels: z_observed -
         (z_position + interval*z_velocity).
     updated_z_velocity: velocity along z after this update, m/s. Error over the sum of its terms
         taken positive at most 3.51 * 2^-52 (float64), 3.51 * 2^-23 (float32), proved for every
         input, and 8e-309 (float64) and 3e-37 (float32) beside it where a product underflows. Digits
         that can be lost: up to 16 of 16 in float64 and 7 of 7 in float32; half or more only where
-        the value is below 2e-7 in float64 and 0.004 in float32 of what its error is relative to;
+        the value is below 2e-7 in float64 and 0.006 in float32 of what its error is relative to;
         values below 1e-293 (float64) and 6e-31 (float32) apart; what cancels: z_velocity +
-        velocity_gain_31*(x_observed - ...) + velocity_gain_32*(y_observed - ...) +
-        velocity_gain_33*(z_observed - (z_position + ...)).
+        velocity_gain_31*(x_observed - (x_position + interval*x_velocity)) +
+        velocity_gain_32*(y_observed - (y_position + interval*y_velocity)) +
+        velocity_gain_33*(z_observed - (z_position + interval*z_velocity)).
 
     Numbers and arrays are taken, arrays of any shapes that broadcast. Where all inputs are float32
     so are the results; otherwise everything becomes float64, integers too. `out`: a tuple of arrays

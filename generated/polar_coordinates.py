@@ -666,16 +666,16 @@ def noise_covariance(
         most 20.51 * 2^-52 (float64), 20.51 * 2^-23 (float32), proved for every input, and 3e-44
         (float32) beside it where a product underflows, provided np.sin and np.cos err by at most 4
         units in the last place of the true value. Digits that can be lost: up to 16 of 16 in
-        float64 and 7 of 7 in float32; half or more only where the value is below 5e-7 in float64
-        and 0.03 in float32 of what its error is relative to; what cancels:
-        (cos_elevation*range_deviation)**2 + (sin_elevation*...)**2 -
-        (slant_range*cos_elevation*bearing_deviation)**2.
+        float64 and 7 of 7 in float32; half or more only where the value is below 6e-7 in float64
+        and 0.04 in float32 of what its error is relative to; what cancels:
+        (cos(elevation)*range_deviation)**2 + (sin(elevation)*slant_range*elevation_deviation)**2 -
+        (slant_range*cos(elevation)*bearing_deviation)**2.
     covariance_xz: covariance of x and z, m^2. Error over the sum of its terms taken positive at
         most 15.51 * 2^-52 (float64), 15.51 * 2^-23 (float32), proved for every input, and 2e-44
         (float32) beside it where a product underflows, provided np.sin and np.cos err by at most 4
         units in the last place of the true value. Digits that can be lost: up to 16 of 16 in
         float64 and 7 of 7 in float32; half or more only where the value is below 4e-7 in float64
-        and 0.02 in float32 of what its error is relative to; what cancels: range_deviation**2 -
+        and 0.03 in float32 of what its error is relative to; what cancels: range_deviation**2 -
         (slant_range*elevation_deviation)**2.
     covariance_yy: variance of y, m^2. Relative error at most 20.51 * 2^-52 (float64), 20.51 * 2^-23
         (float32), proved for every input, and 3e-44 (float32) beside it where a product underflows,
@@ -685,7 +685,7 @@ def noise_covariance(
         (float32) beside it where a product underflows, provided np.sin and np.cos err by at most 4
         units in the last place of the true value. Digits that can be lost: up to 16 of 16 in
         float64 and 7 of 7 in float32; half or more only where the value is below 4e-7 in float64
-        and 0.02 in float32 of what its error is relative to; what cancels: range_deviation**2 -
+        and 0.03 in float32 of what its error is relative to; what cancels: range_deviation**2 -
         (slant_range*elevation_deviation)**2.
     covariance_zz: variance of z, m^2. Relative error at most 11.01 * 2^-52 (float64), 11.01 * 2^-23
         (float32), proved for every input, and 8e-45 (float32) beside it where a product underflows,
@@ -963,43 +963,45 @@ def straight_course_rates(
     range_rate: range rate, m/s (Doppler shift: -2 times it over the wavelength). Error over the sum
         of its terms taken positive at most 4.01 * 2^-52 (float64), 4.01 * 2^-23 (float32), proved
         for every input. Digits that can be lost: up to 16 of 16 in float64 and 7 of 7 in float32;
-        half or more only where the value is below 9e-8 in float64 and 0.002 in float32 of what its
-        error is relative to; what cancels: x/sqrt(sqrt(... + ...)**2 + z**2)*velocity_x +
-        y/sqrt(sqrt(... + ...)**2 + z**2)*velocity_y + z/sqrt(sqrt(x**2 + y**2)**2 +
+        half or more only where the value is below 2e-7 in float64 and 0.004 in float32 of what its
+        error is relative to; what cancels: x/sqrt(sqrt(x**2 + y**2)**2 + z**2)*velocity_x +
+        y/sqrt(sqrt(x**2 + y**2)**2 + z**2)*velocity_y + z/sqrt(sqrt(x**2 + y**2)**2 +
         z**2)*velocity_z.
     elevation_rate: rate of the elevation, rad/s. Error over the sum of its terms taken positive at
         most 8.51 * 2^-52 (float64), 8.51 * 2^-23 (float32), proved for every input, and 8e-42
         (float32) beside it where a product underflows. Digits that can be lost: up to 16 of 16 in
-        float64 and 7 of 7 in float32; half or more only where the value is below 2e-7 in float64
-        and 0.009 in float32 of what its error is relative to; values below 7e-36 (float32) apart;
-        what cancels: sqrt(... + ...)/sqrt(... + ...)*velocity_z - z/sqrt(... +
-        ...)*(x/horizontal_distance*velocity_x + y/horizontal_distance*velocity_y).
+        float64 and 7 of 7 in float32; half or more only where the value is below 3e-7 in float64
+        and 0.02 in float32 of what its error is relative to; values below 7e-36 (float32) apart;
+        what cancels: sqrt(x**2 + y**2)/sqrt(sqrt(x**2 + y**2)**2 + z**2)*velocity_z -
+        z/sqrt(sqrt(x**2 + y**2)**2 + z**2)*(x/sqrt(x**2 + y**2)*velocity_x + y/sqrt(x**2 +
+        y**2)*velocity_y).
     bearing_rate: rate of the bearing, rad/s. Error over the sum of its terms taken positive at most
         4.01 * 2^-52 (float64), 4.01 * 2^-23 (float32), proved for every input, and 8e-45 (float32)
         beside it where a product underflows. Digits that can be lost: up to 16 of 16 in float64 and
-        7 of 7 in float32; half or more only where the value is below 9e-8 in float64 and 0.004 in
+        7 of 7 in float32; half or more only where the value is below 2e-7 in float64 and 0.007 in
         float32 of what its error is relative to; what cancels: y/sqrt(x**2 + y**2)*velocity_x -
         x/sqrt(x**2 + y**2)*velocity_y.
     range_acceleration: second derivative of the range, m/s^2, never negative. Error over the sum of
         its terms taken positive at most 15.51 * 2^-52 (float64), 15.51 * 2^-23 (float32), proved
         for every input, and 3e-323 (float64) and 5e-32 (float32) beside it where a product
         underflows. Digits that can be lost: up to 16 of 16 in float64 and 7 of 7 in float32; half
-        or more only where the value is below 7e-7 in float64 and 0.02 in float32 of what its error
-        is relative to; values below 3e-26 (float32) apart; what cancels:
-        (sqrt(...)/sqrt(...)*velocity_z - z/sqrt(...)*(...*velocity_x + ...*velocity_y))**2 +
-        (y/sqrt(...)*velocity_x - x/sqrt(...)*velocity_y)**2.
+        or more only where the value is below 8e-7 in float64 and 0.03 in float32 of what its error
+        is relative to; values below 3e-26 (float32) apart; what cancels: (sqrt(x**2 +
+        y**2)/sqrt(sqrt(x**2 + y**2)**2 + z**2)*velocity_z - z/sqrt(sqrt(x**2 + y**2)**2 +
+        z**2)*(x/sqrt(x**2 + y**2)*velocity_x + y/sqrt(x**2 + y**2)*velocity_y))**2 + (y/sqrt(x**2 +
+        y**2)*velocity_x - x/sqrt(x**2 + y**2)*velocity_y)**2.
     elevation_acceleration: second derivative of the elevation, rad/s^2. Error over the sum of its
         terms taken positive at most 16.01 * 2^-52 (float64), 16.01 * 2^-23 (float32), proved for
         every input, and 3e-323 (float64) and 5e-29 (float32) beside it where a product underflows.
         Digits that can be lost: up to 16 of 16 in float64 and 7 of 7 in float32; half or more only
-        where the value is below 7e-7 in float64 and 0.02 in float32 of what its error is relative
+        where the value is below 9e-7 in float64 and 0.03 in float32 of what its error is relative
         to; values below 3e-23 (float32) apart; what cancels: y/sqrt(x**2 + y**2)*velocity_x -
         x/sqrt(x**2 + y**2)*velocity_y.
     bearing_acceleration: second derivative of the bearing, rad/s^2. Error over the sum of its terms
         taken positive at most 8.51 * 2^-52 (float64), 8.51 * 2^-23 (float32), proved for every
         input, and 8e-32 (float32) beside it where a product underflows. Digits that can be lost: up
         to 16 of 16 in float64 and 7 of 7 in float32; half or more only where the value is below
-        2e-7 in float64 and 0.009 in float32 of what its error is relative to; values below 7e-26
+        3e-7 in float64 and 0.02 in float32 of what its error is relative to; values below 7e-26
         (float32) apart; what cancels: y/sqrt(x**2 + y**2)*velocity_x - x/sqrt(x**2 +
         y**2)*velocity_y.
 
@@ -1666,27 +1668,27 @@ def straight_course_rates_in_plane(
     range_rate: range rate, m/s (Doppler shift: -2 times it over the wavelength). Error over the sum
         of its terms taken positive at most 2.51 * 2^-52 (float64), 2.51 * 2^-23 (float32), proved
         for every input. Digits that can be lost: up to 16 of 16 in float64 and 7 of 7 in float32;
-        half or more only where the value is below 6e-8 in float64 and 0.002 in float32 of what its
+        half or more only where the value is below 7e-8 in float64 and 0.002 in float32 of what its
         error is relative to; what cancels: x/sqrt(x**2 + y**2)*velocity_x + y/sqrt(x**2 +
         y**2)*velocity_y.
     bearing_rate: rate of the bearing, rad/s. Error over the sum of its terms taken positive at most
         4.01 * 2^-52 (float64), 4.01 * 2^-23 (float32), proved for every input, and 8e-45 (float32)
         beside it where a product underflows. Digits that can be lost: up to 16 of 16 in float64 and
-        7 of 7 in float32; half or more only where the value is below 9e-8 in float64 and 0.004 in
+        7 of 7 in float32; half or more only where the value is below 2e-7 in float64 and 0.007 in
         float32 of what its error is relative to; what cancels: y/sqrt(x**2 + y**2)*velocity_x -
         x/sqrt(x**2 + y**2)*velocity_y.
     range_acceleration: second derivative of the range, m/s^2, never negative. Error over the sum of
         its terms taken positive at most 7.01 * 2^-52 (float64), 7.01 * 2^-23 (float32), proved for
         every input, and 8e-42 (float32) beside it where a product underflows. Digits that can be
         lost: up to 16 of 16 in float64 and 7 of 7 in float32; half or more only where the value is
-        below 2e-7 in float64 and 0.007 in float32 of what its error is relative to; values below
+        below 2e-7 in float64 and 0.02 in float32 of what its error is relative to; values below
         9e-36 (float32) apart; what cancels: y/sqrt(x**2 + y**2)*velocity_x - x/sqrt(x**2 +
         y**2)*velocity_y.
     bearing_acceleration: second derivative of the bearing, rad/s^2. Error over the sum of its terms
         taken positive at most 8.51 * 2^-52 (float64), 8.51 * 2^-23 (float32), proved for every
         input, and 8e-32 (float32) beside it where a product underflows. Digits that can be lost: up
         to 16 of 16 in float64 and 7 of 7 in float32; half or more only where the value is below
-        2e-7 in float64 and 0.009 in float32 of what its error is relative to; values below 7e-26
+        3e-7 in float64 and 0.02 in float32 of what its error is relative to; values below 7e-26
         (float32) apart; what cancels: y/sqrt(x**2 + y**2)*velocity_x - x/sqrt(x**2 +
         y**2)*velocity_y.
 

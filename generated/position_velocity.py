@@ -524,8 +524,8 @@ def gains_by_tracking_index(
         variance's derivative is Lambda/delta times squares over Lambda w and over eta, a
         covariance's has products in place of the squares.
         As K = U R^-1: dK11 = dU11, dK21 = dU12, dK12 = dU12/S^2, dK22 = dU22/S^2.
-        The output gain_12 is the difference of two positive terms, gain_12_scale their sum.
-        The output gain_21 is the difference of two positive terms, gain_21_scale their sum.
+        The output gain_12 is the difference of two positive terms.
+        The output gain_21 is the difference of two positive terms.
         The entries themselves:
         gain_11 = U11, gain_12 = U12/S^2, gain_21 = U12, gain_22 = U22/S^2,
         U11 = (g/sigma + U12 U12/S^2)/(U22/S^2),
@@ -544,21 +544,17 @@ def gains_by_tracking_index(
     gain_11: derivative by Lambda of the position's gain on the measured position. Relative error at
         most 38.88 * 2^-52 (float64), 37.11 * 2^-23 (float32), proved for every input.
     gain_12: derivative by Lambda of the position's gain on the measured velocity over T. Error over
-        gain_12_scale at most 39.75 * 2^-52 (float64), 38.84 * 2^-23 (float32), proved for every
-        input. Cancellation in gain_12_difference, condition number 1: what it is the derivative of
-        grows in one part of the domain and falls in another, so that it vanishes between;
-        gain_12_scale is the sum of the terms whose difference it is. Digits that can be lost: up to
-        16 of 16 in float64 and 7 of 7 in float32; half or more only where the value is below 9e-7
-        in float64 and 0.02 in float32 of what its error is relative to; what cancels:
-        gain_12_difference.
-    gain_21: derivative by Lambda of the velocity's gain on the measured position times T. Error
-        over gain_21_scale at most 38.75 * 2^-52 (float64), 37.84 * 2^-23 (float32), proved for
-        every input. Cancellation in gain_21_difference, condition number 1: what it is the
-        derivative of grows in one part of the domain and falls in another, so that it vanishes
-        between; gain_21_scale is the sum of the terms whose difference it is. Digits that can be
+        the sum of its terms' sizes at most 39.75 * 2^-52 (float64), 38.84 * 2^-23 (float32), proved
+        for every input. Cancellation, condition number 1: what it is the derivative of grows in one
+        part of the domain and falls in another, so that it vanishes between. Digits that can be
         lost: up to 16 of 16 in float64 and 7 of 7 in float32; half or more only where the value is
-        below 9e-7 in float64 and 0.02 in float32 of what its error is relative to; what cancels:
-        gain_21_difference.
+        below 2e-6 in float64 and 0.04 in float32 of what its error is relative to.
+    gain_21: derivative by Lambda of the velocity's gain on the measured position times T. Error
+        over the sum of its terms' sizes at most 38.75 * 2^-52 (float64), 37.84 * 2^-23 (float32),
+        proved for every input. Cancellation, condition number 1: what it is the derivative of grows
+        in one part of the domain and falls in another, so that it vanishes between. Digits that can
+        be lost: up to 16 of 16 in float64 and 7 of 7 in float32; half or more only where the value
+        is below 1e-6 in float64 and 0.04 in float32 of what its error is relative to.
     gain_22: derivative by Lambda of the velocity's gain on the measured velocity. Relative error at
         most 46.88 * 2^-52 (float64), 44.78 * 2^-23 (float32), proved for every input.
 
@@ -750,7 +746,7 @@ def gains_by_velocity_ratio(
         covariance's has products in place of the squares.
         As K = U R^-1: dK11 = dU11, dK21 = dU12, dK12 = dU12/S^2 - 2 K12/S, and dK22 =
         dU22/S^2 - 2 K22/S, which is negative and has a form without a subtraction.
-        The output gain_12 is the difference of two positive terms, gain_12_scale their sum.
+        The output gain_12 is the difference of two positive terms.
         The entries themselves:
         gain_11 = U11, gain_12 = U12/S^2, gain_21 = U12, gain_22 = U22/S^2,
         U11 = (g/sigma + U12 U12/S^2)/(U22/S^2),
@@ -768,14 +764,12 @@ def gains_by_velocity_ratio(
 
     gain_11: derivative by S of the position's gain on the measured position. Relative error at most
         36.63 * 2^-52 (float64), 35.36 * 2^-23 (float32), proved for every input.
-    gain_12: derivative by S of the position's gain on the measured velocity over T. Error over
-        gain_12_scale at most 38.00 * 2^-52 (float64), 36.94 * 2^-23 (float32), proved for every
-        input. Cancellation in gain_12_difference, condition number 1: what it is the derivative of
-        grows in one part of the domain and falls in another, so that it vanishes between;
-        gain_12_scale is the sum of the terms whose difference it is. Digits that can be lost: up to
-        16 of 16 in float64 and 7 of 7 in float32; half or more only where the value is below 9e-7
-        in float64 and 0.02 in float32 of what its error is relative to; what cancels:
-        gain_12_difference.
+    gain_12: derivative by S of the position's gain on the measured velocity over T. Error over the
+        sum of its terms' sizes at most 38.00 * 2^-52 (float64), 36.94 * 2^-23 (float32), proved for
+        every input. Cancellation, condition number 1: what it is the derivative of grows in one
+        part of the domain and falls in another, so that it vanishes between. Digits that can be
+        lost: up to 16 of 16 in float64 and 7 of 7 in float32; half or more only where the value is
+        below 1e-6 in float64 and 0.03 in float32 of what its error is relative to.
     gain_21: derivative by S of the velocity's gain on the measured position times T. Relative error
         at most 36.50 * 2^-52 (float64), 35.44 * 2^-23 (float32), proved for every input.
     gain_22: derivative by S of the velocity's gain on the measured velocity. Relative error at most
@@ -1360,7 +1354,7 @@ def updated_covariance_by_tracking_index(
         covariance by a sum over the closed loop, which is a mean over z = 1 and z = -1: a
         variance's derivative is Lambda/delta times squares over Lambda w and over eta, a
         covariance's has products in place of the squares.
-        The output updated_12 is the difference of two positive terms, updated_12_scale their sum.
+        The output updated_12 is the difference of two positive terms.
         The entries themselves:
         updated_11 = U11, updated_12 = U12, updated_22 = U22,
         U11 = (g + s/sigma)/delta, U12 = h/sigma, U22 = (S^2 g + Lambda^2/sigma)/delta,
@@ -1380,13 +1374,12 @@ def updated_covariance_by_tracking_index(
         Relative error at most 38.88 * 2^-52 (float64), 34.89 * 2^-23 (float32), proved for every
         input.
     updated_12: derivative by Lambda of the covariance of updated position and velocity times
-        T/sigma_o^2. Error over updated_12_scale at most 38.75 * 2^-52 (float64), 37.29 * 2^-23
-        (float32), proved for every input. Cancellation in updated_12_difference, condition number
-        1: what it is the derivative of grows in one part of the domain and falls in another, so
-        that it vanishes between; updated_12_scale is the sum of the terms whose difference it is.
-        Digits that can be lost: up to 16 of 16 in float64 and 7 of 7 in float32; half or more only
-        where the value is below 9e-7 in float64 and 0.02 in float32 of what its error is relative
-        to; what cancels: updated_12_difference.
+        T/sigma_o^2. Error over the sum of its terms' sizes at most 38.75 * 2^-52 (float64), 37.29 *
+        2^-23 (float32), proved for every input. Cancellation, condition number 1: what it is the
+        derivative of grows in one part of the domain and falls in another, so that it vanishes
+        between. Digits that can be lost: up to 16 of 16 in float64 and 7 of 7 in float32; half or
+        more only where the value is below 1e-6 in float64 and 0.03 in float32 of what its error is
+        relative to.
     updated_22: derivative by Lambda of the variance of the updated velocity times T^2/sigma_o^2.
         Relative error at most 45.88 * 2^-52 (float64), 42.16 * 2^-23 (float32), proved for every
         input.
@@ -1824,22 +1817,20 @@ def closed_loop_poles(
         1e-12 and at most 1e12, in float32 at least 1e-6 and at most 1e6.
 
     half_sum: half the sum of the poles, the real part of each where they are complex. Error over
-        half_sum_scale at most 11.28 * 2^-52 (float64), 11.16 * 2^-23 (float32), proved for every
-        input. Cancellation in half_sum_difference, condition number 1: the real part of complex
-        poles vanishes on a curve; half_sum_scale is the sum of the terms' magnitudes. Digits that
-        can be lost: up to 16 of 16 in float64 and 7 of 7 in float32; half or more only where the
-        value is below 3e-7 in float64 and 0.006 in float32 of what its error is relative to; what
-        cancels: half_sum_difference.
+        the sum of its terms' sizes at most 11.28 * 2^-52 (float64), 11.16 * 2^-23 (float32), proved
+        for every input. Cancellation, condition number 1: the real part of complex poles vanishes
+        on a curve. Digits that can be lost: up to 16 of 16 in float64 and 7 of 7 in float32; half
+        or more only where the value is below 3e-7 in float64 and 0.009 in float32 of what its error
+        is relative to.
     modulus: the geometric mean of their moduli, the modulus of each where they are complex.
         Relative error at most 3.88 * 2^-52 (float64), 3.88 * 2^-23 (float32), proved for every
         input.
     quarter_discriminant: the square of half their difference, negative where they are complex.
-        Error over quarter_discriminant_scale at most 23.03 * 2^-52 (float64), 33.21 * 2^-23
-        (float32), proved for every input. Cancellation in quarter_discriminant_difference,
-        condition number 1: the poles meet on a curve; quarter_discriminant_scale is the sum of both
-        terms. Digits that can be lost: up to 16 of 16 in float64 and 7 of 7 in float32; half or
-        more only where the value is below 5e-7 in float64 and 0.02 in float32 of what its error is
-        relative to; what cancels: quarter_discriminant_difference.
+        Error over the sum of its terms' sizes at most 23.03 * 2^-52 (float64), 33.21 * 2^-23
+        (float32), proved for every input. Cancellation, condition number 1: the poles meet on a
+        curve. Digits that can be lost: up to 16 of 16 in float64 and 7 of 7 in float32; half or
+        more only where the value is below 6e-7 in float64 and 0.03 in float32 of what its error is
+        relative to.
 
     Every true value that an error is relative to is a normal number. Numbers and arrays are taken,
     arrays of any shapes that broadcast. Where all inputs are float32 so are the results; otherwise
@@ -1985,8 +1976,8 @@ def real_poles(
     negative_up_to: the 1/S^2 up to which both poles are real and negative, for no S where it is not
         positive. Error over positive_from at most 5.26 * 2^-52 (float64), 5.26 * 2^-23 (float32),
         proved for 1e-12 <= tracking_index <= 1000000000000.0 (float64) and 1e-08 <= tracking_index
-        <= 1e08 (float32). Digits that can be lost: up to 4 of 16 in float64; up to 3 of 7 in
-        float32, a quarter or more only where tracking_index >= 5.4.
+        <= 1e08 (float32). Digits that can be lost: up to 3.2 of 16 in float64; up to 2.7 of 7 in
+        float32, a quarter or more only where tracking_index >= 4.2.
 
     Outside an output's range, a few numbers next to its ends apart, its true value is no normal
     number: it comes as 0, a subnormal number or infinity, never as NaN. Numbers and arrays are

@@ -467,8 +467,8 @@ def gains_by_tracking_index(
         variance's derivative is Lambda/delta times squares over Lambda w and over eta, a
         covariance's has products in place of the squares.
         As K = U R^-1: dK11 = dU11, dK21 = dU12, dK12 = dU12/S^2, dK22 = dU22/S^2.
-        The output gain_12 is the difference of two positive terms, gain_12_scale their sum.
-        The output gain_21 is the difference of two positive terms, gain_21_scale their sum.
+        The output gain_12 is the difference of two positive terms.
+        The output gain_21 is the difference of two positive terms.
         The entries themselves:
         gain_11 = U11, gain_12 = U12/S^2, gain_21 = U12, gain_22 = U22/S^2,
         U11 = (g/sigma + U12 U12/S^2)/(U22/S^2),
@@ -487,21 +487,17 @@ def gains_by_tracking_index(
     gain_11: derivative by Lambda of the position's gain on the measured position. Relative error at
         most 34.79 * 2^-52 (float64), 27.90 * 2^-23 (float32), proved for every input.
     gain_12: derivative by Lambda of the position's gain on the measured velocity over T. Error over
-        gain_12_scale at most 39.53 * 2^-52 (float64), 33.49 * 2^-23 (float32), proved for every
-        input. Cancellation in gain_12_difference, condition number 1: what it is the derivative of
-        grows in one part of the domain and falls in another, so that it vanishes between;
-        gain_12_scale is the sum of the terms whose difference it is. Digits that can be lost: up to
-        16 of 16 in float64 and 7 of 7 in float32; half or more only where the value is below 9e-7
-        in float64 and 0.02 in float32 of what its error is relative to; what cancels:
-        gain_12_difference.
-    gain_21: derivative by Lambda of the velocity's gain on the measured position times T. Error
-        over gain_21_scale at most 38.53 * 2^-52 (float64), 32.49 * 2^-23 (float32), proved for
-        every input. Cancellation in gain_21_difference, condition number 1: what it is the
-        derivative of grows in one part of the domain and falls in another, so that it vanishes
-        between; gain_21_scale is the sum of the terms whose difference it is. Digits that can be
+        the sum of its terms' sizes at most 39.53 * 2^-52 (float64), 33.49 * 2^-23 (float32), proved
+        for every input. Cancellation, condition number 1: what it is the derivative of grows in one
+        part of the domain and falls in another, so that it vanishes between. Digits that can be
         lost: up to 16 of 16 in float64 and 7 of 7 in float32; half or more only where the value is
-        below 9e-7 in float64 and 0.02 in float32 of what its error is relative to; what cancels:
-        gain_21_difference.
+        below 1e-6 in float64 and 0.03 in float32 of what its error is relative to.
+    gain_21: derivative by Lambda of the velocity's gain on the measured position times T. Error
+        over the sum of its terms' sizes at most 38.53 * 2^-52 (float64), 32.49 * 2^-23 (float32),
+        proved for every input. Cancellation, condition number 1: what it is the derivative of grows
+        in one part of the domain and falls in another, so that it vanishes between. Digits that can
+        be lost: up to 16 of 16 in float64 and 7 of 7 in float32; half or more only where the value
+        is below 1e-6 in float64 and 0.03 in float32 of what its error is relative to.
     gain_22: derivative by Lambda of the velocity's gain on the measured velocity. Relative error at
         most 43.26 * 2^-52 (float64), 39.81 * 2^-23 (float32), proved for every input.
 
@@ -636,7 +632,7 @@ def gains_by_velocity_ratio(
         covariance's has products in place of the squares.
         As K = U R^-1: dK11 = dU11, dK21 = dU12, dK12 = dU12/S^2 - 2 K12/S, and dK22 =
         dU22/S^2 - 2 K22/S, which is negative and has a form without a subtraction.
-        The output gain_12 is the difference of two positive terms, gain_12_scale their sum.
+        The output gain_12 is the difference of two positive terms.
         The entries themselves:
         gain_11 = U11, gain_12 = U12/S^2, gain_21 = U12, gain_22 = U22/S^2,
         U11 = (g/sigma + U12 U12/S^2)/(U22/S^2),
@@ -654,14 +650,12 @@ def gains_by_velocity_ratio(
 
     gain_11: derivative by S of the position's gain on the measured position. Relative error at most
         87.54 * 2^-52 (float64), 78.83 * 2^-23 (float32), proved for every input.
-    gain_12: derivative by S of the position's gain on the measured velocity over T. Error over
-        gain_12_scale at most 41.03 * 2^-52 (float64), 35.99 * 2^-23 (float32), proved for every
-        input. Cancellation in gain_12_difference, condition number 1: what it is the derivative of
-        grows in one part of the domain and falls in another, so that it vanishes between;
-        gain_12_scale is the sum of the terms whose difference it is. Digits that can be lost: up to
-        16 of 16 in float64 and 7 of 7 in float32; half or more only where the value is below 9e-7
-        in float64 and 0.02 in float32 of what its error is relative to; what cancels:
-        gain_12_difference.
+    gain_12: derivative by S of the position's gain on the measured velocity over T. Error over the
+        sum of its terms' sizes at most 41.03 * 2^-52 (float64), 35.99 * 2^-23 (float32), proved for
+        every input. Cancellation, condition number 1: what it is the derivative of grows in one
+        part of the domain and falls in another, so that it vanishes between. Digits that can be
+        lost: up to 16 of 16 in float64 and 7 of 7 in float32; half or more only where the value is
+        below 2e-6 in float64 and 0.03 in float32 of what its error is relative to.
     gain_21: derivative by S of the velocity's gain on the measured position times T. Relative error
         at most 39.53 * 2^-52 (float64), 32.02 * 2^-23 (float32), proved for every input.
     gain_22: derivative by S of the velocity's gain on the measured velocity. Relative error at most
@@ -1174,7 +1168,7 @@ def updated_covariance_by_tracking_index(
         covariance by a sum over the closed loop, which is a mean over z = 1 and z = -1: a
         variance's derivative is Lambda/delta times squares over Lambda w and over eta, a
         covariance's has products in place of the squares.
-        The output updated_12 is the difference of two positive terms, updated_12_scale their sum.
+        The output updated_12 is the difference of two positive terms.
         The entries themselves:
         updated_11 = U11, updated_12 = U12, updated_22 = U22,
         U11 = (g + s/sigma)/delta, U12 = h/sigma, U22 = delta h,
@@ -1194,13 +1188,12 @@ def updated_covariance_by_tracking_index(
         Relative error at most 34.79 * 2^-52 (float64), 27.90 * 2^-23 (float32), proved for every
         input.
     updated_12: derivative by Lambda of the covariance of updated position and velocity times
-        T/sigma_o^2. Error over updated_12_scale at most 38.53 * 2^-52 (float64), 32.49 * 2^-23
-        (float32), proved for every input. Cancellation in updated_12_difference, condition number
-        1: what it is the derivative of grows in one part of the domain and falls in another, so
-        that it vanishes between; updated_12_scale is the sum of the terms whose difference it is.
-        Digits that can be lost: up to 16 of 16 in float64 and 7 of 7 in float32; half or more only
-        where the value is below 9e-7 in float64 and 0.02 in float32 of what its error is relative
-        to; what cancels: updated_12_difference.
+        T/sigma_o^2. Error over the sum of its terms' sizes at most 38.53 * 2^-52 (float64), 32.49 *
+        2^-23 (float32), proved for every input. Cancellation, condition number 1: what it is the
+        derivative of grows in one part of the domain and falls in another, so that it vanishes
+        between. Digits that can be lost: up to 16 of 16 in float64 and 7 of 7 in float32; half or
+        more only where the value is below 1e-6 in float64 and 0.03 in float32 of what its error is
+        relative to.
     updated_22: derivative by Lambda of the variance of the updated velocity times T^2/sigma_o^2.
         Relative error at most 42.26 * 2^-52 (float64), 38.81 * 2^-23 (float32), proved for every
         input.
@@ -1548,12 +1541,11 @@ def closed_loop_poles(
         Relative error at most 3.11 * 2^-52 (float64), 3.04 * 2^-23 (float32), proved for every
         input.
     quarter_discriminant: the square of half their difference, negative where they are complex.
-        Error over quarter_discriminant_scale at most 14.62 * 2^-52 (float64), 14.56 * 2^-23
-        (float32), proved for every input. Cancellation in quarter_discriminant_difference,
-        condition number 1: the poles meet on a curve; quarter_discriminant_scale is the sum of both
-        terms. Digits that can be lost: up to 16 of 16 in float64 and 7 of 7 in float32; half or
-        more only where the value is below 4e-7 in float64 and 0.008 in float32 of what its error is
-        relative to; what cancels: quarter_discriminant_difference.
+        Error over the sum of its terms' sizes at most 14.62 * 2^-52 (float64), 14.56 * 2^-23
+        (float32), proved for every input. Cancellation, condition number 1: the poles meet on a
+        curve. Digits that can be lost: up to 16 of 16 in float64 and 7 of 7 in float32; half or
+        more only where the value is below 4e-7 in float64 and 0.02 in float32 of what its error is
+        relative to.
 
     Every true value that an error is relative to is a normal number. Numbers and arrays are taken,
     arrays of any shapes that broadcast. Where all inputs are float32 so are the results; otherwise

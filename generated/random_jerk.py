@@ -3736,23 +3736,21 @@ def predicted_position_second_derivatives(
         and at most 2^1000, in float32 at least 2^-80 and at most 2^120.
 
     predicted_11: second derivative by Lambda of the variance of the predicted position over
-        sigma_v^2. Error over predicted_11_scale at most 65.59 * 2^-52 (float64), 69.44 * 2^-23
-        (float32), proved for 6.85269106364131e-186 <= tracking_index <= 1.0715086071862673e301
-        (float64) and 4.6732578e-24 <= tracking_index <= 1.329228e36 (float32). Cancellation in
-        predicted_11_turn, condition number 1: it bends down for a small index and up for a large
-        one; the scale is the sum of the two terms whose difference it is. Digits that can be lost:
-        up to 16 of 16 in float64, half or more only where 0.88 <= tracking_index <= 1.4; up to 7 of
-        7 in float32, half or more only where 0.88 <= tracking_index <= 1.4; what cancels:
-        predicted_11_turn.
+        sigma_v^2. Error over the sum of its terms' sizes at most 65.59 * 2^-52 (float64), 69.44 *
+        2^-23 (float32), proved for 6.85269106364131e-186 <= tracking_index <=
+        1.0715086071862673e301 (float64) and 4.6732578e-24 <= tracking_index <= 1.329228e36
+        (float32). Cancellation, condition number 1: it bends down for a small index and up for a
+        large one, so that it vanishes between. Digits that can be lost: up to 16 of 16 in float64,
+        half or more only where 0.88 <= tracking_index <= 1.4; up to 7 of 7 in float32, half or more
+        only where 0.77 <= tracking_index <= 1.6.
     predicted_12: second derivative by Lambda of the covariance of predicted position and velocity
-        times T/sigma_v^2. Error over predicted_12_scale at most 67.93 * 2^-52 (float64), 71.60 *
-        2^-23 (float32), proved for 1.688508503057271e-226 <= tracking_index <=
+        times T/sigma_v^2. Error over the sum of its terms' sizes at most 67.93 * 2^-52 (float64),
+        71.60 * 2^-23 (float32), proved for 1.688508503057271e-226 <= tracking_index <=
         1.0715086071862673e301 (float64) and 8.271806e-25 <= tracking_index <= 1.329228e36
-        (float32). Cancellation in predicted_12_turn, condition number 1: it bends down for a small
-        index and up for a large one; the scale is the sum of the two terms whose difference it is.
-        Digits that can be lost: up to 16 of 16 in float64, half or more only where 0.292965 <=
-        tracking_index <= 0.293093; up to 7 of 7 in float32, half or more only where 0.23 <=
-        tracking_index <= 0.36; what cancels: predicted_12_turn.
+        (float32). Cancellation, condition number 1: it bends down for a small index and up for a
+        large one, so that it vanishes between. Digits that can be lost: up to 16 of 16 in float64,
+        half or more only where 0.292965 <= tracking_index <= 0.293093; up to 7 of 7 in float32,
+        half or more only where 0.2 <= tracking_index <= 0.41.
 
     Outside an output's range, a few numbers next to its ends apart, its true value is no normal
     number: it comes as 0, a subnormal number or infinity, never as NaN. Numbers and arrays are
@@ -4035,28 +4033,25 @@ def updated_covariance_second_derivatives(
         finite.
 
     updated_22: second derivative by Lambda of the variance of the updated velocity times
-        T^2/sigma_v^2. Error over updated_22_scale at most 38.70 * 2^-52 (float64), 41.94 * 2^-23
-        (float32), proved for 5e-324 <= tracking_index <= 1.7976931348623157e308 (float64) and 1e-45
-        <= tracking_index <= 3.4028235e38 (float32). Cancellation in updated_22_turn, condition
-        number 1: it bends down for a small index and up for a large one; the scale is the sum of
-        the two terms whose difference it is. Digits that can be lost: up to 16 of 16 in float64,
-        half or more only where 4 <= tracking_index <= 4.9 or 6.3 <= tracking_index <= 6.7 or
-        tracking_index >= 91000; up to 7 of 7 in float32, half or more only where tracking_index >=
-        1.9; what cancels: updated_22_turn.
+        T^2/sigma_v^2. Error over the sum of its terms' sizes at most 38.70 * 2^-52 (float64), 41.94
+        * 2^-23 (float32), proved for 5e-324 <= tracking_index <= 1.7976931348623157e308 (float64)
+        and 1e-45 <= tracking_index <= 3.4028235e38 (float32). Cancellation, condition number 1: it
+        bends down for a small index and up for a large one, so that it vanishes between. Digits
+        that can be lost: up to 16 of 16 in float64, half or more only where 4 <= tracking_index <=
+        4.9 or 6.3 <= tracking_index <= 6.7 or tracking_index >= 91000; up to 7 of 7 in float32,
+        half or more only where tracking_index >= 1.2.
     updated_23: second derivative by Lambda of the covariance of updated velocity and acceleration
-        times T^3/sigma_v^2. Error over updated_23_scale at most 28.14 * 2^-52 (float64), 30.53 *
-        2^-23 (float32), proved for 5e-324 <= tracking_index <= 1.7976931348623157e308 (float64) and
-        1e-45 <= tracking_index <= 3.4028235e38 (float32). Cancellation in updated_23_turn,
-        condition number 1: what the update takes from M'' stays less than it; the scale is the sum
-        of both. Digits that can be lost: up to 4 of 16 in float64; up to 4 of 7 in float32, a
-        quarter or more only where tracking_index >= 8e-7; what cancels: updated_23_turn.
+        times T^3/sigma_v^2. Error over the sum of its terms' sizes at most 28.14 * 2^-52 (float64),
+        30.53 * 2^-23 (float32), proved for 5e-324 <= tracking_index <= 1.7976931348623157e308
+        (float64) and 1e-45 <= tracking_index <= 3.4028235e38 (float32). Cancellation, condition
+        number 1: what the update takes from M'' stays less than it. Digits that can be lost: up to
+        3.9 of 16 in float64; up to 3.4 of 7 in float32.
     updated_33: second derivative by Lambda of the variance of the updated acceleration times
-        T^4/sigma_v^2. Error over updated_33_scale at most 16.31 * 2^-52 (float64), 17.75 * 2^-23
-        (float32), proved for 5e-324 <= tracking_index <= 1.7976931348623157e308 (float64) and 1e-45
-        <= tracking_index <= 3.4028235e38 (float32). Cancellation in updated_33_turn, condition
-        number 1: what the update takes from M'' stays less than it; the scale is the sum of both.
-        Digits that can be lost: up to 4 of 16 in float64; up to 3 of 7 in float32, a quarter or
-        more only where tracking_index >= 0.051; what cancels: updated_33_turn.
+        T^4/sigma_v^2. Error over the sum of its terms' sizes at most 16.31 * 2^-52 (float64), 17.75
+        * 2^-23 (float32), proved for 5e-324 <= tracking_index <= 1.7976931348623157e308 (float64)
+        and 1e-45 <= tracking_index <= 3.4028235e38 (float32). Cancellation, condition number 1:
+        what the update takes from M'' stays less than it. Digits that can be lost: up to 3.3 of 16
+        in float64; up to 3 of 7 in float32, a quarter or more only where tracking_index >= 0.0021.
 
     Outside an output's range, a few numbers next to its ends apart, its true value is no normal
     number: it comes as 0, a subnormal number or infinity, never as NaN. Numbers and arrays are

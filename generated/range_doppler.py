@@ -703,8 +703,9 @@ def range_rate(
         taken positive at most 4.76 * 2^-52 (float64), 4.76 * 2^-23 (float32), proved for every
         input, and 2e-262 (float64) and 5e-35 (float32) beside it where a product underflows. Digits
         that can be lost: up to 16 of 16 in float64 and 7 of 7 in float32; half or more only where
-        the value is below 3e-7 in float64 and 0.005 in float32 of what its error is relative to;
-        values below 2e-247 (float64) and 8e-29 (float32) apart; what cancels: range_rate.
+        the value is below 3e-7 in float64 and 0.008 in float32 of what its error is relative to;
+        values below 2e-247 (float64) and 8e-29 (float32) apart; what cancels: the terms of
+        range_rate.
 
     Numbers and arrays are taken, arrays of any shapes that broadcast. Where all inputs are float32
     so are the results; otherwise everything becomes float64, integers too. `out`: a tuple of arrays
@@ -907,26 +908,26 @@ def range_rate_jacobian(
         the sum of its terms taken positive at most 10.76 * 2^-52 (float64), 10.76 * 2^-23
         (float32), proved for every input, and 4e-242 (float64) and 9e-29 (float32) beside it where
         a product underflows. Digits that can be lost: up to 16 of 16 in float64 and 7 of 7 in
-        float32; half or more only where the value is below 5e-7 in float64 and 0.02 in float32 of
+        float32; half or more only where the value is below 6e-7 in float64 and 0.02 in float32 of
         what its error is relative to; values below 2e-227 (float64) and 7e-23 (float32) apart; what
-        cancels: target_velocity_x - station_velocity_x - (... + ... + ...*velocity_z)*(target_x -
-        station_x)/sqrt(...).
+        cancels: target_velocity_x - station_velocity_x - (... + ...*(target_velocity_z -
+        station_velocity_z))*(target_x - station_x)/....
     range_rate_D_y: derivative of the range rate by the target's position along y, 1/s. Error over
         the sum of its terms taken positive at most 10.76 * 2^-52 (float64), 10.76 * 2^-23
         (float32), proved for every input, and 4e-242 (float64) and 9e-29 (float32) beside it where
         a product underflows. Digits that can be lost: up to 16 of 16 in float64 and 7 of 7 in
-        float32; half or more only where the value is below 5e-7 in float64 and 0.02 in float32 of
+        float32; half or more only where the value is below 6e-7 in float64 and 0.02 in float32 of
         what its error is relative to; values below 2e-227 (float64) and 7e-23 (float32) apart; what
-        cancels: target_velocity_y - station_velocity_y - (... + ... + ...*velocity_z)*(target_y -
-        station_y)/sqrt(...).
+        cancels: target_velocity_y - station_velocity_y - (... + ...*(target_velocity_z -
+        station_velocity_z))*(target_y - station_y)/....
     range_rate_D_z: derivative of the range rate by the target's position along z, 1/s. Error over
         the sum of its terms taken positive at most 10.76 * 2^-52 (float64), 10.76 * 2^-23
         (float32), proved for every input, and 4e-242 (float64) and 9e-29 (float32) beside it where
         a product underflows. Digits that can be lost: up to 16 of 16 in float64 and 7 of 7 in
-        float32; half or more only where the value is below 5e-7 in float64 and 0.02 in float32 of
+        float32; half or more only where the value is below 6e-7 in float64 and 0.02 in float32 of
         what its error is relative to; values below 2e-227 (float64) and 7e-23 (float32) apart; what
-        cancels: target_velocity_z - station_velocity_z - (... + ... + ...*velocity_z)*(target_z -
-        station_z)/sqrt(...).
+        cancels: target_velocity_z - station_velocity_z - (... + ...*(target_velocity_z -
+        station_velocity_z))*(target_z - station_z)/....
     range_rate_D_velocity_x: derivative of the range rate by the target's velocity along x,
         dimensionless. Relative error at most 2.76 * 2^-52 (float64), 2.76 * 2^-23 (float32), proved
         for every input, and 3e-323 (float64) and 8e-45 (float32) beside it where a product
@@ -1174,8 +1175,9 @@ def range_doppler(
         taken positive at most 4.76 * 2^-52 (float64), 4.76 * 2^-23 (float32), proved for every
         input, and 2e-262 (float64) and 5e-35 (float32) beside it where a product underflows. Digits
         that can be lost: up to 16 of 16 in float64 and 7 of 7 in float32; half or more only where
-        the value is below 3e-7 in float64 and 0.005 in float32 of what its error is relative to;
-        values below 2e-247 (float64) and 8e-29 (float32) apart; what cancels: range_rate.
+        the value is below 3e-7 in float64 and 0.008 in float32 of what its error is relative to;
+        values below 2e-247 (float64) and 8e-29 (float32) apart; what cancels: the terms of
+        range_rate.
     range_D_x: derivative of the range by the target's position along x, dimensionless. Relative
         error at most 2.76 * 2^-52 (float64), 2.76 * 2^-23 (float32), proved for every input, and
         3e-323 (float64) and 8e-45 (float32) beside it where a product underflows.
@@ -1189,26 +1191,26 @@ def range_doppler(
         the sum of its terms taken positive at most 10.76 * 2^-52 (float64), 10.76 * 2^-23
         (float32), proved for every input, and 4e-242 (float64) and 9e-29 (float32) beside it where
         a product underflows. Digits that can be lost: up to 16 of 16 in float64 and 7 of 7 in
-        float32; half or more only where the value is below 5e-7 in float64 and 0.02 in float32 of
+        float32; half or more only where the value is below 6e-7 in float64 and 0.02 in float32 of
         what its error is relative to; values below 2e-227 (float64) and 7e-23 (float32) apart; what
-        cancels: target_velocity_x - station_velocity_x - (... + ... + ...*velocity_z)*(target_x -
-        station_x)/sqrt(...).
+        cancels: target_velocity_x - station_velocity_x - (... + .../slant_range*(target_velocity_z
+        - station_velocity_z))*(target_x - station_x)/....
     range_rate_D_y: derivative of the range rate by the target's position along y, 1/s. Error over
         the sum of its terms taken positive at most 10.76 * 2^-52 (float64), 10.76 * 2^-23
         (float32), proved for every input, and 4e-242 (float64) and 9e-29 (float32) beside it where
         a product underflows. Digits that can be lost: up to 16 of 16 in float64 and 7 of 7 in
-        float32; half or more only where the value is below 5e-7 in float64 and 0.02 in float32 of
+        float32; half or more only where the value is below 6e-7 in float64 and 0.02 in float32 of
         what its error is relative to; values below 2e-227 (float64) and 7e-23 (float32) apart; what
-        cancels: target_velocity_y - station_velocity_y - (... + ... + ...*velocity_z)*(target_y -
-        station_y)/sqrt(...).
+        cancels: target_velocity_y - station_velocity_y - (... + .../slant_range*(target_velocity_z
+        - station_velocity_z))*(target_y - station_y)/....
     range_rate_D_z: derivative of the range rate by the target's position along z, 1/s. Error over
         the sum of its terms taken positive at most 10.76 * 2^-52 (float64), 10.76 * 2^-23
         (float32), proved for every input, and 4e-242 (float64) and 9e-29 (float32) beside it where
         a product underflows. Digits that can be lost: up to 16 of 16 in float64 and 7 of 7 in
-        float32; half or more only where the value is below 5e-7 in float64 and 0.02 in float32 of
+        float32; half or more only where the value is below 6e-7 in float64 and 0.02 in float32 of
         what its error is relative to; values below 2e-227 (float64) and 7e-23 (float32) apart; what
-        cancels: target_velocity_z - station_velocity_z - (... + ... + ...*velocity_z)*(target_z -
-        station_z)/sqrt(...).
+        cancels: target_velocity_z - station_velocity_z - (... + .../slant_range*(target_velocity_z
+        - station_velocity_z))*(target_z - station_z)/....
 
     Numbers and arrays are taken, arrays of any shapes that broadcast. Where all inputs are float32
     so are the results; otherwise everything becomes float64, integers too. `out`: a tuple of arrays
@@ -1603,50 +1605,48 @@ def range_rate_hessian(
         1/(m s). Error over the sum of its terms taken positive at most 16.76 * 2^-52 (float64),
         16.76 * 2^-23 (float32), proved for every input, and 3e-221 (float64) and 7e-22 (float32)
         beside it where a product underflows. Digits that can be lost: up to 16 of 16 in float64 and
-        7 of 7 in float32; half or more only where the value is below 8e-7 in float64 and 0.02 in
+        7 of 7 in float32; half or more only where the value is below 9e-7 in float64 and 0.03 in
         float32 of what its error is relative to; values below 6e-207 (float64) and 4e-16 (float32)
-        apart; what cancels: target_velocity_x - station_velocity_x - (... + ... +
-        ...*velocity_z)*(target_x - station_x)/sqrt(...).
+        apart; what cancels: target_velocity_x - station_velocity_x - (... + ...*(target_velocity_z
+        - station_velocity_z))*(target_x - station_x)/....
     range_rate_D_xy: second derivative of the range rate by the target's position along x and y,
         1/(m s). Error over the sum of its terms taken positive at most 17.26 * 2^-52 (float64),
         17.26 * 2^-23 (float32), proved for every input, and 2e-221 (float64) and 5e-22 (float32)
         beside it where a product underflows. Digits that can be lost: up to 16 of 16 in float64 and
-        7 of 7 in float32; half or more only where the value is below 8e-7 in float64 and 0.02 in
+        7 of 7 in float32; half or more only where the value is below 9e-7 in float64 and 0.03 in
         float32 of what its error is relative to; values below 5e-207 (float64) and 3e-16 (float32)
-        apart; what cancels: place_x/slant_range*.../slant_range +
-        place_y/slant_range*.../slant_range + (... + ...)/sqrt(...)*(-...*...).
+        apart; what cancels: (target_x - station_x)/...*... + (target_y - station_y)/...*... + ....
     range_rate_D_xz: second derivative of the range rate by the target's position along x and z,
         1/(m s). Error over the sum of its terms taken positive at most 17.26 * 2^-52 (float64),
         17.26 * 2^-23 (float32), proved for every input, and 2e-221 (float64) and 5e-22 (float32)
         beside it where a product underflows. Digits that can be lost: up to 16 of 16 in float64 and
-        7 of 7 in float32; half or more only where the value is below 8e-7 in float64 and 0.02 in
+        7 of 7 in float32; half or more only where the value is below 9e-7 in float64 and 0.03 in
         float32 of what its error is relative to; values below 5e-207 (float64) and 3e-16 (float32)
-        apart; what cancels: place_x/slant_range*.../slant_range +
-        place_z/slant_range*.../slant_range + (... + ...)/sqrt(...)*(-...*...).
+        apart; what cancels: (target_x - station_x)/...*... + (target_z - station_z)/...*... + ....
     range_rate_D_yy: second derivative of the range rate by the target's position along y, twice,
         1/(m s). Error over the sum of its terms taken positive at most 16.76 * 2^-52 (float64),
         16.76 * 2^-23 (float32), proved for every input, and 3e-221 (float64) and 7e-22 (float32)
         beside it where a product underflows. Digits that can be lost: up to 16 of 16 in float64 and
-        7 of 7 in float32; half or more only where the value is below 8e-7 in float64 and 0.02 in
+        7 of 7 in float32; half or more only where the value is below 9e-7 in float64 and 0.03 in
         float32 of what its error is relative to; values below 6e-207 (float64) and 4e-16 (float32)
-        apart; what cancels: target_velocity_y - station_velocity_y - (... + ... +
-        ...*velocity_z)*(target_y - station_y)/sqrt(...).
+        apart; what cancels: target_velocity_y - station_velocity_y - (... + ...*(target_velocity_z
+        - station_velocity_z))*(target_y - station_y)/....
     range_rate_D_yz: second derivative of the range rate by the target's position along y and z,
         1/(m s). Error over the sum of its terms taken positive at most 17.26 * 2^-52 (float64),
         17.26 * 2^-23 (float32), proved for every input, and 2e-221 (float64) and 5e-22 (float32)
         beside it where a product underflows. Digits that can be lost: up to 16 of 16 in float64 and
-        7 of 7 in float32; half or more only where the value is below 8e-7 in float64 and 0.02 in
+        7 of 7 in float32; half or more only where the value is below 9e-7 in float64 and 0.03 in
         float32 of what its error is relative to; values below 5e-207 (float64) and 3e-16 (float32)
-        apart; what cancels: target_velocity_z - station_velocity_z - (... + ... +
-        ...*velocity_z)*(target_z - station_z)/sqrt(...).
+        apart; what cancels: target_velocity_z - station_velocity_z - (... + ...*(target_velocity_z
+        - station_velocity_z))*(target_z - station_z)/....
     range_rate_D_zz: second derivative of the range rate by the target's position along z, twice,
         1/(m s). Error over the sum of its terms taken positive at most 16.76 * 2^-52 (float64),
         16.76 * 2^-23 (float32), proved for every input, and 3e-221 (float64) and 7e-22 (float32)
         beside it where a product underflows. Digits that can be lost: up to 16 of 16 in float64 and
-        7 of 7 in float32; half or more only where the value is below 8e-7 in float64 and 0.02 in
+        7 of 7 in float32; half or more only where the value is below 9e-7 in float64 and 0.03 in
         float32 of what its error is relative to; values below 6e-207 (float64) and 4e-16 (float32)
-        apart; what cancels: target_velocity_z - station_velocity_z - (... + ... +
-        ...*velocity_z)*(target_z - station_z)/sqrt(...).
+        apart; what cancels: target_velocity_z - station_velocity_z - (... + ...*(target_velocity_z
+        - station_velocity_z))*(target_z - station_z)/....
 
     Numbers and arrays are taken, arrays of any shapes that broadcast. Where all inputs are float32
     so are the results; otherwise everything becomes float64, integers too. `out`: a tuple of arrays
@@ -1934,33 +1934,32 @@ def doppler_shift(
         the sum of its terms taken positive at most 5.76 * 2^-52 (float64), 6.26 * 2^-23 (float32),
         proved for every input, and 6e-241 (float64) and 2e-28 (float32) beside it where a product
         underflows. Digits that can be lost: up to 16 of 16 in float64 and 7 of 7 in float32; half
-        or more only where the value is below 3e-7 in float64 and 0.007 in float32 of what its error
-        is relative to; values below 4e-226 (float64) and 2e-22 (float32) apart; what cancels:
-        range_rate.
+        or more only where the value is below 3e-7 in float64 and 0.01 in float32 of what its error
+        is relative to; values below 4e-226 (float64) and 2e-22 (float32) apart.
     doppler_shift_D_x: derivative of the shift by the target's position along x, Hz/m. Error over
         the sum of its terms taken positive at most 11.76 * 2^-52 (float64), 12.26 * 2^-23
         (float32), proved for every input, and 2e-220 (float64) and 3e-22 (float32) beside it where
         a product underflows. Digits that can be lost: up to 16 of 16 in float64 and 7 of 7 in
-        float32; half or more only where the value is below 5e-7 in float64 and 0.02 in float32 of
+        float32; half or more only where the value is below 6e-7 in float64 and 0.02 in float32 of
         what its error is relative to; values below 4e-206 (float64) and 2e-16 (float32) apart; what
-        cancels: target_velocity_x - station_velocity_x - (... + ... + ...*velocity_z)*(target_x -
-        station_x)/sqrt(...).
+        cancels: target_velocity_x - station_velocity_x - (... + ...*(target_velocity_z -
+        station_velocity_z))*(target_x - station_x)/....
     doppler_shift_D_y: derivative of the shift by the target's position along y, Hz/m. Error over
         the sum of its terms taken positive at most 11.76 * 2^-52 (float64), 12.26 * 2^-23
         (float32), proved for every input, and 2e-220 (float64) and 3e-22 (float32) beside it where
         a product underflows. Digits that can be lost: up to 16 of 16 in float64 and 7 of 7 in
-        float32; half or more only where the value is below 5e-7 in float64 and 0.02 in float32 of
+        float32; half or more only where the value is below 6e-7 in float64 and 0.02 in float32 of
         what its error is relative to; values below 4e-206 (float64) and 2e-16 (float32) apart; what
-        cancels: target_velocity_y - station_velocity_y - (... + ... + ...*velocity_z)*(target_y -
-        station_y)/sqrt(...).
+        cancels: target_velocity_y - station_velocity_y - (... + ...*(target_velocity_z -
+        station_velocity_z))*(target_y - station_y)/....
     doppler_shift_D_z: derivative of the shift by the target's position along z, Hz/m. Error over
         the sum of its terms taken positive at most 11.76 * 2^-52 (float64), 12.26 * 2^-23
         (float32), proved for every input, and 2e-220 (float64) and 3e-22 (float32) beside it where
         a product underflows. Digits that can be lost: up to 16 of 16 in float64 and 7 of 7 in
-        float32; half or more only where the value is below 5e-7 in float64 and 0.02 in float32 of
+        float32; half or more only where the value is below 6e-7 in float64 and 0.02 in float32 of
         what its error is relative to; values below 4e-206 (float64) and 2e-16 (float32) apart; what
-        cancels: target_velocity_z - station_velocity_z - (... + ... + ...*velocity_z)*(target_z -
-        station_z)/sqrt(...).
+        cancels: target_velocity_z - station_velocity_z - (... + ...*(target_velocity_z -
+        station_velocity_z))*(target_z - station_z)/....
     doppler_shift_D_velocity_x: derivative of the shift by the target's velocity along x, Hz s/m.
         Relative error at most 3.76 * 2^-52 (float64), 4.26 * 2^-23 (float32), proved for every
         input, and 9e-302 (float64) and 3e-38 (float32) beside it where a product underflows.
@@ -2389,10 +2388,11 @@ def range_rate_in_plane(
         taken positive at most 4.01 * 2^-52 (float64), 4.01 * 2^-23 (float32), proved for every
         input, and 1e-262 (float64) and 3e-35 (float32) beside it where a product underflows. Digits
         that can be lost: up to 16 of 16 in float64 and 7 of 7 in float32; half or more only where
-        the value is below 2e-7 in float64 and 0.004 in float32 of what its error is relative to;
-        values below 2e-247 (float64) and 6e-29 (float32) apart; what cancels:
-        place_x/slant_range*(target_velocity_x - station_velocity_x) +
-        place_y/slant_range*(target_velocity_y - station_velocity_y).
+        the value is below 3e-7 in float64 and 0.007 in float32 of what its error is relative to;
+        values below 2e-247 (float64) and 6e-29 (float32) apart; what cancels: (target_x -
+        station_x)/sqrt((target_x - station_x)**2 + (target_y - station_y)**2)*(target_velocity_x -
+        station_velocity_x) + (target_y - station_y)/sqrt((target_x - station_x)**2 + (target_y -
+        station_y)**2)*(target_velocity_y - station_velocity_y).
 
     Numbers and arrays are taken, arrays of any shapes that broadcast. Where all inputs are float32
     so are the results; otherwise everything becomes float64, integers too. `out`: a tuple of arrays
@@ -2557,18 +2557,16 @@ def range_rate_jacobian_in_plane(
         the sum of its terms taken positive at most 9.51 * 2^-52 (float64), 9.51 * 2^-23 (float32),
         proved for every input, and 3e-242 (float64) and 6e-29 (float32) beside it where a product
         underflows. Digits that can be lost: up to 16 of 16 in float64 and 7 of 7 in float32; half
-        or more only where the value is below 5e-7 in float64 and 0.01 in float32 of what its error
+        or more only where the value is below 5e-7 in float64 and 0.02 in float32 of what its error
         is relative to; values below 1e-227 (float64) and 6e-23 (float32) apart; what cancels:
-        target_velocity_x - station_velocity_x - (...*velocity_x + ...*velocity_y)*(target_x -
-        station_x)/sqrt(...).
+        target_velocity_x - station_velocity_x - ...*(target_x - station_x)/....
     range_rate_D_y: derivative of the range rate by the target's position along y, 1/s. Error over
         the sum of its terms taken positive at most 9.51 * 2^-52 (float64), 9.51 * 2^-23 (float32),
         proved for every input, and 3e-242 (float64) and 6e-29 (float32) beside it where a product
         underflows. Digits that can be lost: up to 16 of 16 in float64 and 7 of 7 in float32; half
-        or more only where the value is below 5e-7 in float64 and 0.01 in float32 of what its error
+        or more only where the value is below 5e-7 in float64 and 0.02 in float32 of what its error
         is relative to; values below 1e-227 (float64) and 6e-23 (float32) apart; what cancels:
-        target_velocity_y - station_velocity_y - (...*velocity_x + ...*velocity_y)*(target_y -
-        station_y)/sqrt(...).
+        target_velocity_y - station_velocity_y - ...*(target_y - station_y)/....
     range_rate_D_velocity_x: derivative of the range rate by the target's velocity along x,
         dimensionless. Relative error at most 2.51 * 2^-52 (float64), 2.51 * 2^-23 (float32), proved
         for every input, and 3e-323 (float64) and 8e-45 (float32) beside it where a product
@@ -2757,10 +2755,11 @@ def range_doppler_in_plane(
         taken positive at most 4.01 * 2^-52 (float64), 4.01 * 2^-23 (float32), proved for every
         input, and 1e-262 (float64) and 3e-35 (float32) beside it where a product underflows. Digits
         that can be lost: up to 16 of 16 in float64 and 7 of 7 in float32; half or more only where
-        the value is below 2e-7 in float64 and 0.004 in float32 of what its error is relative to;
-        values below 2e-247 (float64) and 6e-29 (float32) apart; what cancels:
-        place_x/slant_range*(target_velocity_x - station_velocity_x) +
-        place_y/slant_range*(target_velocity_y - station_velocity_y).
+        the value is below 3e-7 in float64 and 0.007 in float32 of what its error is relative to;
+        values below 2e-247 (float64) and 6e-29 (float32) apart; what cancels: (target_x -
+        station_x)/sqrt((target_x - station_x)**2 + (target_y - station_y)**2)*(target_velocity_x -
+        station_velocity_x) + (target_y - station_y)/sqrt((target_x - station_x)**2 + (target_y -
+        station_y)**2)*(target_velocity_y - station_velocity_y).
     range_D_x: derivative of the range by the target's position along x, dimensionless. Relative
         error at most 2.51 * 2^-52 (float64), 2.51 * 2^-23 (float32), proved for every input, and
         3e-323 (float64) and 8e-45 (float32) beside it where a product underflows.
@@ -2771,18 +2770,16 @@ def range_doppler_in_plane(
         the sum of its terms taken positive at most 9.51 * 2^-52 (float64), 9.51 * 2^-23 (float32),
         proved for every input, and 3e-242 (float64) and 6e-29 (float32) beside it where a product
         underflows. Digits that can be lost: up to 16 of 16 in float64 and 7 of 7 in float32; half
-        or more only where the value is below 5e-7 in float64 and 0.01 in float32 of what its error
+        or more only where the value is below 5e-7 in float64 and 0.02 in float32 of what its error
         is relative to; values below 1e-227 (float64) and 6e-23 (float32) apart; what cancels:
-        target_velocity_x - station_velocity_x - (...*velocity_x + ...*velocity_y)*(target_x -
-        station_x)/sqrt(...).
+        target_velocity_x - station_velocity_x - ...*(target_x - station_x)/....
     range_rate_D_y: derivative of the range rate by the target's position along y, 1/s. Error over
         the sum of its terms taken positive at most 9.51 * 2^-52 (float64), 9.51 * 2^-23 (float32),
         proved for every input, and 3e-242 (float64) and 6e-29 (float32) beside it where a product
         underflows. Digits that can be lost: up to 16 of 16 in float64 and 7 of 7 in float32; half
-        or more only where the value is below 5e-7 in float64 and 0.01 in float32 of what its error
+        or more only where the value is below 5e-7 in float64 and 0.02 in float32 of what its error
         is relative to; values below 1e-227 (float64) and 6e-23 (float32) apart; what cancels:
-        target_velocity_y - station_velocity_y - (...*velocity_x + ...*velocity_y)*(target_y -
-        station_y)/sqrt(...).
+        target_velocity_y - station_velocity_y - ...*(target_y - station_y)/....
 
     Numbers and arrays are taken, arrays of any shapes that broadcast. Where all inputs are float32
     so are the results; otherwise everything becomes float64, integers too. `out`: a tuple of arrays
@@ -3065,26 +3062,25 @@ def range_rate_hessian_in_plane(
         1/(m s). Error over the sum of its terms taken positive at most 15.01 * 2^-52 (float64),
         15.01 * 2^-23 (float32), proved for every input, and 2e-221 (float64) and 4e-22 (float32)
         beside it where a product underflows. Digits that can be lost: up to 16 of 16 in float64 and
-        7 of 7 in float32; half or more only where the value is below 7e-7 in float64 and 0.02 in
+        7 of 7 in float32; half or more only where the value is below 8e-7 in float64 and 0.03 in
         float32 of what its error is relative to; values below 4e-207 (float64) and 2e-16 (float32)
-        apart; what cancels: target_velocity_x - station_velocity_x - (...*velocity_x +
-        ...*velocity_y)*(target_x - station_x)/sqrt(...).
+        apart; what cancels: target_velocity_x - station_velocity_x - ...*(target_x -
+        station_x)/....
     range_rate_D_xy: second derivative of the range rate by the target's position along x and y,
         1/(m s). Error over the sum of its terms taken positive at most 15.51 * 2^-52 (float64),
         15.51 * 2^-23 (float32), proved for every input, and 2e-221 (float64) and 4e-22 (float32)
         beside it where a product underflows. Digits that can be lost: up to 16 of 16 in float64 and
-        7 of 7 in float32; half or more only where the value is below 7e-7 in float64 and 0.02 in
+        7 of 7 in float32; half or more only where the value is below 8e-7 in float64 and 0.03 in
         float32 of what its error is relative to; values below 4e-207 (float64) and 2e-16 (float32)
-        apart; what cancels: place_x/slant_range*.../slant_range +
-        place_y/slant_range*.../slant_range + (... + ...)/sqrt(...)*(-...*...).
+        apart; what cancels: (target_x - station_x)/...*... + (target_y - station_y)/...*... + ....
     range_rate_D_yy: second derivative of the range rate by the target's position along y, twice,
         1/(m s). Error over the sum of its terms taken positive at most 15.01 * 2^-52 (float64),
         15.01 * 2^-23 (float32), proved for every input, and 2e-221 (float64) and 4e-22 (float32)
         beside it where a product underflows. Digits that can be lost: up to 16 of 16 in float64 and
-        7 of 7 in float32; half or more only where the value is below 7e-7 in float64 and 0.02 in
+        7 of 7 in float32; half or more only where the value is below 8e-7 in float64 and 0.03 in
         float32 of what its error is relative to; values below 4e-207 (float64) and 2e-16 (float32)
-        apart; what cancels: target_velocity_y - station_velocity_y - (...*velocity_x +
-        ...*velocity_y)*(target_y - station_y)/sqrt(...).
+        apart; what cancels: target_velocity_y - station_velocity_y - ...*(target_y -
+        station_y)/....
 
     Numbers and arrays are taken, arrays of any shapes that broadcast. Where all inputs are float32
     so are the results; otherwise everything becomes float64, integers too. `out`: a tuple of arrays
@@ -3287,26 +3283,26 @@ def doppler_shift_in_plane(
         the sum of its terms taken positive at most 5.01 * 2^-52 (float64), 5.51 * 2^-23 (float32),
         proved for every input, and 4e-241 (float64) and 10e-29 (float32) beside it where a product
         underflows. Digits that can be lost: up to 16 of 16 in float64 and 7 of 7 in float32; half
-        or more only where the value is below 3e-7 in float64 and 0.006 in float32 of what its error
+        or more only where the value is below 3e-7 in float64 and 0.009 in float32 of what its error
         is relative to; values below 3e-226 (float64) and 2e-22 (float32) apart; what cancels:
-        place_x/slant_range*(target_velocity_x - station_velocity_x) +
-        place_y/slant_range*(target_velocity_y - station_velocity_y).
+        (target_x - station_x)/sqrt((target_x - station_x)**2 + (target_y -
+        station_y)**2)*(target_velocity_x - station_velocity_x) + (target_y -
+        station_y)/sqrt((target_x - station_x)**2 + (target_y - station_y)**2)*(target_velocity_y -
+        station_velocity_y).
     doppler_shift_D_x: derivative of the shift by the target's position along x, Hz/m. Error over
         the sum of its terms taken positive at most 10.51 * 2^-52 (float64), 11.01 * 2^-23
         (float32), proved for every input, and 7e-221 (float64) and 2e-22 (float32) beside it where
         a product underflows. Digits that can be lost: up to 16 of 16 in float64 and 7 of 7 in
-        float32; half or more only where the value is below 5e-7 in float64 and 0.02 in float32 of
+        float32; half or more only where the value is below 6e-7 in float64 and 0.02 in float32 of
         what its error is relative to; values below 3e-206 (float64) and 2e-16 (float32) apart; what
-        cancels: target_velocity_x - station_velocity_x - (...*velocity_x +
-        ...*velocity_y)*(target_x - station_x)/sqrt(...).
+        cancels: target_velocity_x - station_velocity_x - ...*(target_x - station_x)/....
     doppler_shift_D_y: derivative of the shift by the target's position along y, Hz/m. Error over
         the sum of its terms taken positive at most 10.51 * 2^-52 (float64), 11.01 * 2^-23
         (float32), proved for every input, and 7e-221 (float64) and 2e-22 (float32) beside it where
         a product underflows. Digits that can be lost: up to 16 of 16 in float64 and 7 of 7 in
-        float32; half or more only where the value is below 5e-7 in float64 and 0.02 in float32 of
+        float32; half or more only where the value is below 6e-7 in float64 and 0.02 in float32 of
         what its error is relative to; values below 3e-206 (float64) and 2e-16 (float32) apart; what
-        cancels: target_velocity_y - station_velocity_y - (...*velocity_x +
-        ...*velocity_y)*(target_y - station_y)/sqrt(...).
+        cancels: target_velocity_y - station_velocity_y - ...*(target_y - station_y)/....
     doppler_shift_D_velocity_x: derivative of the shift by the target's velocity along x, Hz s/m.
         Relative error at most 3.51 * 2^-52 (float64), 4.01 * 2^-23 (float32), proved for every
         input, and 9e-302 (float64) and 3e-38 (float32) beside it where a product underflows.
@@ -3550,57 +3546,60 @@ def bistatic_range_doppler(
         * 2^-52 (float64), 5.26 * 2^-23 (float32), proved for every input, and 4e-262 (float64) and
         9e-35 (float32) beside it where a product underflows. Digits that can be lost: up to 16 of
         16 in float64 and 7 of 7 in float32; half or more only where the value is below 3e-7 in
-        float64 and 0.006 in float32 of what its error is relative to; values below 3e-247 (float64)
-        and 2e-28 (float32) apart; what cancels: ... + ... + ...*velocity_z + ... + ... +
-        ...*other_velocity_z.
+        float64 and 0.009 in float32 of what its error is relative to; values below 3e-247 (float64)
+        and 2e-28 (float32) apart; what cancels: ... + ...*(target_velocity_z -
+        first_station_velocity_z) + ... + ...*(target_velocity_z - second_station_velocity_z).
     bistatic_range_D_x: derivative of the bistatic range by the target's position along x,
         dimensionless. Error over the sum of its terms taken positive at most 3.26 * 2^-52
         (float64), 3.26 * 2^-23 (float32), proved for every input, and 5e-323 (float64) and 2e-44
         (float32) beside it where a product underflows. Digits that can be lost: up to 16 of 16 in
         float64 and 7 of 7 in float32; half or more only where the value is below 2e-7 in float64
-        and 0.004 in float32 of what its error is relative to; what cancels: (target_x -
-        first_station_x)/sqrt(... + ... + place_z**2) + (target_x - second_station_x)/sqrt(... + ...
-        + other_place_z**2).
+        and 0.006 in float32 of what its error is relative to; what cancels: (target_x -
+        first_station_x)/sqrt((target_x - first_station_x)**2 + (target_y - first_station_y)**2 +
+        (target_z - first_station_z)**2) + (target_x - second_station_x)/sqrt((target_x -
+        second_station_x)**2 + (target_y - second_station_y)**2 + (target_z - second_station_z)**2).
     bistatic_range_D_y: derivative of the bistatic range by the target's position along y,
         dimensionless. Error over the sum of its terms taken positive at most 3.26 * 2^-52
         (float64), 3.26 * 2^-23 (float32), proved for every input, and 5e-323 (float64) and 2e-44
         (float32) beside it where a product underflows. Digits that can be lost: up to 16 of 16 in
         float64 and 7 of 7 in float32; half or more only where the value is below 2e-7 in float64
-        and 0.004 in float32 of what its error is relative to; what cancels: (target_y -
-        first_station_y)/sqrt(... + ... + place_z**2) + (target_y - second_station_y)/sqrt(... + ...
-        + other_place_z**2).
+        and 0.006 in float32 of what its error is relative to; what cancels: (target_y -
+        first_station_y)/sqrt((target_x - first_station_x)**2 + (target_y - first_station_y)**2 +
+        (target_z - first_station_z)**2) + (target_y - second_station_y)/sqrt((target_x -
+        second_station_x)**2 + (target_y - second_station_y)**2 + (target_z - second_station_z)**2).
     bistatic_range_D_z: derivative of the bistatic range by the target's position along z,
         dimensionless. Error over the sum of its terms taken positive at most 3.26 * 2^-52
         (float64), 3.26 * 2^-23 (float32), proved for every input, and 5e-323 (float64) and 2e-44
         (float32) beside it where a product underflows. Digits that can be lost: up to 16 of 16 in
         float64 and 7 of 7 in float32; half or more only where the value is below 2e-7 in float64
-        and 0.004 in float32 of what its error is relative to; what cancels: (target_z -
-        first_station_z)/sqrt(... + ... + place_z**2) + (target_z - second_station_z)/sqrt(... + ...
-        + other_place_z**2).
+        and 0.006 in float32 of what its error is relative to; what cancels: (target_z -
+        first_station_z)/sqrt((target_x - first_station_x)**2 + (target_y - first_station_y)**2 +
+        (target_z - first_station_z)**2) + (target_z - second_station_z)/sqrt((target_x -
+        second_station_x)**2 + (target_y - second_station_y)**2 + (target_z - second_station_z)**2).
     bistatic_range_rate_D_x: derivative of the rate of the bistatic range by the target's position
         along x, 1/s. Error over the sum of its terms taken positive at most 11.26 * 2^-52
         (float64), 11.26 * 2^-23 (float32), proved for every input, and 7e-242 (float64) and 2e-28
         (float32) beside it where a product underflows. Digits that can be lost: up to 16 of 16 in
-        float64 and 7 of 7 in float32; half or more only where the value is below 5e-7 in float64
+        float64 and 7 of 7 in float32; half or more only where the value is below 6e-7 in float64
         and 0.02 in float32 of what its error is relative to; values below 3e-227 (float64) and
         2e-22 (float32) apart; what cancels: target_velocity_x - first_station_velocity_x - (... +
-        ... + ...*velocity_z)*(target_x - first_station_x)/sqrt(...).
+        ...*(target_velocity_z - first_station_velocity_z))*(target_x - first_station_x)/....
     bistatic_range_rate_D_y: derivative of the rate of the bistatic range by the target's position
         along y, 1/s. Error over the sum of its terms taken positive at most 11.26 * 2^-52
         (float64), 11.26 * 2^-23 (float32), proved for every input, and 7e-242 (float64) and 2e-28
         (float32) beside it where a product underflows. Digits that can be lost: up to 16 of 16 in
-        float64 and 7 of 7 in float32; half or more only where the value is below 5e-7 in float64
+        float64 and 7 of 7 in float32; half or more only where the value is below 6e-7 in float64
         and 0.02 in float32 of what its error is relative to; values below 3e-227 (float64) and
-        2e-22 (float32) apart; what cancels: target_velocity_y - second_station_velocity_y - (... +
-        ... + ...*other_velocity_z)*(target_y - second_station_y)/sqrt(...).
+        2e-22 (float32) apart; what cancels: target_velocity_y - second_station_velocity_y -
+        ...*(target_y - second_station_y)/....
     bistatic_range_rate_D_z: derivative of the rate of the bistatic range by the target's position
         along z, 1/s. Error over the sum of its terms taken positive at most 11.26 * 2^-52
         (float64), 11.26 * 2^-23 (float32), proved for every input, and 7e-242 (float64) and 2e-28
         (float32) beside it where a product underflows. Digits that can be lost: up to 16 of 16 in
-        float64 and 7 of 7 in float32; half or more only where the value is below 5e-7 in float64
+        float64 and 7 of 7 in float32; half or more only where the value is below 6e-7 in float64
         and 0.02 in float32 of what its error is relative to; values below 3e-227 (float64) and
         2e-22 (float32) apart; what cancels: target_velocity_z - first_station_velocity_z - (... +
-        ... + ...*velocity_z)*(target_z - first_station_z)/sqrt(...).
+        ...*(target_velocity_z - first_station_velocity_z))*(target_z - first_station_z)/....
 
     Numbers and arrays are taken, arrays of any shapes that broadcast. Where all inputs are float32
     so are the results; otherwise everything becomes float64, integers too. `out`: a tuple of arrays
@@ -3970,65 +3969,67 @@ def range_doppler_difference(
         sum of its terms taken positive at most 5.76 * 2^-52 (float64), 5.76 * 2^-23 (float32),
         proved for every input, and 8e-303 (float64) and 3e-44 (float32) beside it where a product
         underflows. Digits that can be lost: up to 16 of 16 in float64 and 7 of 7 in float32; half
-        or more only where the value is below 3e-7 in float64 and 0.006 in float32 of what its error
-        is relative to; values below 6e-288 (float64) apart; what cancels: baseline_x*reach_x +
-        baseline_y*reach_y + (second_station_z - first_station_z)*(place_z + other_place_z).
+        or more only where the value is below 3e-7 in float64 and 0.01 in float32 of what its error
+        is relative to; values below 6e-288 (float64) apart; what cancels: (second_station_x -
+        first_station_x)*(target_x - first_station_x + target_x - second_station_x) +
+        (second_station_y - first_station_y)*(target_y - first_station_y + target_y -
+        second_station_y) + (second_station_z - first_station_z)*(target_z - first_station_z +
+        target_z - second_station_z).
     range_rate_difference: its rate, m/s. Error over the sum of its terms taken positive at most
         14.26 * 2^-52 (float64), 14.26 * 2^-23 (float32), proved for every input, and 4e-171
         (float64) and 2e-16 (float32) beside it where a product underflows. Digits that can be lost:
         up to 16 of 16 in float64 and 7 of 7 in float32; half or more only where the value is below
-        7e-7 in float64 and 0.02 in float32 of what its error is relative to; values below 2e-156
+        8e-7 in float64 and 0.03 in float32 of what its error is relative to; values below 2e-156
         (float64) and 7e-11 (float32) apart; what cancels: second_station_y - first_station_y - (...
-        + ... + baseline_z*reach_z)/(sqrt(...) + sqrt(...))*(target_y - second_station_y)/sqrt(... +
-        ...).
+        + (second_station_z - first_station_z)*...)/...*(target_y - second_station_y)/....
     range_difference_D_x: derivative of the difference of the ranges by the target's position along
         x, dimensionless. Error over the sum of its terms taken positive at most 11.76 * 2^-52
         (float64), 11.76 * 2^-23 (float32), proved for every input, and 7e-202 (float64) and 2e-23
         (float32) beside it where a product underflows. Digits that can be lost: up to 16 of 16 in
-        float64 and 7 of 7 in float32; half or more only where the value is below 5e-7 in float64
+        float64 and 7 of 7 in float32; half or more only where the value is below 6e-7 in float64
         and 0.02 in float32 of what its error is relative to; values below 3e-187 (float64) and
-        2e-17 (float32) apart; what cancels: second_station_x - first_station_x - (... + ... +
-        baseline_z*reach_z)/(sqrt(...) + sqrt(...))*(target_x - second_station_x)/sqrt(... + ...).
+        2e-17 (float32) apart; what cancels: second_station_x - first_station_x - (... +
+        (second_station_z - first_station_z)*...)/...*(target_x - second_station_x)/....
     range_difference_D_y: derivative of the difference of the ranges by the target's position along
         y, dimensionless. Error over the sum of its terms taken positive at most 11.76 * 2^-52
         (float64), 11.76 * 2^-23 (float32), proved for every input, and 7e-202 (float64) and 2e-23
         (float32) beside it where a product underflows. Digits that can be lost: up to 16 of 16 in
-        float64 and 7 of 7 in float32; half or more only where the value is below 5e-7 in float64
+        float64 and 7 of 7 in float32; half or more only where the value is below 6e-7 in float64
         and 0.02 in float32 of what its error is relative to; values below 3e-187 (float64) and
-        2e-17 (float32) apart; what cancels: second_station_y - first_station_y - (... + ... +
-        baseline_z*reach_z)/(sqrt(...) + sqrt(...))*(target_y - second_station_y)/sqrt(... + ...).
+        2e-17 (float32) apart; what cancels: second_station_y - first_station_y - (... +
+        (second_station_z - first_station_z)*...)/...*(target_y - second_station_y)/....
     range_difference_D_z: derivative of the difference of the ranges by the target's position along
         z, dimensionless. Error over the sum of its terms taken positive at most 11.76 * 2^-52
         (float64), 11.76 * 2^-23 (float32), proved for every input, and 7e-202 (float64) and 2e-23
         (float32) beside it where a product underflows. Digits that can be lost: up to 16 of 16 in
-        float64 and 7 of 7 in float32; half or more only where the value is below 5e-7 in float64
+        float64 and 7 of 7 in float32; half or more only where the value is below 6e-7 in float64
         and 0.02 in float32 of what its error is relative to; values below 3e-187 (float64) and
-        2e-17 (float32) apart; what cancels: second_station_z - first_station_z - (... + ... +
-        baseline_z*reach_z)/(sqrt(...) + sqrt(...))*(target_z - second_station_z)/sqrt(... + ...).
+        2e-17 (float32) apart; what cancels: second_station_z - first_station_z - (... +
+        (second_station_z - first_station_z)*...)/...*(target_z - second_station_z)/....
     range_rate_difference_D_x: derivative of the difference of the range rates by the target's
         position along x, 1/s. Error over the sum of its terms taken positive at most 21.26 * 2^-52
         (float64), 21.26 * 2^-23 (float32), proved for every input, and 3e-150 (float64) and 7e-16
         (float32) beside it where a product underflows. Digits that can be lost: up to 16 of 16 in
-        float64 and 7 of 7 in float32; half or more only where the value is below 9e-7 in float64
-        and 0.03 in float32 of what its error is relative to; values below 5e-136 (float64) and
-        3e-10 (float32) apart; what cancels: drift_x - ... - other_range_rate*range_difference_D_x -
-        .../...*.../other_range.
+        float64 and 7 of 7 in float32; half or more only where the value is below 2e-6 in float64
+        and 0.04 in float32 of what its error is relative to; values below 5e-136 (float64) and
+        3e-10 (float32) apart; what cancels: second_station_velocity_x - first_station_velocity_x -
+        ... - ... - ...*(target_velocity_x - second_station_velocity_x - ...)/....
     range_rate_difference_D_y: derivative of the difference of the range rates by the target's
         position along y, 1/s. Error over the sum of its terms taken positive at most 21.26 * 2^-52
         (float64), 21.26 * 2^-23 (float32), proved for every input, and 3e-150 (float64) and 7e-16
         (float32) beside it where a product underflows. Digits that can be lost: up to 16 of 16 in
-        float64 and 7 of 7 in float32; half or more only where the value is below 9e-7 in float64
-        and 0.03 in float32 of what its error is relative to; values below 5e-136 (float64) and
-        3e-10 (float32) apart; what cancels: target_velocity_y - second_station_velocity_y - (... +
-        ... + ...*other_velocity_z)*(target_y - second_station_y)/sqrt(...).
+        float64 and 7 of 7 in float32; half or more only where the value is below 2e-6 in float64
+        and 0.04 in float32 of what its error is relative to; values below 5e-136 (float64) and
+        3e-10 (float32) apart; what cancels: target_velocity_y - second_station_velocity_y -
+        ...*(target_y - second_station_y)/....
     range_rate_difference_D_z: derivative of the difference of the range rates by the target's
         position along z, 1/s. Error over the sum of its terms taken positive at most 21.26 * 2^-52
         (float64), 21.26 * 2^-23 (float32), proved for every input, and 3e-150 (float64) and 7e-16
         (float32) beside it where a product underflows. Digits that can be lost: up to 16 of 16 in
-        float64 and 7 of 7 in float32; half or more only where the value is below 9e-7 in float64
-        and 0.03 in float32 of what its error is relative to; values below 5e-136 (float64) and
-        3e-10 (float32) apart; what cancels: drift_z - ... - other_range_rate*range_difference_D_z -
-        .../...*.../other_range.
+        float64 and 7 of 7 in float32; half or more only where the value is below 2e-6 in float64
+        and 0.04 in float32 of what its error is relative to; values below 5e-136 (float64) and
+        3e-10 (float32) apart; what cancels: second_station_velocity_z - first_station_velocity_z -
+        ... - ... - ...*(target_velocity_z - second_station_velocity_z - ...)/....
 
     Numbers and arrays are taken, arrays of any shapes that broadcast. Where all inputs are float32
     so are the results; otherwise everything becomes float64, integers too. `out`: a tuple of arrays
@@ -4406,42 +4407,43 @@ def bistatic_range_doppler_in_plane(
     bistatic_range_rate: its rate, m/s. Error over the sum of its terms taken positive at most 4.51
         * 2^-52 (float64), 4.51 * 2^-23 (float32), proved for every input, and 2e-262 (float64) and
         6e-35 (float32) beside it where a product underflows. Digits that can be lost: up to 16 of
-        16 in float64 and 7 of 7 in float32; half or more only where the value is below 2e-7 in
-        float64 and 0.005 in float32 of what its error is relative to; values below 2e-247 (float64)
-        and 2e-28 (float32) apart; what cancels: ...*velocity_x + ...*velocity_y +
-        ...*other_velocity_x + ...*other_velocity_y.
+        16 in float64 and 7 of 7 in float32; half or more only where the value is below 3e-7 in
+        float64 and 0.008 in float32 of what its error is relative to; values below 2e-247 (float64)
+        and 2e-28 (float32) apart.
     bistatic_range_D_x: derivative of the bistatic range by the target's position along x,
         dimensionless. Error over the sum of its terms taken positive at most 3.01 * 2^-52
         (float64), 3.01 * 2^-23 (float32), proved for every input, and 5e-323 (float64) and 2e-44
         (float32) beside it where a product underflows. Digits that can be lost: up to 16 of 16 in
         float64 and 7 of 7 in float32; half or more only where the value is below 2e-7 in float64
-        and 0.003 in float32 of what its error is relative to; what cancels: (target_x -
-        first_station_x)/sqrt(place_x**2 + place_y**2) + (target_x -
-        second_station_x)/sqrt(other_place_x**2 + other_place_y**2).
+        and 0.005 in float32 of what its error is relative to; what cancels: (target_x -
+        first_station_x)/sqrt((target_x - first_station_x)**2 + (target_y - first_station_y)**2) +
+        (target_x - second_station_x)/sqrt((target_x - second_station_x)**2 + (target_y -
+        second_station_y)**2).
     bistatic_range_D_y: derivative of the bistatic range by the target's position along y,
         dimensionless. Error over the sum of its terms taken positive at most 3.01 * 2^-52
         (float64), 3.01 * 2^-23 (float32), proved for every input, and 5e-323 (float64) and 2e-44
         (float32) beside it where a product underflows. Digits that can be lost: up to 16 of 16 in
         float64 and 7 of 7 in float32; half or more only where the value is below 2e-7 in float64
-        and 0.003 in float32 of what its error is relative to; what cancels: (target_y -
-        first_station_y)/sqrt(place_x**2 + place_y**2) + (target_y -
-        second_station_y)/sqrt(other_place_x**2 + other_place_y**2).
+        and 0.005 in float32 of what its error is relative to; what cancels: (target_y -
+        first_station_y)/sqrt((target_x - first_station_x)**2 + (target_y - first_station_y)**2) +
+        (target_y - second_station_y)/sqrt((target_x - second_station_x)**2 + (target_y -
+        second_station_y)**2).
     bistatic_range_rate_D_x: derivative of the rate of the bistatic range by the target's position
         along x, 1/s. Error over the sum of its terms taken positive at most 10.01 * 2^-52
         (float64), 10.01 * 2^-23 (float32), proved for every input, and 5e-242 (float64) and 2e-28
         (float32) beside it where a product underflows. Digits that can be lost: up to 16 of 16 in
-        float64 and 7 of 7 in float32; half or more only where the value is below 5e-7 in float64
-        and 0.01 in float32 of what its error is relative to; values below 2e-227 (float64) and
+        float64 and 7 of 7 in float32; half or more only where the value is below 6e-7 in float64
+        and 0.02 in float32 of what its error is relative to; values below 2e-227 (float64) and
         1e-22 (float32) apart; what cancels: target_velocity_x - first_station_velocity_x -
-        (...*velocity_x + ...*velocity_y)*(target_x - first_station_x)/sqrt(...).
+        ...*(target_x - first_station_x)/....
     bistatic_range_rate_D_y: derivative of the rate of the bistatic range by the target's position
         along y, 1/s. Error over the sum of its terms taken positive at most 10.01 * 2^-52
         (float64), 10.01 * 2^-23 (float32), proved for every input, and 5e-242 (float64) and 2e-28
         (float32) beside it where a product underflows. Digits that can be lost: up to 16 of 16 in
-        float64 and 7 of 7 in float32; half or more only where the value is below 5e-7 in float64
-        and 0.01 in float32 of what its error is relative to; values below 2e-227 (float64) and
+        float64 and 7 of 7 in float32; half or more only where the value is below 6e-7 in float64
+        and 0.02 in float32 of what its error is relative to; values below 2e-227 (float64) and
         1e-22 (float32) apart; what cancels: target_velocity_y - second_station_velocity_y -
-        (...*other_velocity_x + ...*other_velocity_y)*(target_y - second_station_y)/sqrt(...).
+        ...*(target_y - second_station_y)/....
 
     Numbers and arrays are taken, arrays of any shapes that broadcast. Where all inputs are float32
     so are the results; otherwise everything becomes float64, integers too. `out`: a tuple of arrays
@@ -4729,48 +4731,48 @@ def range_doppler_difference_in_plane(
         sum of its terms taken positive at most 5.01 * 2^-52 (float64), 5.01 * 2^-23 (float32),
         proved for every input, and 5e-303 (float64) and 3e-44 (float32) beside it where a product
         underflows. Digits that can be lost: up to 16 of 16 in float64 and 7 of 7 in float32; half
-        or more only where the value is below 3e-7 in float64 and 0.005 in float32 of what its error
+        or more only where the value is below 3e-7 in float64 and 0.008 in float32 of what its error
         is relative to; values below 5e-288 (float64) apart; what cancels: target_x -
         first_station_x + target_x - second_station_x.
     range_rate_difference: its rate, m/s. Error over the sum of its terms taken positive at most
         12.51 * 2^-52 (float64), 12.51 * 2^-23 (float32), proved for every input, and 2e-171
         (float64) and 5e-17 (float32) beside it where a product underflows. Digits that can be lost:
         up to 16 of 16 in float64 and 7 of 7 in float32; half or more only where the value is below
-        6e-7 in float64 and 0.02 in float32 of what its error is relative to; values below 6e-157
-        (float64) and 4e-11 (float32) apart; what cancels: second_station_x - first_station_x - (...
-        + ...)/(slant_range + other_range)*(target_x - second_station_x)/sqrt(...).
+        7e-7 in float64 and 0.02 in float32 of what its error is relative to; values below 6e-157
+        (float64) and 4e-11 (float32) apart; what cancels: second_station_x - first_station_x -
+        ...*(target_x - second_station_x)/....
     range_difference_D_x: derivative of the difference of the ranges by the target's position along
         x, dimensionless. Error over the sum of its terms taken positive at most 10.51 * 2^-52
         (float64), 10.51 * 2^-23 (float32), proved for every input, and 5e-202 (float64) and 2e-23
         (float32) beside it where a product underflows. Digits that can be lost: up to 16 of 16 in
-        float64 and 7 of 7 in float32; half or more only where the value is below 5e-7 in float64
+        float64 and 7 of 7 in float32; half or more only where the value is below 6e-7 in float64
         and 0.02 in float32 of what its error is relative to; values below 2e-187 (float64) and
-        1e-17 (float32) apart; what cancels: second_station_x - first_station_x - (... +
-        ...)/(slant_range + other_range)*(target_x - second_station_x)/sqrt(...).
+        1e-17 (float32) apart; what cancels: second_station_x - first_station_x - ...*(target_x -
+        second_station_x)/....
     range_difference_D_y: derivative of the difference of the ranges by the target's position along
         y, dimensionless. Error over the sum of its terms taken positive at most 10.51 * 2^-52
         (float64), 10.51 * 2^-23 (float32), proved for every input, and 5e-202 (float64) and 2e-23
         (float32) beside it where a product underflows. Digits that can be lost: up to 16 of 16 in
-        float64 and 7 of 7 in float32; half or more only where the value is below 5e-7 in float64
+        float64 and 7 of 7 in float32; half or more only where the value is below 6e-7 in float64
         and 0.02 in float32 of what its error is relative to; values below 2e-187 (float64) and
-        1e-17 (float32) apart; what cancels: second_station_y - first_station_y - (... +
-        ...)/(slant_range + other_range)*(target_y - second_station_y)/sqrt(...).
+        1e-17 (float32) apart; what cancels: second_station_y - first_station_y - ...*(target_y -
+        second_station_y)/....
     range_rate_difference_D_x: derivative of the difference of the range rates by the target's
         position along x, 1/s. Error over the sum of its terms taken positive at most 19.01 * 2^-52
         (float64), 19.01 * 2^-23 (float32), proved for every input, and 1e-150 (float64) and 3e-16
         (float32) beside it where a product underflows. Digits that can be lost: up to 16 of 16 in
-        float64 and 7 of 7 in float32; half or more only where the value is below 9e-7 in float64
-        and 0.02 in float32 of what its error is relative to; values below 3e-136 (float64) and
-        2e-10 (float32) apart; what cancels: second_station_x - first_station_x - (... +
-        ...)/(slant_range + other_range)*(target_x - second_station_x)/sqrt(...).
+        float64 and 7 of 7 in float32; half or more only where the value is below 1e-6 in float64
+        and 0.04 in float32 of what its error is relative to; values below 3e-136 (float64) and
+        2e-10 (float32) apart; what cancels: second_station_x - first_station_x - ...*(target_x -
+        second_station_x)/....
     range_rate_difference_D_y: derivative of the difference of the range rates by the target's
         position along y, 1/s. Error over the sum of its terms taken positive at most 19.01 * 2^-52
         (float64), 19.01 * 2^-23 (float32), proved for every input, and 1e-150 (float64) and 3e-16
         (float32) beside it where a product underflows. Digits that can be lost: up to 16 of 16 in
-        float64 and 7 of 7 in float32; half or more only where the value is below 9e-7 in float64
-        and 0.02 in float32 of what its error is relative to; values below 3e-136 (float64) and
-        2e-10 (float32) apart; what cancels: second_station_y - first_station_y - (... +
-        ...)/(slant_range + other_range)*(target_y - second_station_y)/sqrt(...).
+        float64 and 7 of 7 in float32; half or more only where the value is below 1e-6 in float64
+        and 0.04 in float32 of what its error is relative to; values below 3e-136 (float64) and
+        2e-10 (float32) apart; what cancels: second_station_y - first_station_y - ...*(target_y -
+        second_station_y)/....
 
     Numbers and arrays are taken, arrays of any shapes that broadcast. Where all inputs are float32
     so are the results; otherwise everything becomes float64, integers too. `out`: a tuple of arrays

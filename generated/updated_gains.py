@@ -317,16 +317,17 @@ def recursive_gains(
     next_alpha: position gain for the next index. Error over the sum of its terms taken positive at
         most 9.51 * 2^-52 (float64), 9.51 * 2^-23 (float32), proved for every input. Digits that can
         be lost: up to 16 of 16 in float64 and 7 of 7 in float32; half or more only where the value
-        is below 3e-7 in float64 and 0.005 in float32 of what its error is relative to; what
-        cancels: alpha + (next_index - tracking_index)/((tracking_index*.../4 +
-        1)*(tracking_index*.../4 + 2))/(tracking_index*(sqrt(... + 1) + 1)/4).
+        is below 3e-7 in float64 and 0.008 in float32 of what its error is relative to; what
+        cancels: alpha + (next_index - tracking_index)/((tracking_index*(sqrt(8/tracking_index + 1)
+        + 1)/4 + 1)*(tracking_index*(sqrt(8/tracking_index + 1) + 1)/4 +
+        2))/(tracking_index*(sqrt(8/tracking_index + 1) + 1)/4).
     next_beta: velocity gain times the sampling interval for the next index. Error over the sum of
         its terms taken positive at most 7.01 * 2^-52 (float64), 7.01 * 2^-23 (float32), proved for
         every input. Digits that can be lost: up to 16 of 16 in float64 and 7 of 7 in float32; half
-        or more only where the value is below 2e-7 in float64 and 0.004 in float32 of what its error
+        or more only where the value is below 2e-7 in float64 and 0.006 in float32 of what its error
         is relative to; what cancels: beta + 2*(next_index -
-        tracking_index)/((tracking_index*(sqrt(... + 1) + 1)/4 + 1)*(tracking_index*(sqrt(... + 1) +
-        1)/4 + 2)).
+        tracking_index)/((tracking_index*(sqrt(8/tracking_index + 1) + 1)/4 +
+        1)*(tracking_index*(sqrt(8/tracking_index + 1) + 1)/4 + 2)).
 
     Numbers and arrays are taken, arrays of any shapes that broadcast. Where all inputs are float32
     so are the results; otherwise everything becomes float64, integers too. `out`: a tuple of arrays

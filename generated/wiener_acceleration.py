@@ -3124,23 +3124,21 @@ def predicted_position_second_derivatives(
         2^-750 and at most 2^1000, in float32 at least 2^-80 and at most 2^120.
 
     predicted_11: second derivative by Lambda of the variance of the predicted position over
-        sigma_v^2. Error over predicted_11_scale at most 62.86 * 2^-52 (float64), 65.03 * 2^-23
-        (float32), proved for 6.852691063641087e-186 <= tracking_index <= 1.0715086071862673e301
-        (float64) and 4.6731686e-24 <= tracking_index <= 1.329228e36 (float32). Cancellation in
-        predicted_11_turn, condition number 1: it bends down for a small index and up for a large
-        one; the scale is the sum of the two terms whose difference it is. Digits that can be lost:
-        up to 16 of 16 in float64, half or more only where 0.95 <= tracking_index <= 1.2; up to 7 of
-        7 in float32, half or more only where 0.83 <= tracking_index <= 1.4; what cancels:
-        predicted_11_turn.
+        sigma_v^2. Error over the sum of its terms' sizes at most 62.86 * 2^-52 (float64), 65.03 *
+        2^-23 (float32), proved for 6.852691063641087e-186 <= tracking_index <=
+        1.0715086071862673e301 (float64) and 4.6731686e-24 <= tracking_index <= 1.329228e36
+        (float32). Cancellation, condition number 1: it bends down for a small index and up for a
+        large one, so that it vanishes between. Digits that can be lost: up to 16 of 16 in float64,
+        half or more only where 0.95 <= tracking_index <= 1.2; up to 7 of 7 in float32, half or more
+        only where 0.75 <= tracking_index <= 1.6.
     predicted_12: second derivative by Lambda of the covariance of predicted position and velocity
-        times T/sigma_v^2. Error over predicted_12_scale at most 64.09 * 2^-52 (float64), 66.77 *
-        2^-23 (float32), proved for 1.688508503057271e-226 <= tracking_index <=
+        times T/sigma_v^2. Error over the sum of its terms' sizes at most 64.09 * 2^-52 (float64),
+        66.77 * 2^-23 (float32), proved for 1.688508503057271e-226 <= tracking_index <=
         1.0715086071862673e301 (float64) and 8.271806e-25 <= tracking_index <= 1.329228e36
-        (float32). Cancellation in predicted_12_turn, condition number 1: it bends down for a small
-        index and up for a large one; the scale is the sum of the two terms whose difference it is.
-        Digits that can be lost: up to 16 of 16 in float64, half or more only where 0.27198 <=
-        tracking_index <= 0.272099; up to 7 of 7 in float32, half or more only where 0.22 <=
-        tracking_index <= 0.34; what cancels: predicted_12_turn.
+        (float32). Cancellation, condition number 1: it bends down for a small index and up for a
+        large one, so that it vanishes between. Digits that can be lost: up to 16 of 16 in float64,
+        half or more only where 0.27198 <= tracking_index <= 0.272099; up to 7 of 7 in float32, half
+        or more only where 0.2 <= tracking_index <= 0.37.
 
     Outside an output's range, a few numbers next to its ends apart, its true value is no normal
     number: it comes as 0, a subnormal number or infinity, never as NaN. Numbers and arrays are

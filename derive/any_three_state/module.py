@@ -12,6 +12,7 @@ from gainproof.derive.any_two_state.printed import (
     WIDTH,
     Printed,
     Wording,
+    linear,
     printed,
 )
 
@@ -51,16 +52,16 @@ def _meaning(kernel: str, output: str) -> str:
 def _equations(c: Context) -> tuple[str, ...]:
     """What the outputs are, over the roots; lines of the docstring's width."""
     f, n = c.shape.still, c.shape.shaken
-    numbers = [f"A{k} = {f[k]} + q ({n[k]})" for k in range(4)]
+    numbers = [f"A{k} = {linear((f[k], ''), (n[k], 'q'))}" for k in range(4)]
     weights, own = c.shape.closed_loop
+    sums = [linear(*((w, f"d{i}") for i, w in enumerate(weights.row(k)))) for k in (1, 2)]
     texts = [
         "d0^2 = A0, d1^2 = A1 + 2 d0 d2, d2^2 = A2 + 2 d3 d1, d3^2 = A3, q = Lambda^2,",
         f"{', '.join(numbers)};",
         "N = d0 + d1 + d2 + d3, sigma = N/8, alpha = 1 - 1/sigma^2,",
         *(
-            f"{name} = ({' + '.join(f'({w}) d{i}' for i, w in enumerate(weights.row(k)))})/N"
-            f" - ({own[k]}),"
-            for k, name in ((1, "beta"), (2, "gamma"))
+            f"{name} = {linear((int(text != '0'), f'({text})/N'), (-own[k], ''))},"
+            for k, name, text in zip((1, 2), ("beta", "gamma"), sums, strict=True)
         ),
         (
             "predicted_1j = sigma^2 (alpha, beta, gamma), updated_1j = (alpha, beta, gamma), the "

@@ -13,9 +13,22 @@ from gainproof.derive.any_two_state.names import ODDS
 from gainproof.derive.expression import real
 from gainproof.derive.model import Parameter
 
+MOST_SHOWN = 200
+"""Characters of an expression within a message: of more nobody reads what the matter is."""
+
 
 class NoSign(ArithmeticError):
     """An expression without a sign that is shown over the whole domain of the parameters."""
+
+
+def shown(expression: sp.Basic | sp.MatrixBase) -> str:
+    """An expression for a message; of a long one how it begins, and the symbols that it holds."""
+    text = str(expression.tolist() if isinstance(expression, sp.MatrixBase) else expression)
+    if len(text) <= MOST_SHOWN:
+        return text
+    names = ", ".join(sorted(map(str, expression.free_symbols)))
+    held = f" in {names}" if names else ""
+    return f"{text[: MOST_SHOWN // 3].rstrip()} ... ({len(text)} characters{held})"
 
 
 @dataclass(frozen=True)
@@ -76,7 +89,8 @@ class FreeNumbers:
                 continue
             if not is_manifestly_positive(-factor, self.tower.parameters):
                 wanted = "to be other than 0" if power % 2 == 0 else "to have one sign"
-                raise NoSign(f"{sp.factor(expression)} is not shown {wanted} for all parameters")
+                told = shown(sp.factor(expression))
+                raise NoSign(f"{told} is not shown {wanted} for all parameters")
             sign *= (-1) ** power
         return sign
 

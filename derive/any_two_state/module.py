@@ -8,7 +8,13 @@ from functools import partial
 from gainproof.derive.any_two_state import forms
 from gainproof.derive.any_two_state.context import Context
 from gainproof.derive.any_two_state.kernels import KERNELS, made
-from gainproof.derive.any_two_state.printed import WIDTH, Printed, Wording, printed
+from gainproof.derive.any_two_state.printed import (
+    WIDTH,
+    Printed,
+    Wording,
+    linear,
+    printed,
+)
 
 SUMMARIES = {
     "gains": "Steady-state filter gain.",
@@ -58,13 +64,16 @@ def _equations(c: Context) -> tuple[str, ...]:
     ]
     if forms.below_beta(c.basis) is None:
         texts.append(
-            f"({f12}) sigma beta = ({f22}) sigma + (d0 - d2)/2 + (1 - alpha) ({f11}) sigma;"
+            f"{linear((f12, 'sigma beta'))} = "
+            f"{linear((f22, 'sigma'), (1, '(d0 - d2)/2'), (f11, '(1 - alpha) sigma'))};"
         )
     else:
         first, second = forms.couplings(c.basis)
-        weights = " + ".join(f"({w}) d{i}" for i, w in enumerate(c.basis.far_weights) if w != 0)
+        weights = linear(*((w, f"d{i}") for i, w in enumerate(c.basis.far_weights)))
+        factor = linear((1, "sigma W/4"), (-f12 * f21, ""))
         texts.append(
-            f"beta (sigma W/4 - ({f12 * f21})) = ({first}) alpha + ({second}) q, W = {weights};"
+            f"beta {f'({factor})' if f12 * f21 != 0 else factor} = "
+            f"{linear((first, 'alpha'), (second, 'q'))}, W = {weights};"
         )
     texts += [
         (

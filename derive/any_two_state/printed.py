@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 from contextlib import suppress
 from dataclasses import dataclass
+from typing import Any
 
 import sympy as sp
 
@@ -113,8 +114,7 @@ def _kernel(
         graph=found.graph,
         source=f"derivation {scaled.name}",
         cancellations={
-            difference(output): f"no form without it is known; {output}{SCALE} is the sum of both "
-            "positive parts, whose difference the output is"
+            difference(output): "it is a difference of two sums, no form without it is known"
             for output in sorted(apart)
         },
     )
@@ -143,3 +143,17 @@ def _inputs(
         if entry.quantity.name in used
     )
     return (closed("tracking_index", index, *INDEX_RANGE, single), *parameters)
+
+
+def linear(*terms: tuple[Any, str]) -> str:
+    """Coefficients times names ("": a number alone) as a sum, such as "d0 - 2 q"; "0" for none."""
+    found = ""
+    for weight, name in ((sp.sympify(weight), name) for weight, name in terms):
+        if weight == 0:
+            continue
+        negative = weight.could_extract_minus_sign()
+        size = -weight if negative else weight
+        plain = size.is_Integer or size.is_Symbol or (not name and not size.is_Add)
+        text = name if name and size == 1 else f"{size if plain else f'({size})'} {name}".rstrip()
+        found += f" {'-' if negative else '+'} {text}" if found else f"{'-' * negative}{text}"
+    return found or "0"

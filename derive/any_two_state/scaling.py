@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import sympy as sp
 
+from gainproof.derive.any_two_state.domain import shown
 from gainproof.derive.model import Model, ModelError, ScaledModel, unit_length, units_checked
 from gainproof.derive.quantity import SAMPLING_INTERVAL
 
@@ -73,14 +74,14 @@ def _strength(model: Model, scaled: sp.MatrixBase) -> tuple[sp.Expr, sp.Immutabl
     if left or not (powers or strength.is_Number):
         raise ModelError(
             f"model {model.name}: the process noise should be one strength times a matrix of "
-            f"numbers and of the model's parameters, the scaled noise is {scaled.tolist()}; of "
+            f"numbers and of the model's parameters, the scaled noise is {shown(scaled)}; of "
             "several strengths keep one and write the others over it as parameters, numbers "
             "without a unit, such as w**2*[[r*T**2, 0], [0, 1]] with r = d**2/(w*T)**2"
         )
     if not strength.free_symbols - {SAMPLING_INTERVAL.symbol, model.deviation.symbol}:
         raise ModelError(
             f"model {model.name}: a process noise with a strength of its own is wanted, the scaled "
-            f"one is {strength} times {noise.tolist()}, which fixes the tracking index: put a "
+            f"one is {strength} times {shown(noise)}, which fixes the tracking index: put a "
             "quantity in front, and call the kernels with its value"
         )
     return strength, noise

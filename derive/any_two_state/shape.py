@@ -42,7 +42,10 @@ class MeasuredFirst:
         try:
             return self.numbers.sign(expression)
         except NoSign as error:
-            raise ModelError(f"model {self.model.name}: {error}") from None
+            raise ModelError(
+                f"model {self.model.name}: {error}, and the formulas depend on its sign; take a "
+                "number for a parameter in it"
+            ) from None
 
     def readable(self, expression: sp.Expr) -> sp.Expr:
         """The factors of an expression, each written as a positive number: 1 - r, not r - 1."""

@@ -69,7 +69,13 @@ def _riccati(c: Context) -> list[Step]:
     )
     entries = [*c.model.transition.flat(), *c.model.process_noise.flat()]
     short = all(generator.symbol != "product" for generator in c.tower.generators)
-    if short and all(c.tower.fraction(entry).den == c.tower.ring.one for entry in entries):
+    # the checker takes an entry as it is written, and cancels nothing in it
+    written = all(sp.sympify(entry).is_polynomial() for entry in entries)
+    if (
+        short
+        and written
+        and all(c.tower.fraction(each).den == c.tower.ring.one for each in entries)
+    ):
         claim: dict[str, Any] = {
             "model": c.model.data(),
             "predicted": _square(PREDICTED),

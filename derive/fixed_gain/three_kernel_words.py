@@ -48,8 +48,7 @@ EQUATIONS: Mapping[str, tuple[str, ...]] = {
         "updated_12 = beta (2 alpha - beta) (2 beta - gamma)/(g margin),",
         "updated_13 = gamma (2 g - beta (2 beta - gamma))/(g margin),",
         "updated_22 = (beta (2 beta - gamma)^2 + gamma^2 margin)/(g margin),",
-        "updated_23 = 2 beta gamma (2 beta - gamma)/(g margin); updated_12_scale and",
-        "updated_13_scale are updated_12 and updated_13 with plus between their terms",
+        "updated_23 = 2 beta gamma (2 beta - gamma)/(g margin)",
     ),
     "variances_of_coordinates": (
         "predicted_11 = (1 + x + y + d) (x (1 + x) + m)/(d m) - 1, y = (d + m)/x,",
@@ -62,8 +61,7 @@ EQUATIONS: Mapping[str, tuple[str, ...]] = {
         "updated_12 = 2 x (x - 1) (1 + y - x)/(d m),",
         "updated_13 = 4 (m + x - x^2)/(d m),",
         "updated_22 = 4 x (x - 1)^2/(d m) + 4/m, updated_23 = 8 x (x - 1)/(d m), y = (d + m)/x;",
-        "updated_33 is predicted_33, updated_11 is (1 - alpha)^2 predicted_11 + alpha^2; scales",
-        "have plus between the two sums of terms of one sign",
+        "updated_33 is predicted_33, updated_11 is (1 - alpha)^2 predicted_11 + alpha^2",
     ),
     **NOISE_EQUATIONS,
     "lags": (

@@ -39,8 +39,8 @@ SCALES = {
     **{name: name + SCALE for name in POLE_TURNING},
 }
 NOISE_SCALES = {name: name + SCALE for name in TURNING}
-REASON = "changes its sign; error over the sum of its terms"
-NOISE_REASON = "terms of both signs; error over the sum of their sizes"
+REASON = "changes its sign"
+NOISE_REASON = "terms of both signs"
 TOWERS = {
     "minimum_variance_by_lag": "minimum_variance",
     "random_acceleration_by_lag": "stable_acceleration",

@@ -49,11 +49,7 @@ def _equations(noise: str) -> tuple[str, ...]:
     )
 
 
-_AFTER = (
-    "and after the update (I - K H) D (I - K H)'; x, d and m are those of `coordinates`,",
-    "and updated_12_scale to updated_33_scale are their entries with plus between the two sums",
-    "of terms of one sign",
-)
+_AFTER = ("and after the update (I - K H) D (I - K H)'; x, d and m are those of `coordinates`",)
 NOISE_SUMMARIES = {
     **{kernel_of(noise): f"What {by} adds to covariances." for noise, by in _BY.items()},
     **{

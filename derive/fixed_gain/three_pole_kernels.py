@@ -45,8 +45,8 @@ EQUATIONS = (
     "q/p^(3/2); else with r = (|q| + sqrt(-discriminant))^(1/3) and the sign of q the real one",
     "has w = +-(r + p/r), the pair real parts of -1/2 and imaginary parts of +-sqrt(3)/2 times",
     "r + p/r and r - p/r. No bound of the poles themselves holds everywhere: next to a threefold",
-    "pole they move by the cube root of what p and q move by. Scales are the sums of all terms",
-    "taken positive; the domain holds all stable gains from 1e-20 on, and others",
+    "pole they move by the cube root of what p and q move by. The domain holds all stable gains",
+    "from 1e-20 on, and others",
 )
 ALPHA, BETA, GAMMA = LOOP.gains
 S, B = ALPHA + BETA + GAMMA / 2, BETA + 3 * GAMMA / 2

@@ -57,9 +57,7 @@ EQUATIONS: Mapping[str, tuple[str, ...]] = {
     ),
     "closed_loop_poles": (
         "half_sum = 1 - (alpha + beta)/2, modulus = sqrt(1 - alpha) (of a complex pair),",
-        "quarter_discriminant = (alpha + beta)^2/4 - beta; the scales of the errors are the sums",
-        "half_sum_scale = 1 + (alpha + beta)/2,",
-        "quarter_discriminant_scale = (alpha + beta)^2/4 + beta",
+        "quarter_discriminant = (alpha + beta)^2/4 - beta",
     ),
     "minimum_variance_by_lag": (
         "alpha + beta/2 = sqrt(beta), beta = 1/lag; with x = 2 sqrt(lag) - 1:",

@@ -26,11 +26,11 @@ SCALES = {
 }
 """What the errors of outputs that change their sign are relative to."""
 REASONS = {
-    "updated_12": "changes its sign at beta = 2 alpha; error over the sum of its terms",
-    "updated_velocity_lag": "changes its sign at beta = 2 alpha; error over the sum of its terms",
-    TURNING: "changes its sign at beta = alpha (2 - alpha); error over the sum of its terms",
-    HALF_SUM: "changes its sign; error over the sum of its terms",
-    DISCRIMINANT: "changes its sign where poles turn real; error over the sum of its terms",
+    "updated_12": "changes its sign at beta = 2 alpha",
+    "updated_velocity_lag": "changes its sign at beta = 2 alpha",
+    TURNING: "changes its sign at beta = alpha (2 - alpha)",
+    HALF_SUM: "changes its sign",
+    DISCRIMINANT: "changes its sign where poles turn real",
 }
 LEAST_LAGS = {
     "minimum_variance": "1/4",

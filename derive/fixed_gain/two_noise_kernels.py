@@ -32,7 +32,7 @@ AFTER = (
     "updated_11 = (q11 - q12) updated_11_by_q_11 + q22 updated_11_by_q_22,",
     "updated_12 = (q11 - q12) updated_12_by_q_11 + q22 updated_12_by_q_22,",
     "updated_22 = q11 predicted_22_by_q_11 + q12 predicted_22_by_q_12",
-    "+ q22 updated_22_by_q_22; updated_12_by_q_22_scale is the sum of its terms' sizes",
+    "+ q22 updated_22_by_q_22",
 )
 
 

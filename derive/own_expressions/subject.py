@@ -23,9 +23,10 @@ from gainproof.derive.printer.together import prove_all
 from gainproof.derive.subject import Subject
 
 OPENING = (
-    "Expressions of the user's own, with the domains and units that their author gives them. Where "
-    "nothing is lost to a subtraction the kernel computes them as they are written, elsewhere in a "
-    "form that is proved equal."
+    "Expressions of the user's own, with the domains and units that their author gives them. A "
+    "kernel computes them as they are written or, where a subtraction would cost digits and "
+    "another form was found, in that form, which is proved equal. Digits that can be lost all the "
+    "same are stated with each output."
 )
 
 

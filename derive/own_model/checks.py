@@ -11,7 +11,7 @@ import re
 import numpy as np
 import sympy as sp
 
-from gainproof.derive.any_two_state.domain import FreeNumbers, NoSign
+from gainproof.derive.any_two_state.domain import FreeNumbers, NoSign, shown
 from gainproof.derive.model import Model, ModelError, Parameter, ScaledModel, units_checked
 from gainproof.derive.own_model.fields import MATRICES, require_fields, require_noise_units
 from gainproof.derive.own_model.undriven import undriven
@@ -218,13 +218,13 @@ def _require_definite(
         wanted = "positive definite" if strictly else "positive semidefinite"
         try:
             sign = numbers.sign(minor)
-        except NoSign:
+        except NoSign as error:
             raise ModelError(
-                f"model {model.name}: {name} should be {wanted} for all parameters, the sign of "
-                f"its minor of rows {listed}, {minor}, is not shown"
+                f"model {model.name}: {name} should be {wanted}, and each minor of it 0 or of one "
+                f"sign for all parameters: of its minor of rows {listed}, {error}"
             ) from None
         if sign < 0 or (strictly and sign == 0):
             raise ModelError(
                 f"model {model.name}: {name} should be {wanted}; in units T = 1 and sigma_v = 1 "
-                f"its minor of rows {listed} is {minor}"
+                f"its minor of rows {listed} is {shown(minor)}"
             )

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import sympy as sp
 
-from gainproof.derive.any_two_state.domain import FreeNumbers, NoSign
+from gainproof.derive.any_two_state.domain import FreeNumbers, NoSign, shown
 from gainproof.derive.model import ScaledModel
 
 
@@ -13,7 +13,7 @@ def undriven(scaled: ScaledModel, reach: sp.MatrixBase, numbers: FreeNumbers) ->
     space = sp.Matrix.hstack(*reach.nullspace())
     share = (space.T * space).inv() * space.T * scaled.transition.T * space
     moduli = [sp.Abs(entry) for entry in share.applyfunc(sp.factor).eigenvals()]
-    mode = ", ".join(str(sp.factor(entry)) for entry in share.applyfunc(sp.factor).eigenvals())
+    mode = ", ".join(shown(sp.factor(entry)) for entry in share.applyfunc(sp.factor).eigenvals())
     told = f"the process noise never drives the mode {mode} of F"
     if any(_compared(entry, numbers) > 0 for entry in moduli):
         return (

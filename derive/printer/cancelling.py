@@ -11,17 +11,24 @@ import flint
 from gainproof.derive.printer.exact import enclosures_at
 from gainproof.derive.printer.formats import Format
 from gainproof.derive.printer.program import Program
-from gainproof.derive.printer.step_text import formula
+from gainproof.derive.printer.step_text import GAP, PART, formula
 from gainproof.derive.printer.taylor import PRECISION
 
+WHOLE = 320  # of a sum's formula without gaps
 CANCELS = 1.001  # times as large as their sum: terms of both signs
 
 
 def cancelling(
-    program: Program, end: int, losing: Collection[int], place: Sequence[Fraction], form: Format
+    program: Program,
+    end: int,
+    losing: Collection[int],
+    place: Sequence[Fraction],
+    form: Format,
+    known: Collection[str],
 ) -> str:
     """The sum whose terms exceed it most at a point, of those that an output is made of and that
-    are `losing` digits (a difference of exact numbers loses none); "" where no terms do.
+    are `losing` digits (a difference of exact numbers loses none); "" where no terms do, or where
+    they are too long and have no name of those that are `known`.
     """
     balls = enclosures_at(program, tuple(place), form, PRECISION, end)
     worst, ratio = end, 0.0
@@ -46,7 +53,19 @@ def cancelling(
             found = math.inf if value.contains(0) else float(abs(size / value).mid())
         if found > 2.0 * ratio:
             worst, ratio = number, found
-    return formula(program, worst) if ratio >= CANCELS else ""
+    return _told(program, worst, known) if ratio >= CANCELS else ""
+
+
+def _told(program: Program, number: int, known: Collection[str]) -> str:
+    """The sum in whole, or as terms of what is known, or with parts left out of it."""
+    text, label = formula(program, number, known, WHOLE), program.steps[number].label
+    if GAP not in text:
+        return text
+    if label and not PART.match(label):
+        # a name that the kernel's author gave: of such long sums parts alone say nothing
+        return f"the terms of {label}" if label in known else ""
+    short = formula(program, number, known)
+    return "" if short == GAP else short
 
 
 def _terms(program: Program, number: int) -> list[int]:

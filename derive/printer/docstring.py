@@ -36,6 +36,7 @@ SIGNED = (
     "Numbers and arrays are taken, arrays of any shapes that broadcast. Where all inputs are "
     "float32 so are the results; otherwise everything becomes float64, integers too."
 )
+SIZES = "the sum of its terms' sizes"
 ASSUMED = f"err by at most {ULP} units in the last place of the true value"
 
 
@@ -164,10 +165,7 @@ def _output(kernel: Kernel, bounds: Sequence[KernelBound], row: int) -> Iterator
         more = " and ".join(f"{rounded_up(size)} ({form.name})" for size, form in beside)
         more = f", and {more} beside it where a product underflows" if more else ""
         text = f"{text.removesuffix('.')}{more}{assumption(kernel, output.name)}."
-    for name, reason in kernel.cancellations.items():
-        if found[0][1].amplification.get(name):
-            most = max(each.amplification[name] for _, each in found)
-            text += f" Cancellation in {name}, condition number {most:.3g}: {reason}."
+    text += "".join(f" {said}" for said in cancellation_texts(kernel, bounds, row))
     if losses := losses_of(bounds, row):
         text += f" {loss_text(losses)}"
     yield from _wrap(text, "    ")
@@ -175,7 +173,18 @@ def _output(kernel: Kernel, bounds: Sequence[KernelBound], row: int) -> Iterator
 
 def scale_text(output: Output) -> str:
     """What an error is relative to that is another output of the graph."""
-    return output.scale_meaning or str(output.relative_to)
+    own = SIZES if output.relative_to == f"{output.name}_scale" else str(output.relative_to)
+    return output.scale_meaning or own
+
+
+def cancellation_texts(kernel: Kernel, bounds: Sequence[KernelBound], row: int) -> dict[str, None]:
+    """A sentence for each subtraction of computed values that enters an output."""
+    found = [bound.outputs[row].amplification for bound in bounds]
+    return dict.fromkeys(
+        f"Cancellation, condition number {max(each[name] for each in found):.3g}: {reason}."
+        for name, reason in kernel.cancellations.items()
+        if found[0].get(name)
+    )
 
 
 def losses_of(bounds: Sequence[KernelBound], row: int) -> list[Loss]:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from fractions import Fraction
@@ -84,7 +85,8 @@ class Output:
     `relative_to` (which need not be an `Output`), e.g. the modulus of a pole whose real part may
     vanish. `by_terms`: it is relative to the value of the output's own formula with every term of
     its sums taken positive, which a kernel of signed inputs must say where terms may cancel.
-    `scale_meaning`: `relative_to` in words, where no equation of the kernel says what it is.
+    `scale_meaning`: `relative_to` in words, where no equation of the kernel says what it is. NAME's
+    own scale, NAME_scale, is always the sum of its terms' sizes.
     """
 
     name: str
@@ -166,3 +168,10 @@ class Module:
     derivation: str
     kernels: tuple[Kernel, ...]
     results: str | None = None
+
+
+def explained(kernel: Kernel) -> frozenset[str]:
+    """The names that a kernel's docstring explains: inputs, outputs, and those of its equations."""
+    words = re.findall(r"\w+", " ".join(kernel.equations))
+    inputs, outputs = (each.name for each in kernel.inputs), (each.name for each in kernel.outputs)
+    return frozenset({*inputs, *outputs, *words})

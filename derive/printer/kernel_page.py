@@ -7,11 +7,13 @@ from collections.abc import Iterator, Sequence
 from gainproof.derive.printer.bound import KernelBound, OutputBound
 from gainproof.derive.printer.docstring import (
     assumption,
+    cancellation_texts,
     decimal_text,
     losses_of,
     number_text,
     required_text,
     rounded_up,
+    scale_text,
     wanted_text,
 )
 from gainproof.derive.printer.formats import Format
@@ -42,12 +44,12 @@ def _lines(kernel: Kernel, bounds: Sequence[KernelBound]) -> Iterator[str]:
         cells = [_bound(kernel, output, bound.outputs[row], bound.format) for bound in bounds]
         yield f"| `{output.name}` | {_cell(output.meaning)} | {' | '.join(cells)} |"
     yield ""
-    for name, reason in kernel.cancellations.items():
-        yield f"`{name}` is a difference of computed values: {reason}."
-        yield ""
     for row, output in enumerate(kernel.outputs):
+        said = list(cancellation_texts(kernel, bounds, row))
         if losses := losses_of(bounds, row):
-            yield f"`{output.name}`: {loss_text(losses)}"
+            said.append(loss_text(losses))
+        if said:
+            yield f"`{output.name}`: {' '.join(said)}"
             yield ""
     yield f"Source: {kernel.source}"
 
@@ -56,7 +58,7 @@ def _bound(kernel: Kernel, output: Output, found: OutputBound, form: Format) -> 
     """What is proved of an output in one format."""
     scale = " of its terms taken positive" if output.by_terms else ""
     if output.relative_to:
-        scale = f" of {output.scale_meaning or f'`{output.relative_to}`'}"
+        scale = f" of {scale_text(output)}"
     text = f"{decimal_text(found)} * 2^{1 - form.digits}{scale}"
     if found.beside:
         text += f", and {rounded_up(found.beside)} beside it"

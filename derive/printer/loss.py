@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 
@@ -106,28 +107,43 @@ def _rounded(value: float, digits: int, up: bool) -> str:
 class Loss:
     """Of one output in one format.
 
-    `digits`: at most so many of the format's are lost; `half`: whether it may be half of them, or
-    more. `halved` and `quartered`: where a half and where a quarter may be lost; None where that
-    was not looked for, or has no bounds, as near zeros that run through the domain. `share`: half
-    are lost only where the value is below this part of what the error is relative to. `below`:
-    smaller values are told nothing of, since an underflow on the way may take more; 0: none that
-    are normal numbers. `terms`: what cancels.
+    `digits`: at most so many of the format's are lost, in tenths, rounded up. `halved` and
+    `quartered`: where a half and where a quarter may be lost; None where that was not looked for,
+    or has no bounds, as near zeros that run through the domain. `share`: half are lost only where
+    the value is below this part of what the error is relative to. `below`: smaller values are told
+    nothing of, since an underflow on the way may take more; 0: none that are normal numbers.
+    `terms`: what cancels.
     """
 
     form: Format
-    digits: int
-    half: bool
+    digits: float
     halved: Part | None
     quartered: Part | None
     share: float
     below: float
     terms: str
 
+    @property
+    def half(self) -> bool:
+        """Whether it may be half of the digits or more, by the number that is shown."""
+        return 2 * self.digits >= self.form.decimals
+
+
+def lost(rate: float, form: Format) -> float:
+    """Digits that are lost where an error is up to `rate` of the value: tenths, rounded up."""
+    found = math.log10(max(rate / form.unit_roundoff, 1.0))
+    return min(math.ceil(10.0 * found - 1e-8) / 10.0, float(form.decimals))
+
+
+def least_rate(form: Format, part: float) -> float:
+    """An error over the value from which on `lost` may be this part of all digits or more."""
+    return form.unit_roundoff * math.pow(10.0, part * form.decimals - 0.1)
+
 
 def loss_text(found: Sequence[Loss]) -> str:
     """One sentence for all formats."""
     if all(loss.halved is None for loss in found):
-        digits = _listed([f"{each.digits} of {each.form.decimals}" for each in found], found)
+        digits = _listed([f"{each.digits:g} of {each.form.decimals}" for each in found], found)
         shares = _listed([_rounded(each.share, 1, up=True) for each in found], found)
         text = f"up to {digits}; half or more only where the value is below {shares} of what its"
         text += " error is relative to"
@@ -147,13 +163,21 @@ def _listed(texts: Sequence[str], found: Sequence[Loss]) -> str:
 
 
 def _one(loss: Loss) -> str:
-    text = f"up to {loss.digits} of {loss.form.decimals} in {loss.form.name}"
-    if loss.halved is None:
-        share = _rounded(loss.share, 1, up=True)
-        where = f"the value is below {share} of what its error is relative to"
-        return f"{text}, half or more only where {where}"
-    if not loss.halved.empty:
-        return f"{text}, half or more only where {loss.halved.text()}"
+    text = f"up to {loss.digits:g} of {loss.form.decimals} in {loss.form.name}"
+    if loss.halved is None or not loss.halved.empty:
+        return f"{text}, half or more only where {_place(loss)}"
     if loss.quartered is not None and not loss.quartered.empty and loss.quartered.ranges:
         return f"{text}, a quarter or more only where {loss.quartered.text()}"
     return text
+
+
+def place_text(found: Sequence[Loss]) -> str:
+    """Where half or more is lost, in each format that may lose it."""
+    return ", ".join(f"{_place(loss)} ({loss.form.name})" for loss in found if loss.half)
+
+
+def _place(loss: Loss) -> str:
+    if loss.halved is not None:
+        return loss.halved.text()
+    share = _rounded(loss.share, 1, up=True)
+    return f"the value is below {share} of what its error is relative to"

@@ -25,9 +25,9 @@ from gainproof.derive.printer.cancelling import cancelling
 from gainproof.derive.printer.exact import enclosures_at
 from gainproof.derive.printer.formats import Format
 from gainproof.derive.printer.forward import Forward
-from gainproof.derive.printer.kernel import Kernel, Output
+from gainproof.derive.printer.kernel import Kernel, Output, explained
 from gainproof.derive.printer.known_values import admitted, scales
-from gainproof.derive.printer.loss import Axis, Loss, Part
+from gainproof.derive.printer.loss import Axis, Loss, Part, least_rate, lost
 from gainproof.derive.printer.program import Program
 from gainproof.derive.printer.reference import Reference
 from gainproof.derive.printer.scaling import Group, groups
@@ -311,8 +311,8 @@ def loss_of(kernel: Kernel, output: Output, bound: KernelBound, stated: OutputBo
     form = bound.format
     # where an underflow adds to the error, values beside which it is no larger than the rest
     error = float(stated.bound) * form.epsilon * (2.0 if stated.beside else 1.0)
-    u = form.unit_roundoff
-    limits = (u**0.75 / error, math.sqrt(u) / error, 1.0 / error)
+    quarter_rate, half_rate = (least_rate(form, part) for part in (0.25, 0.5))
+    limits = (quarter_rate / error, half_rate / error, 1.0 / error)
     tried = _Tried(asked)
     search = _Search(asked, limits, tried.greatest)
     quarter: Part | None = None
@@ -322,19 +322,16 @@ def loss_of(kernel: Kernel, output: Output, bound: KernelBound, stated: OutputBo
     else:
         search.run()
         quarter, half = search.parts()
-    worst = min(search.worst, limits[2])
-    digits = min(math.ceil(math.log10(max(worst * error / u, 1.0)) - 1e-9), form.decimals)
     if half is not None and not half.empty and not half.ranges:
         half = None
     place = tried.place
     terms = ""
     if place is not None:
-        terms = cancelling(asked.program, asked.end, asked.losing(), place, form)
+        terms = cancelling(asked.program, asked.end, asked.losing(), place, form, explained(kernel))
     below = stated.beside / (float(stated.bound) * form.epsilon)
     return Loss(
         form,
-        digits,
-        worst * error >= math.sqrt(u),
+        lost(min(search.worst, limits[2]) * error, form),
         half,
         quarter,
         min(1.0, 1.0 / limits[1]),

@@ -3,30 +3,44 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Sequence
+from collections.abc import Collection, Sequence
 from fractions import Fraction
 
 from gainproof.derive.printer.formats import FLOAT64
 from gainproof.derive.printer.program import Program
 from gainproof.derive.printer.reference import Reference
 
+GAP = "..."  # of a part that is left out
 LENGTH = 140  # of a formula; of a longer one deep parts are left out
 PART = re.compile(r"(part|under|over)_\d+")  # names that no user has given
 SUM, PRODUCT, POWER, ATOM = range(4)
 
 
-def formula(program: Program, number: int) -> str:
-    """A step as a formula, of a length that can be read."""
-    texts = (_Formula(program).text(number, depth)[0] for depth in range(40, 2, -1))
-    short = next((text for text in texts if len(text) <= LENGTH), None)
-    text = _Formula(program).text(number, 2)[0] if short is None else short
+def formula(
+    program: Program, number: int, known: Collection[str] | None = None, length: int = LENGTH
+) -> str:
+    """A step as a formula, of a length that can be read. `known`: the names that may stand for
+    deep parts; None: all that its author gave, also for the whole of what is too long.
+    """
+    found = _Formula(program, known)
+    text = found.text(number, 2)[0]
+    for depth in range(3, 41):
+        deeper = found.text(number, depth)[0]
+        if (deeper == text and GAP not in text) or len(deeper) > 4 * length:
+            break
+        text = deeper if len(deeper) <= length else text
     label = program.steps[number].label
-    return label if label and "..." in text else text
+    return label if label and GAP in text and known is None else text
 
 
 class _Formula:
-    def __init__(self, program: Program) -> None:
-        self.program = program
+    def __init__(self, program: Program, known: Collection[str] | None) -> None:
+        self.program, self.known = program, known
+
+    def _name(self, label: str) -> str:
+        if not label or PART.match(label) or (self.known is not None and label not in self.known):
+            return GAP
+        return label
 
     def text(self, number: int, depth: int) -> tuple[str, int]:
         """The formula, and how tightly it holds together."""
@@ -41,8 +55,10 @@ class _Formula:
             text = str(step.constant.rational)
             return text, ATOM if text.isdigit() else SUM
         if depth <= 0:
-            return ("..." if not step.label or PART.match(step.label) else step.label), ATOM
+            return self._name(step.label), ATOM
         parts = [self.text(part, depth - 1) for part in step.operands]
+        if self.known is not None and {text for text, _ in parts} == {GAP}:
+            return GAP, ATOM
         if step.scale is not None:
             scale = Fraction(step.scale)
             held = _held(parts[0], PRODUCT)
@@ -54,6 +70,8 @@ class _Formula:
                 return f"{parts[0][0]} + {_held(parts[1], SUM)}".replace("+ -", "- "), SUM
             case "sub":
                 return f"{parts[0][0]} - {_held(parts[1], PRODUCT)}", SUM
+            case "mul" if "1" in (parts[0][0], parts[1][0]):
+                return parts[parts[0][0] == "1"]
             case "mul" if step.operands[0] == step.operands[1]:
                 return f"{_held(parts[0], ATOM)}**2", POWER
             case "mul":

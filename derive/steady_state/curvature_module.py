@@ -47,8 +47,7 @@ EQUATIONS: Mapping[str, tuple[str, ...]] = MappingProxyType(
     }
 )
 REASON = (
-    "the variance bends down for a small index and up for a large one, so that it vanishes "
-    f"between; {SCALE} is the sum of the terms whose difference it is"
+    "the variance bends down for a small index and up for a large one, so that it vanishes between"
 )
 
 
@@ -64,7 +63,7 @@ def equations(kernel: str, e: Fraction) -> tuple[str, ...]:
         return lines
     if e == 0:
         return (*lines, "It is a product with Lambda - 4/(3 + 2 sqrt(3)), which keeps its digits.")
-    return (*lines, f"{SCALE} = (sigma/Lambda)^2 psi (psi + chi).")
+    return lines
 
 
 def output(name: str, meaning: str, graph: Graph) -> Output:

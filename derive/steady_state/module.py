@@ -146,7 +146,8 @@ def _equations(c: Context, name: str) -> tuple[str, ...]:
             f"h = {_root_text(e)}, r = 2 rho p,",
         ),
         "closed_loop_poles": (
-            "z^2 - (2 - alpha - beta) z + (1 - alpha) = 0",
+            "z^2 - (2 - alpha - beta) z + (1 - alpha) = 0; first_modulus and second_modulus are",
+            "the moduli of the poles;",
             "all poles lie inside the unit circle; rounded, a real part may come as 1 + 2^-52",
         ),
         "predicted_covariance": (

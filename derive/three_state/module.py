@@ -54,11 +54,8 @@ MEANINGS = {
     "pole_product": "product of the poles, and what is left of 1 beside the position gain",
 }
 STEADY = (f"updated_23{TURN}", f"updated_33{TURN}")
-APART = "what the update takes from M'' stays less than it; the scale is the sum of both"
-TURNS = (
-    "it bends down for a small index and up for a large one; the scale is the sum of the two terms "
-    "whose difference it is"
-)
+APART = "what the update takes from M'' stays less than it"
+TURNS = "it bends down for a small index and up for a large one, so that it vanishes between"
 ACCURATE_GAINS = in_double_words("gains")
 # The cube of a smaller position gain, an index, leaves the range of the format.
 LEAST_ALPHA = (Fraction(1, 2**330), Fraction(1, 2**40))

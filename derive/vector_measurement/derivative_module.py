@@ -30,6 +30,10 @@ OF_GAINS = {
         "dU22/S^2 - 2 K22/S, which is negative and has a form without a subtraction.",
     ),
 }
+REASON = (
+    "what it is the derivative of grows in one part of the domain and falls in another, so that it "
+    "vanishes between"
+)
 NARROW = frozenset(
     {f"gains{BY_RATIO}", f"updated_covariance{BY_RATIO}", f"predicted_covariance{BY_INDEX}"}
 )
@@ -65,14 +69,7 @@ def derivative_kernel(
         ),
         graph=graph,
         source=f"derivation {c.model.name}",
-        cancellations={difference(output): _reason(output) for output in sorted(changing)},
-    )
-
-
-def _reason(output: str) -> str:
-    return (
-        "what it is the derivative of grows in one part of the domain and falls in another, so "
-        f"that it vanishes between; {output}{SCALE} is the sum of the terms whose difference it is"
+        cancellations={difference(output): REASON for output in sorted(changing)},
     )
 
 
@@ -105,5 +102,5 @@ def _equations(group: str, by: str, changing: Sequence[str]) -> tuple[str, ...]:
     if group == "gains":
         lines += OF_GAINS[by]
     terms = "is the difference of two positive terms"
-    lines += [f"The output {output} {terms}, {output}{SCALE} their sum." for output in changing]
+    lines += [f"The output {output} {terms}." for output in changing]
     return (*lines, "The entries themselves:")

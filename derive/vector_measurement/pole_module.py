@@ -35,9 +35,8 @@ MEANINGS = {
     "positive",
 }
 REASONS = {
-    MEAN: "the real part of complex poles vanishes on a curve; half_sum_scale is the sum of the "
-    "terms' magnitudes",
-    SQUARE: "the poles meet on a curve; quarter_discriminant_scale is the sum of both terms",
+    MEAN: "the real part of complex poles vanishes on a curve",
+    SQUARE: "the poles meet on a curve",
 }
 
 

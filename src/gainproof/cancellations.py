@@ -16,7 +16,7 @@ from inspect import cleandoc, isfunction
 from gainproof import generated
 from gainproof.page import WIDTH, filled
 
-_NAMED = re.compile(r"Cancellation in (\w+), condition number ([\d.e+]+): (.*?)(?:\.(?= |$))")
+_NAMED = re.compile(r"Cancellation, condition number ([\d.e+]+): (.*?)(?:\.(?= |$))")
 _TERMS = "Error over the sum of its terms taken positive"
 _LOST = re.compile(r"(\w+): .*Digits that can be lost: (.*)\.")
 
@@ -29,7 +29,7 @@ LOST = (
 
 @dataclass(frozen=True)
 class Left:
-    """What is left in one function: (difference, condition number, reason), and outputs of terms.
+    """What is left in one function: (output, condition number, reason), and outputs of terms.
 
     The condition number is by how much errors of the difference's two sides, each relative to their
     sum, enter an output over its scale. `by_terms`: outputs whose terms may have either sign.
@@ -52,21 +52,25 @@ def left() -> Iterator[Left]:
         for name in module.__all__:
             function = getattr(module, name)
             if isfunction(function):
-                text = " ".join((function.__doc__ or "").split())
-                named = dict.fromkeys(_NAMED.findall(text))
-                losses = tuple(_losses(function.__doc__ or ""))
-                yield Left(f"{found.name}.{name}", tuple(named), text.count(_TERMS), losses)
+                outputs = list(_paragraphs(function.__doc__ or ""))
+                named = [
+                    (text.partition(":")[0], *each)
+                    for text in outputs
+                    for each in _NAMED.findall(text)
+                ]
+                losses = [(each[1], each[2]) for each in map(_LOST.fullmatch, outputs) if each]
+                terms = sum(_TERMS in text for text in outputs)
+                yield Left(f"{found.name}.{name}", tuple(named), terms, tuple(losses))
 
 
-def _losses(text: str) -> Iterator[tuple[str, str]]:
-    """Outputs and what is said of their digits: an output's lines but the first are indented."""
+def _paragraphs(text: str) -> Iterator[str]:
+    """Inputs and outputs with what is said of them: lines but the first are indented."""
     paragraph = ""
     for line in [*cleandoc(text).splitlines(), ""]:
         if line.startswith("    ") and paragraph:
             paragraph += " " + line.strip()
             continue
-        if found := _LOST.fullmatch(paragraph):
-            yield found[1], found[2]
+        yield paragraph
         paragraph = line
 
 

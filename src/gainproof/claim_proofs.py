@@ -71,7 +71,8 @@ def recheck(judgement: Plain) -> dict[str, Any]:
 
 
 DECIDED = ("proved", "refuted", "conditional")
-NOT_AGAIN = "no: such a proof is not kept as a statement that could be decided again"
+NOT_AGAIN = "no: "
+"""How the sentence begins on a certificate without a statement that could be decided again."""
 
 
 def checked(claim: Plain) -> tuple[bool, str]:
@@ -89,8 +90,20 @@ def checked(claim: Plain) -> tuple[bool, str]:
     from gainproof.verify.judge.replay import replay_json, statements_of
 
     if not statements_of(claim["evidence"]["certificate"] or {}):
-        return True, NOT_AGAIN if claim["verdict"] in DECIDED else ""
+        return True, NOT_AGAIN + _not_again(claim) if claim["verdict"] in DECIDED else ""
     reason = replay_json(claim)
     if reason is not None:
         return False, f"REJECTED when replayed: {reason}"
     return True, "replayed from its certificate: the same verdict"
+
+
+def _not_again(claim: Plain) -> str:
+    """Why there is nothing to replay."""
+    evidence = claim["evidence"]
+    if evidence["method"] == "dimensions":
+        return "the dimensions decide, and nothing is left to be decided between numbers"
+    if evidence["method"] == "shapes":
+        return "the shapes of the letters decide, and nothing is left to be decided between numbers"
+    if claim["verdict"] == "refuted" and evidence["witness"]:
+        return "the counterexample decides, and it can be put into the formula by hand"
+    return "such a proof is not kept as a statement that could be decided again"

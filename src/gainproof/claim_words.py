@@ -21,8 +21,8 @@ class Said:
     """One claim as its file has it. `origin` is one of `ORIGINS`; `text` are the words of the
     source, or about the formula; `reading` says the fields of a claim without a formula in words;
     `under` are the domain and the hypotheses that its formula does not print; `quoted` is the
-    excerpt as seen; `symbols` are those that it has with their meanings. Empty where nothing is
-    said.
+    excerpt as seen; `symbols` are those that it has with their meanings, `known` all of its setting
+    as they are written. Empty where nothing is said.
     """
 
     origin: str = "printed"
@@ -32,6 +32,7 @@ class Said:
     note: str = ""
     quoted: str = ""
     symbols: tuple[tuple[str, str], ...] = ()
+    known: frozenset[str] = frozenset()
 
 
 def claims_said(text: str) -> dict[str, Said]:
@@ -78,6 +79,7 @@ def _said(claim: Mapping[str, Any], table: Mapping[str, Any]) -> Said:
         symbols=tuple(
             (symbol, table[symbol]["meaning"]) for symbol in sorted(met, key=lambda name: met[name])
         ),
+        known=frozenset(table),
     )
 
 

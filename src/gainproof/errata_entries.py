@@ -5,10 +5,12 @@ only read out of words or reconstructed, as blocks that are set in Markdown or L
 from __future__ import annotations
 
 from collections.abc import Hashable, Iterator, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any
 
+from gainproof.book.words import in_language
 from gainproof.claim_words import Said
+from gainproof.sentence_formulas import is_formula
 from gainproof.verdict_reason import reason, repairs_of, solutions, verdict_of_repair, where_true
 from gainproof.verdicts import Judgement
 
@@ -20,23 +22,49 @@ HEADINGS: Mapping[str, str] = {
 }
 """A part of the sheet for each origin of claims; what is `ours` is no erratum of the source."""
 OURS = "ours"
+_ENGLISH = in_language("en")
 FAIR = (
     "Only what stands under “As printed” is printed in the source. Its words are paraphrased. "
     "The formulas as which words are read, what is reconstructed, and the notes are ours."
 )
 Claim = Mapping[str, Any]
-Block = tuple[str, str]
-"""How something is set (`source`, `part`, `entry`, `text`, `quote`, `formula`), and what it is:
-LaTeX for a formula, plain text for the others.
-"""
+
+
+@dataclass(frozen=True)
+class Block:
+    """Something that is set by itself. `how`: a `source`, `part` or `entry` with its title; the
+    `line` of authors and year; a `quote`, as it stands; a `formula` in LaTeX; else a `text`, in
+    which formulas may stand, of `symbols` that are known. Before a text come its label, by its key
+    in `book.words`, the place of which it speaks, and a verdict with where and how that holds.
+    """
+
+    how: str
+    text: str = ""
+    label: str = ""
+    place: str = ""
+    verdict: str = ""
+    more: str = ""
+    symbols: frozenset[str] = frozenset()
+
+    @property
+    def sentence(self) -> str:
+        """All of it in English."""
+        verdict = f"{self.verdict}{self.more}"
+        place = self.place and (f", {self.place}" if verdict else f" ({self.place})")
+        label = f"{_ENGLISH[self.label]}{place}" if self.label else ""
+        lead = f"{label} ({verdict})" if label and verdict else label + verdict
+        return f"{lead}: {self.text}".rstrip() if lead else self.text
 
 
 @dataclass(frozen=True)
 class Member:
-    """One claim of an entry with what its file says beside the formula."""
+    """One claim of an entry with what its file says beside the formula, and the place of each
+    claim of the source.
+    """
 
     claim: Claim
     said: Said
+    places: Mapping[str, str]
 
     @property
     def formula(self) -> str:
@@ -48,7 +76,9 @@ class Member:
         """As what it was read, under what, and the verdict: members that differ in it are shown
         each by itself.
         """
-        return self.formula, self.said.reading, self.said.under, _verdict(self.claim)
+        claim = self.claim
+        where = where_true(claim)
+        return self.formula, self.said.reading, self.said.under, claim["verdict"], where
 
 
 @dataclass(frozen=True)
@@ -83,8 +113,9 @@ def entries(judgement: Judgement, said: Mapping[str, Said]) -> list[Entry]:
     that are ours are left out.
     """
     groups: list[tuple[set[Hashable], list[Member]]] = []
+    places = {claim["id"]: claim["place"] for claim in judgement["claims"]}
     for claim in judgement["claims"]:
-        member = Member(claim, said.get(claim["id"], Said()))
+        member = Member(claim, said.get(claim["id"], Said()), places)
         if claim["verdict"] not in CANNOT_STAND or member.said.origin == OURS:
             continue
         keys, members = _keys(member), [member]
@@ -105,7 +136,8 @@ def _keys(member: Member) -> set[Hashable]:
     """What a claim shares with those of its entry."""
     claim, said = member.claim, member.said
     formula = member.formula or said.reading
-    keys: set[Hashable] = {(said.origin, formula, said.under, _verdict(claim), claim["kind"])}
+    verdict = claim["verdict"], where_true(claim)
+    keys: set[Hashable] = {(said.origin, formula, said.under, verdict, claim["kind"])}
     if not formula:
         keys = {claim["id"]}
     if said.text and said.origin != "printed":
@@ -126,20 +158,21 @@ def _one_change(claim: Claim) -> tuple[str, ...]:
 def sheet_blocks(judgement: Judgement, said: Mapping[str, Said]) -> Iterator[Block]:
     """The sheet of one source."""
     source = judgement["source"]
-    yield "source", f"Errata: {source['title']}"
-    yield "text", source_line(source)
+    yield Block("source", f"Errata: {source['title']}")
+    yield Block("line", source_line(source))
     found = entries(judgement, said)
     if any(entry.origin != "printed" for entry in found):
-        yield "text", FAIR
+        yield Block("text", FAIR)
         if source.get("note"):
-            yield "text", f"Note on the source: {' '.join(source['note'].split())}"
+            yield Block("text", f"Note on the source: {' '.join(source['note'].split())}")
     if not found:
-        yield "text", "No errata were found."
+        yield Block("text", "No errata were found.")
     for origin, heading in HEADINGS.items():
         part = [entry for entry in found if entry.origin == origin]
         if part:
-            yield "part", heading
+            yield Block("part", heading)
         for entry in part:
+            yield Block("entry", entry.title)
             yield from entry_blocks(entry)
     beyond = sum(
         claim["verdict"] in CANNOT_STAND and said.get(claim["id"], Said()).origin == OURS
@@ -149,71 +182,74 @@ def sheet_blocks(judgement: Judgement, said: Mapping[str, Said]) -> Iterator[Blo
         one = beyond == 1
         which = "statement of ours that goes" if one else "statements of ours that go"
         hold = "does not hold" if one else "do not hold"
-        yield "text", f"No errata of the source: {beyond} {which} beyond it {hold} everywhere."
+        more = f"{beyond} {which} beyond it {hold} everywhere"
+        yield Block("text", f"No errata of the source: {more}.")
 
 
 def entry_blocks(entry: Entry) -> Iterator[Block]:
-    """One entry: what is printed or said, as what it was read, the verdict, why, what is true."""
-    yield "entry", entry.title
+    """One entry, or a claim by itself, below its title: what is printed or said, as what it was
+    read, the verdict, why, what is true.
+    """
+    members = entry.members
+    symbols = frozenset(symbol for member in members for symbol in member.said.known)
     printed = entry.origin == "printed"
-    sentences = {} if printed else {m.said.text: m.claim["place"] for m in entry.members}
+    sentences = {} if printed else {m.said.text: m.claim["place"] for m in members}
+    about = "about" if entry.origin == "reconstructed" else f"origin-{entry.origin}"
     for text, place in sentences.items():
-        where = f" ({place})" if len(sentences) > 1 else ""
-        if text:
-            yield "text", f"{'In words' if entry.origin == 'words' else 'About'}{where}: {text}"
-    changes = {_one_change(member.claim) for member in entry.members}
-    if len(changes) == 1 and len({m.formula for m in entry.members}) > 1 and (one := changes.pop()):
-        yield "text", f"One change repairs all of these: {'; '.join(one)}"
+        if text or about == "origin-ours":
+            where = place if len(sentences) > 1 else ""
+            yield Block("text", text, about, where, symbols=symbols)
+    changes = {_one_change(member.claim) for member in members}
+    if len(changes) == 1 and len({m.formula for m in members}) > 1 and (one := changes.pop()):
+        yield Block("text", "; ".join(one), "one-change", symbols=symbols)
     for member in entry.readings:
         yield from _reading_blocks(member, more=len(entry.readings) > 1 and printed)
-    for note in _notes(entry):
-        yield "text", f"Note: {note}"
-
-
-def _notes(entry: Entry) -> list[str]:
-    """Notes of its claims, each once; beside a printed formula the words are such."""
-    words = [m.said.text for m in entry.members if entry.origin == "printed"]
-    return list(dict.fromkeys(filter(None, [*words, *(m.said.note for m in entry.members)])))
+    words = [("about", m.said.text) for m in members if printed]
+    notes = [*words, *(("note", m.said.note) for m in members)]
+    for label, text in dict.fromkeys(notes):
+        if text:
+            yield Block("text", text, label, symbols=symbols)
 
 
 def _reading_blocks(member: Member, *, more: bool) -> Iterator[Block]:
-    claim, said = member.claim, member.said
-    label = {"printed": "As printed", "words": "Read as"}.get(said.origin, "Reconstructed")
-    where = f", {claim['place']}" if more else ""
+    claim, said, symbols = member.claim, member.said, member.said.known
+    label = f"origin-{said.origin}" if said.origin in ("printed", "reconstructed") else "read-as"
+    place = claim["place"] if more else ""
     if said.origin == "printed" and said.quoted:
-        yield "text", f"As printed{where}:"
-        yield "quote", said.quoted
-        label, where = "Read as", ""
-    yield "text", f"{label}{where} ({_verdict(claim)}):"
+        yield Block("text", "", label, place)
+        yield Block("formula" if is_formula(said.quoted) else "quote", said.quoted)
+        label, place = "read-as", ""
+    where = where_true(claim)
+    verdict = Block("text", "", label, place, claim["verdict"], where and f": {where}", symbols)
     if member.formula:
-        yield "formula", member.formula
+        yield verdict
+        yield Block("formula", member.formula)
+    elif claim["kind"] == "remark":
+        yield replace(verdict, label="")
     else:
-        yield "text", said.reading or "in words"
+        yield replace(verdict, text=said.reading or "in words")
     for condition in said.under:
-        yield "text", "Where:"
-        yield "formula", condition
+        yield Block("text", "", "where-condition")
+        yield Block("formula", condition)
     if said.symbols and said.origin != "printed":
         meanings = "; ".join(f"{symbol}: {meaning}" for symbol, meaning in said.symbols)
-        yield "text", f"Symbols: {meanings}"
-    why = reason(claim)
-    if why:
-        yield "text", f"Why: {why}"
-    for text in solutions(claim):
-        yield "text", f"Fixed by the other claims: {text}"
-    if claim["convention"]:
-        yield "text", f"Convention: {claim['convention']}"
-    if claim.get("truth"):
-        yield "text", f"What is true: {claim['truth']}"
+        yield Block("text", meanings, "symbols", symbols=symbols)
+    sentences = [
+        ("reading", claim["reading"]),
+        ("why", reason(claim)),
+        *(("undefined", text) for text in solutions(claim, member.places)),
+        ("convention", claim["convention"]),
+        ("what-is-true", claim.get("truth")),
+    ]
+    for key, text in sentences:
+        if text:
+            yield Block("text", text, key, symbols=symbols)
     for repair in repairs_of(claim):
-        lead = "Read instead" if said.origin == "printed" else "What is true"
-        yield "text", f"{lead} ({verdict_of_repair(repair)}):"
-        yield "formula", " ".join(repair["latex"].split())
-
-
-def _verdict(claim: Claim) -> str:
-    """The verdict, and on what part a conditional claim is true."""
-    where = where_true(claim)
-    return f"{claim['verdict']}: {where}" if where else str(claim["verdict"])
+        lead = "read-instead" if said.origin == "printed" else "what-is-true"
+        under = verdict_of_repair(repair).removeprefix(repair["verdict"])
+        how = "; ".join([under, *repair["changes"]])
+        yield Block("text", "", lead, "", repair["verdict"], how, symbols)
+        yield Block("formula", " ".join(repair["latex"].split()))
 
 
 def source_line(source: Mapping[str, Any]) -> str:

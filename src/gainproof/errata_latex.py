@@ -6,6 +6,7 @@ from collections.abc import Iterable
 
 from gainproof.errata_entries import Block
 from gainproof.lecture_latex import escaped
+from gainproof.sentence_formulas import written
 
 _COMMANDS = {"source": "section", "part": "subsection", "entry": "subsubsection"}
 
@@ -17,19 +18,23 @@ def document(blocks: Iterable[Block]) -> str:
         r"\usepackage[utf8]{inputenc}",
         r"\usepackage{amsmath}",
         r"\setlength{\parindent}{0pt}",
+        r"\setlength{\parskip}{3pt}",
+        # paths and names in heads leave few places to break a line
+        r"\setlength{\emergencystretch}{4em}",
         r"\begin{document}",
-        *[line for how, text in blocks for line in _set(how, text)],
+        *[line for block in blocks for line in _set(block)],
         r"\end{document}",
     ]
     return "\n".join(parts) + "\n"
 
 
-def _set(how: str, text: str) -> list[str]:
-    if how == "formula":
-        return [r"\[", f"  {text}", r"\]"]
-    if how == "quote":
-        lines = [escaped(line) or r"\strut" for line in text.split("\n")]
+def _set(block: Block) -> list[str]:
+    if block.how == "formula":
+        return [r"\[", f"  {block.text}", r"\]"]
+    if block.how == "quote":
+        lines = [escaped(line) or r"\strut" for line in block.text.split("\n")]
         return [r"\begin{quote}\ttfamily\raggedright", "\\\\\n".join(lines), r"\end{quote}"]
-    if how == "text":
-        return ["", escaped(text)]
-    return ["", rf"\{_COMMANDS[how]}*{{{escaped(text)}}}"]
+    if block.how == "text":
+        return ["", written(block.sentence, block.symbols, escaped)]
+    title = escaped(block.text)
+    return ["", rf"\{_COMMANDS[block.how]}*{{{title}}}" if block.how in _COMMANDS else title]

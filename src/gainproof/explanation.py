@@ -11,7 +11,6 @@ from gainproof.page import WIDTH, filled
 from gainproof.proof_text import proof_lines, result_lines
 from gainproof.verdict_reason import (
     ANY_FILTER,
-    is_of_slope,
     reason,
     repairs_of,
     solutions,
@@ -19,6 +18,7 @@ from gainproof.verdict_reason import (
     verdict_of_repair,
 )
 from gainproof.verify.judge.explain import sections
+from gainproof.verify.judge.verdict_words import OTHERS
 
 Claim = Mapping[str, Any]
 _LABEL = 12
@@ -51,12 +51,12 @@ def parts(claim: Claim) -> list[tuple[str, list[str]]]:
     certificate: Mapping[str, Any] = claim["evidence"]["certificate"] or {}
     witness = claim["evidence"]["witness"]
     found = [
-        ("Counterexample", _witness(witness, is_of_slope(claim))),
+        ("Counterexample", _witness(witness)),
         ("Nearest true formula", _repairs(claim)),
     ]
     found += [(section.title, list(section.lines)) for section in sections(certificate)]
     found += _in_words(claim)
-    others = certificate.get("against other conventions", {})
+    others = certificate.get(OTHERS, {})
     found.append(("Fails under other conventions", _others(others, witness)))
     return [(title, lines) for title, lines in found if lines]
 
@@ -99,7 +99,7 @@ def _facts(claim: Claim, checked: str) -> list[tuple[str, str]]:
     return [(label, str(value)) for label, value in found if value]
 
 
-def _witness(witness: Any, is_slope: bool = False) -> list[str]:
+def _witness(witness: Any) -> list[str]:
     """The point, both sides and the quantities there, in full; of a trend, the derivative and what
     is asked of it.
     """
@@ -109,7 +109,7 @@ def _witness(witness: Any, is_slope: bool = False) -> list[str]:
         return [witness]
     # the values of the formula's symbols follow in full
     lines = [witness_text.at_point({"point": witness["point"]})] if witness["point"] else []
-    asked = witness_text.slope_asked(witness) if is_slope else ""
+    asked = witness_text.slope_asked(witness)
     if asked:
         lines += [f"derivative: {witness_text.ball(witness['left'])}", f"claimed: {asked}"]
     for side in ("left", "right") if not asked and witness_text.are_compared(witness) else ():

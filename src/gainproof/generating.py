@@ -17,7 +17,7 @@ from gainproof.derive.printer.fpcore import fpcore
 from gainproof.derive.printer.javascript.script import scripts
 from gainproof.derive.printer.kernel import Module
 from gainproof.derive.printer.known_values import known_values
-from gainproof.derive.printer.loss import loss_text
+from gainproof.derive.printer.loss import loss_text, place_text
 from gainproof.derive.printer.lost_digits import with_losses
 from gainproof.derive.printer.together import prove_all
 from gainproof.derive.printer.write import module_files
@@ -41,12 +41,15 @@ def _proved(module: Module) -> list[tuple[KernelBound, ...]]:
     return [with_losses(kernel, bounds) for kernel, bounds in pairs]
 
 
-def packaged(subject: Subject, certificate: Mapping[str, Any]) -> dict[str, Any]:
+def packaged(
+    subject: Subject, certificate: Mapping[str, Any], *, own: bool = False
+) -> dict[str, Any]:
     """The same for a package of its own: with a page, values that its tests read, and what the
-    other targets have, in folders called after them; "losses" besides: sentences, each with whether
-    half of the digits or more can be lost of a user's own expression. (What a model's kernels lose
-    its author cannot write otherwise.) Raises BadInputError where a test against formulas could
-    compare nothing.
+    other targets have, in folders called after them; "remarks" besides: each a "text", whether the
+    output is "refused", and "where" it loses half. `own`: of a user's file, whose expressions are
+    refused where half of an output's digits or more can be lost. (What a model's kernels lose its
+    author cannot write otherwise.) Raises BadInputError where a test against formulas could compare
+    nothing.
     """
     module = subject.module
     bounds = _proved(module)
@@ -69,19 +72,22 @@ def packaged(subject: Subject, certificate: Mapping[str, Any]) -> dict[str, Any]
         except ValueError as error:
             raise BadInputError(f"{subject.name}: {error}") from None
         files[f"tests/formulas_{module.name}.py"] = formulas
-    own = subject.model is None
     left_out = subject.derivation.left_out
-    losses = [(left_out, False)] if left_out else []
-    losses += [(text, half and own) for text, half in _losses(module, bounds)]
-    return {"module": module.name, "title": module.title, "files": files, "losses": losses}
+    remarks = [{"text": left_out, "refused": False, "where": ""}] if left_out else []
+    remarks += _losses(module, bounds, refusing=own and subject.model is None)
+    return {"module": module.name, "title": module.title, "files": files, "remarks": remarks}
 
 
 def _losses(
-    module: Module, bounds: Sequence[tuple[KernelBound, ...]]
-) -> Iterator[tuple[str, bool]]:
-    """A sentence for each output that may lose digits, and whether it may lose half of them."""
+    module: Module, bounds: Sequence[tuple[KernelBound, ...]], refusing: bool
+) -> Iterator[dict[str, Any]]:
+    """What is said of each output that may lose digits."""
     for kernel, pair in zip(module.kernels, bounds, strict=True):
         for row, output in enumerate(kernel.outputs):
             if losses := losses_of(pair, row):
-                half = any(loss.half for loss in losses)
-                yield f"{kernel.name}, {output.name}: {loss_text(losses)}", half
+                name = f"{kernel.name}, {output.name}"
+                yield {
+                    "text": f"{name}: {loss_text(losses)}",
+                    "refused": refusing and any(loss.half for loss in losses),
+                    "where": f"for {name} where {place_text(losses)}",
+                }

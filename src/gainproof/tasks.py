@@ -82,7 +82,7 @@ def package_file(_: Desk, path: str) -> Plain:
     with recorded(Path(path).parent) as read:
         subject = build_own_file(path)
         derived = plain_subject(subject).plain()
-        part = packaged(subject, derived["certificate"])
+        part = packaged(subject, derived["certificate"], own=True)
     return {"derived": derived, "part": part, FILES_READ: read}
 
 

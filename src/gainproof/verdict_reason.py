@@ -6,18 +6,18 @@ from collections.abc import Mapping, Sequence
 from typing import Any
 
 from gainproof import witness_text
+from gainproof.verify.judge.verdict_words import (
+    ALONE,
+    CONTRADICTED,
+    DECIDES,
+    NO_REPAIR,
+    OTHERS,
+    ROUNDED,
+)
 
 Claim = Mapping[str, Any]
 
 ANY_FILTER = "holds whatever the filter is: it follows from the file's own definitions"
-NO_REPAIR = "no misprint-like repair found"
-"""What the judge says where it looked for a repair and found none."""
-_ALONE = "would be true with"
-"""In the certificate of a refuted claim, the convention under which it alone would hold."""
-_OF_SLOPE = "sign of the derivative"
-"""How the method begins that holds a trend against a derivative."""
-_PARTS = ("for ", "where", "everywhere", "nowhere", "on ", "as ")
-"""How the words of a domain begin that are no bare condition."""
 DECIDED_AS_STATED = frozenset({"proved", "definition"})
 
 
@@ -33,10 +33,10 @@ def reasons(claim: Claim) -> list[str]:
     if why:
         found.append(why)
     certificate = claim["evidence"]["certificate"] or {}
-    if "as a rounded number" in certificate:
-        found.append(certificate["as a rounded number"])
-    if _ALONE in certificate:
-        found.append(f"{_ALONE}: {certificate[_ALONE]}; other claims of its setting exclude that")
+    if ROUNDED in certificate:
+        found.append(certificate[ROUNDED])
+    if ALONE in certificate:
+        found.append(f"{ALONE}: {certificate[ALONE]}; other claims of its setting exclude that")
     return found + repaired(claim) + solutions(claim)
 
 
@@ -44,32 +44,27 @@ def where_true(claim: Claim) -> str:
     """Where a claim is true that is not true everywhere, or under what; empty for any other."""
     if claim["verdict"] != "conditional" or not claim["domain"]:
         return ""
-    other = is_contradicted(claim)
-    under = ["under another convention"] if other else []
-    # true everywhere under a convention: the reason says under which
-    on = [] if other and claim["domain"] == "everywhere" else [_on(claim["domain"])]
-    where = "as the conventions are stated" if other else "everywhere"
+    on = f"({claim['domain']})"
     if _is_proved_by_itself(claim):
-        named = f" under {claim['convention']}," if claim["convention"] else ""
-        return f"true{named} {on[0]}; other claims of its setting want another choice"
-    return f"true {', '.join([*under, *on])}; not {where}"
-
-
-def _on(domain: str) -> str:
-    """A domain as a part of a sentence: a bare condition follows a `where`."""
-    return domain if domain.startswith(_PARTS) else f"where {domain}"
+        named = f" under {claim['convention']}" if claim["convention"] else ""
+        return f"true{named} {on}; other claims of its setting want another choice"
+    if not is_contradicted(claim):
+        return f"true on a part only {on}"
+    # true everywhere under a convention: the reason says under which
+    part = "" if claim["domain"] == "everywhere" else f" {on}"
+    return f"true under another convention{part}; not as the conventions are stated"
 
 
 def is_contradicted(claim: Claim) -> bool:
     """Whether it is true, with its setting, under another convention than the source states."""
-    return "under the other convention" in (claim["evidence"]["certificate"] or {})
+    return CONTRADICTED in (claim["evidence"]["certificate"] or {})
 
 
 def _is_proved_by_itself(claim: Claim) -> bool:
     """Whether only the other claims stand against it, which fit no convention that it fits."""
     evidence = claim["evidence"]
     # with a witness it is a part of the domain that stands against it
-    decides = (evidence["certificate"] or {}).get("decides")
+    decides = (evidence["certificate"] or {}).get(DECIDES)
     return decides == "proved" and evidence["witness"] is None
 
 
@@ -113,9 +108,8 @@ def reason(claim: Claim) -> str:
     """The ground of a verdict that is not simply `proved`: the witness, if there is one."""
     witness = claim["evidence"]["witness"]
     if isinstance(witness, Mapping):
-        told = witness_text.slope_in_words if is_of_slope(claim) else witness_text.in_words
         dimensions = f"{claim['reason']}; " if claim["evidence"]["method"] == "dimensions" else ""
-        return f"{_against(claim, witness)}{dimensions}{told(witness)}"
+        return f"{_against(claim, witness)}{dimensions}{witness_text.in_words(witness)}"
     if claim["verdict"] in DECIDED_AS_STATED:
         return ""
     if claim["verdict"] == "undefined" and solutions(claim):
@@ -123,17 +117,13 @@ def reason(claim: Claim) -> str:
     return str(claim["reason"] or "")
 
 
-def is_of_slope(claim: Claim) -> bool:
-    """Whether the sides of a witness are a derivative and 0: nobody printed such a formula."""
-    return str(claim["evidence"]["method"]).startswith(_OF_SLOPE)
-
-
-def solutions(claim: Claim) -> list[str]:
-    """Undefined symbols whose meaning the other claims fix; a solution that no claim bears out is
-    told by the reason.
+def solutions(claim: Claim, places: Mapping[str, str] | None = None) -> list[str]:
+    """Undefined symbols whose meaning the other claims fix, told by their places in the source if
+    these are given, else by their ids; a solution that no claim bears out is told by the reason.
     """
+    named = places or {}
     return [
-        f"{entry['solution']}, fixed by {_ids(entry['consumed'])}"
+        f"{entry['solution']}, fixed by {', '.join(named.get(n, n) for n in entry['consumed'])}"
         for entry in claim["undefined"]
         if entry["consumed"]
     ]
@@ -142,14 +132,10 @@ def solutions(claim: Claim) -> list[str]:
 def _against(claim: Claim, witness: Mapping[str, Any]) -> str:
     """Under which of several conventions the witness was found, if the claim fits none of them."""
     certificate = claim["evidence"]["certificate"] or {}
-    others = certificate.get("against other conventions", {})
+    others = certificate.get(OTHERS, {})
     name = next((name for name, other in others.items() if other == witness), None)
     if claim["verdict"] != "refuted" or name is None:
         return ""
     if len(others) == 1:
         return f"{name}: "
     return f"fits none of {len(others)} conventions; with {name}, "
-
-
-def _ids(value: Any) -> str:
-    return ", ".join(map(str, value)) if isinstance(value, list | tuple) else str(value)

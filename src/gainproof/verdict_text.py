@@ -22,6 +22,9 @@ NATURAL = (
     "another is meant."
 )
 
+_STRENGTH = "would hold with"
+"""In the certificate of a refuted claim, the strength of a noise with which it is proved."""
+
 
 def overview(
     judgement: Judgement, columns: int = WIDTH, words: Words = MappingProxyType({})
@@ -60,6 +63,8 @@ def counts(judgements: list[Judgement]) -> str:
 def _claim(claim: Claim, said: str, head: str, indent: str, columns: int) -> list[str]:
     """Formula or words beside the verdict, reasons below."""
     texts = [*([" ".join(said.split())] if said else []), *reasons(claim)]
+    strength = (claim["evidence"]["certificate"] or {}).get(_STRENGTH)
+    texts += [f"{_STRENGTH} {strength}"] if strength else []
     if not texts:
         return [head.rstrip()]
     lines = filled(texts[0], head, indent, columns)

@@ -7,6 +7,8 @@ from collections.abc import Mapping
 from decimal import MAX_EMAX, MIN_EMIN, Context, Decimal
 from typing import Any
 
+from gainproof.verify.judge.verdict_words import LACKS_VALUE, NOT_COMPARED, Shown
+
 _DIGITS = 6
 """Digits shown of a side; more where fewer would not tell the sides apart."""
 _MOST_DIGITS = 40
@@ -14,20 +16,8 @@ _APPROACH = "->"
 """How the value of a symbol begins that tends to a point instead of having a value."""
 _SLOPES = {">": "above", "<": "below", ">=": "at least", "<=": "at most"}
 """What a trend asks of a derivative, in words, by the operator of its witness."""
-_NO_VALUE = "a side has no value"
-"""The note of a witness at which a side is not defined."""
-
-
-_SIDES_OF = "the left side of the"
-"""How a note begins that says what each side of an equivalence comes to."""
-_FILTER = "the filter is"
-"""How a note begins that says whether a filter is stable there, and what was claimed."""
-_ENTRY = "entry"
-"""How the note of a witness against an equation of matrices begins."""
 _OURS = re.compile("[a-z]+([_ ][a-z]+)+")
 """A quantity by its own name, since no symbol of the source stands for it."""
-_NOT_COMPARED = "not compared"
-"""Of a side where the note alone says what fails."""
 
 
 def at_point(witness: Mapping[str, Any]) -> str:
@@ -52,7 +42,7 @@ def sides(witness: Mapping[str, Any]) -> str:
     """`the left side is 0.5, the right 4.5`, which side has no value, or what a limit is."""
     left, right = witness["left"], witness["right"]
     missing = [name for name in ("left", "right") if witness[name].get("undefined")]
-    if _is_approach(witness) and witness.get("note") != _NO_VALUE:
+    if _is_approach(witness) and witness.get("note") != LACKS_VALUE:
         first, second = _apart(left, right)
         if witness.get("operator") == _APPROACH:
             return f"the left side tends to {first}, not to {second}"
@@ -62,10 +52,11 @@ def sides(witness: Mapping[str, Any]) -> str:
             return f"the left side is {first}, the right {second} ({witness['note']})"
     if not are_compared(witness):
         return str(witness["note"])
-    if (note := str(witness.get("note"))).startswith(_SIDES_OF):
+    note, shows = str(witness.get("note") or ""), witness.get("shows")
+    if shows == Shown.TRUTH:
         first, second = _apart(left, right)
         return note if missing else f"{note} (its sides are {first} and {second})"
-    if note.startswith(_FILTER):
+    if shows == Shown.STABILITY:
         return note
     if len(missing) == 2:
         reasons = dict.fromkeys(str(witness[name]["undefined"]) for name in missing)
@@ -78,33 +69,34 @@ def sides(witness: Mapping[str, Any]) -> str:
     if witness.get("exact"):
         return f"both sides are {_shown(left, _DIGITS)}"
     first, second = _apart(left, right)
-    note = str(witness.get("note") or "")
-    entry = f"in {note} " if note.startswith(_ENTRY) else ""
+    entry = f"in {note} " if shows == Shown.ENTRY else ""
     return f"{entry}the left side is {first}, the right {second}"
 
 
 def are_compared(witness: Mapping[str, Any]) -> bool:
     """Whether the sides of a relation are what fails, not what the note alone says."""
     both = [witness[side].get("undefined") for side in ("left", "right")]
-    return both != [_NOT_COMPARED] * 2 or not witness.get("note")
+    return both != [NOT_COMPARED] * 2 or not witness.get("note")
 
 
 def in_words(witness: Mapping[str, Any]) -> str:
-    """`at r = 1 the left side is 0.5, the right 4.5`."""
-    return f"{at_point(witness)} {sides(witness)}".strip()
-
-
-def slope_in_words(witness: Mapping[str, Any]) -> str:
-    """`at S = 3 the derivative is 0.5, not at most 0`, for the witness against a trend."""
+    """`at r = 1 the left side is 0.5, the right 4.5`; against a trend
+    `at S = 3 the derivative is 0.5, not at most 0`.
+    """
     asked = slope_asked(witness)
-    if not asked or _is_approach(witness):
-        return in_words(witness)
-    slope = _shown(witness["left"], _DIGITS)
-    return f"{at_point(witness)} the derivative is {slope}, not {asked}".strip()
+    if asked and not _is_approach(witness):
+        said = f"the derivative is {_shown(witness['left'], _DIGITS)}, not {asked}"
+    else:
+        said = sides(witness)
+    return f"{at_point(witness)} {said}".strip()
 
 
 def slope_asked(witness: Mapping[str, Any]) -> str:
-    """`at most 0`: what a trend asks of the left side; empty where a side has no value."""
+    """`at most 0`: what a trend asks of the derivative; empty where that has no value, and for
+    what is no trend.
+    """
+    if witness.get("shows") != Shown.SLOPE:
+        return ""
     word = _SLOPES.get(str(witness.get("operator")))
     if word is None or any(witness[side].get("undefined") for side in ("left", "right")):
         return ""

@@ -2,8 +2,9 @@
 
     python tests/campaigns/models.py [--first N] [--count N]
 
-Each is derived in a process of its own, whose time is limited. What is neither derived nor refused
-by name is listed by its seed, and the status is then 1.
+Each is derived in a process of its own, whose time is limited; its certificate is gone through
+again, and its gains are compared with SciPy's. What is neither derived nor refused by name, and
+what is derived wrongly, is listed by its seed, and the status is then 1.
 """
 
 from __future__ import annotations

@@ -22,7 +22,6 @@ from typing import Any
 sys.path.insert(0, str(Path(__file__).resolve().parent.parent / "support"))
 
 from files_digest import files_digest
-from small_claims import judged
 from thin_sets import claims
 from thin_sets_functions import claims as claims_with_functions
 
@@ -62,9 +61,9 @@ def main() -> int:
 def judge(kind: str, has_value: bool, seed: int, count: int, _code: str) -> list[dict[str, Any]]:
     """The claims of one block with their verdicts."""
     found = []
-    for claim in MADE[kind](seed, count, has_value=has_value):  # type: ignore[operator]
+    for claim in MADE[kind](seed, count, has_value=has_value):
         start = time.process_time()
-        verdict = judged(claim.kind, claim.fields, claim.symbols, claim.setting)
+        verdict = claim.judged()
         found.append(
             {
                 "name": claim.name,

@@ -229,7 +229,7 @@ def test_what_is_stated_is_read_from_docstrings() -> None:
     assert found.highest == np.finfo(np.float32).max
     poles = KERNELS["random_acceleration.closed_loop_poles"].stated
     assert {each.scale for each in poles} == {"first_modulus", "second_modulus"}
-    text = "Relative error at most 1.5 * 2^-52 (float64), 2.5 * 2^-23 (float32), proved for "
+    text = "y: it. Relative error at most 1.5 * 2^-52 (float64), 2.5 * 2^-23 (float32), proved for "
     wide = stated(text + "1e-300 <= x <= 4.0 (float64) and 0.1 <= x <= 4.0 (float32).")
     assert wide == (Stated(None, 2.5, 1.5, float(np.float32(0.1)), 4.0),)
     with pytest.raises(ValueError, match=r"bounds hold for 1\.0 to 4\.0, in float32 0\.1"):

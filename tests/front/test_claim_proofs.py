@@ -113,8 +113,26 @@ def test_a_judgement_without_proofs_on_matrices_has_nothing_to_check(judged: Pla
     for claim in judged["claims"]:
         claim["evidence"] = {"method": "towers", "certificate": None, "witness": None}
     assert to_recheck(judged) is None
-    assert checked(judged["claims"][0]) == (True, NOT_AGAIN)
+    assert checked(judged["claims"][0])[1].startswith(NOT_AGAIN)
     assert checked({**judged["claims"][0], "verdict": "held"}) == (True, "")
+
+
+@pytest.mark.parametrize(
+    ("verdict", "method", "witness", "reason"),
+    [
+        ("refuted", "dimensions", None, "the dimensions decide"),
+        ("proved", "shapes", None, "the shapes of the letters decide"),
+        ("refuted", "balls at an exact point", {"point": {"x": "1"}}, "the counterexample decides"),
+        ("proved", "expansion near the limit", None, "such a proof is not kept"),
+    ],
+)
+def test_what_is_not_gone_through_again_is_told_with_its_reason(
+    judged: Plain, verdict: str, method: str, witness: Any, reason: str
+) -> None:
+    evidence = {"method": method, "certificate": None, "witness": witness}
+    good, said = checked({**judged["claims"][0], "verdict": verdict, "evidence": evidence})
+    assert good
+    assert said.startswith(f"{NOT_AGAIN}{reason}")
 
 
 def test_the_page_of_a_proof_numbers_its_statements(judged: Plain) -> None:

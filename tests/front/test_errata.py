@@ -68,7 +68,7 @@ JUDGED: dict[str, Any] = {
 def test_a_sheet_has_what_cannot_stand_and_nothing_else(suffix: str) -> None:
     text = errata.sheet([JUDGED], [{}], suffix)
     assert text.startswith(errata.MARKS[suffix])
-    for part in ("(2)", "(3)", "page 7, 4", r"\beta = 2", "for r", "c is never defined"):
+    for part in ("(2)", "(3)", "page 7, 4", r"\beta = 2", "$r > 1$", "c is never defined"):
         assert part in text
     assert "(1)" not in text
     assert "(5)" not in text
@@ -78,7 +78,8 @@ def test_text_is_escaped() -> None:
     markdown, latex = errata.sheet([JUDGED], [{}], ".md"), errata.sheet([JUDGED], [{}], ".tex")
     assert r"# Errata: Notes\_on 50% of filters" in markdown
     assert r"\section*{Errata: Notes\_on 50\% of filters}" in latex
-    assert r"at \textbackslash{}beta\_k = 1" in latex
+    assert r"at $\beta_k = 1$ the left side" in latex
+    assert r"at $\beta_k = 1$ the left side" in markdown
     assert "\n$$\n\\beta = 2\n$$\n" in markdown
     assert "\\[\n  \\beta = 2\n\\]" in latex
 
@@ -102,7 +103,7 @@ def test_printed_stands_over_nothing_that_is_not_printed(origin: str) -> None:
         assert "Only what stands under" in text
         body = text.split("are ours.", 1)[1]
         assert "printed" not in body.lower()
-        label = "Read as (refuted)" if origin == "words" else "Reconstructed (refuted)"
+        label = "Read as (refuted)" if origin == "words" else "Reconstructed by us (refuted)"
         wanted = ("gains grow quickly", label, r"\beta = \alpha", "k > 1", "Why:", "no number is")
         assert in_order(body, *wanted)
 
@@ -219,7 +220,7 @@ def test_symbols_of_a_reading_are_told_with_their_meanings() -> None:
     assert dict(said.symbols)["c"] == "ratio of the index to the nominal one"
     assert "a" not in dict(said.symbols)
     for sheet in sheets(claim("figure8", "refuted"), figure8=said):
-        assert "c: ratio of the index to the nominal one" in sheet
+        assert "$c$: ratio of the index to the nominal one" in sheet
 
 
 @pytest.mark.parametrize("file", sorted(CLAIMS.rglob("*.toml")), ids=lambda path: path.stem)

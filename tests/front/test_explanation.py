@@ -7,6 +7,7 @@ from typing import Any
 import pytest
 
 from gainproof.explanation import explanation
+from gainproof.verify.judge.verdict_words import Shown
 
 WITNESS = {
     "point": {"r": "1"},
@@ -51,8 +52,8 @@ def test_a_counterexample_is_shown_in_full_and_once() -> None:
 
 def test_against_a_trend_stand_the_derivative_and_what_is_asked_of_it() -> None:
     witness = {**WITNESS, "operator": "<=", "right": {"midpoint": "0", "radius": "0"}}
+    witness["shows"] = Shown.SLOPE
     trend = claim(witness=witness, kind="monotone", latex="")
-    trend["evidence"]["method"] = "sign of the derivative; towers"
     text = explanation(trend)
     assert "  derivative: 0.5\n  claimed: at most 0\n" in text
     assert "side" not in text

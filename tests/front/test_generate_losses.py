@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+import re
 from pathlib import Path
 
+import mpmath
 import pytest
 
 from gainproof import cli
@@ -32,8 +34,8 @@ EXPRESSIONS = ExpressionSet(
 )
 """
 # x + e^-x - 1 is x^2/2 or so, its terms add up to 2 + x or so; half is lost where 5.01 eps of these
-# over that is above 2^-26.5: x^2 below 4 * 5.01 * 2^-25.5
-END = (4 * 5.01 * 2.0**-25.5) ** 0.5
+# over that is above 10^7.9 u, which is told as 8 digits: x^2 below 4 * 5.01 * 2/10^7.9 * 10^7.9 u
+END = (4 * 5.01 * 2 * 10.0**-7.9) ** 0.5
 
 
 @pytest.fixture
@@ -43,6 +45,14 @@ def file(tmp_path: Path) -> Path:
     return path
 
 
+def true_loss(place: str) -> float:
+    """Digits of x + e^-x - 1: the error may be 5.01 * 2 u of the terms."""
+    with mpmath.workdps(40):
+        x = mpmath.mpf(place)
+        terms, value = x + mpmath.exp(-x) + 1, x + mpmath.exp(-x) - 1
+        return float(mpmath.log10(5.01 * 2 * terms / value))
+
+
 def test_nothing_is_written_where_half_is_lost(
     file: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
@@ -50,15 +60,20 @@ def test_nothing_is_written_where_half_is_lost(
     assert cli.main(["generate", str(file), "--out", str(out)]) == 1
     said = " ".join(capsys.readouterr().out.split())
     assert not out.exists()
-    assert "rest, rest: Digits that can be lost: up to 14 of 16 in float64, half or more" in said
+    assert re.search(
+        r"rest, rest: Digits .* up to 13\.\d of 16 in float64, half or more only", said
+    )
     assert "what cancels: -1 + exp(-x) + x." in said
-    assert "--allow-loss writes" in said
+    assert "for rest, rest where x <= 0.0007" in said
+    assert 'docs/stable-forms.md, "What you can do"' in said
+    assert "--allow-loss, which writes" in said
     shown = float(said.partition("x <= ")[2].partition(";")[0])
     assert END <= shown <= 1.3 * END
     assert cli.main(["generate", str(file), "--out", str(out), "--allow-loss"]) == 0
     sentence = said[said.index("Digits that") : said.index(" nothing is written")]
     for name in ("rests.py", "rests.md"):
         assert sentence in " ".join((out / name).read_text("utf-8").split())
+    assert "Where nothing is lost" not in (out / "rests.md").read_text("utf-8")
     assert cli.main(["generate", str(file), "--out", str(out), "--check"]) == 0
     assert "--allow-loss" in (out / "README.md").read_text("utf-8")
 
@@ -69,5 +84,34 @@ def test_less_than_half_is_said_and_written(
     file.write_text(TEXT.replace("LOWER", "1"), encoding="utf-8")
     assert cli.main(["generate", str(file), "--out", str(tmp_path / "kernels")]) == 0
     said = " ".join(capsys.readouterr().out.split())
-    assert "Digits that can be lost: up to 3 of 16 in float64; up to 2 of 7 in float32" in said
+    numbers = re.findall(r"up to ([\d.]+) of (?:16|7) in float(?:64|32)[;.]", said)
+    # x - 1 is exact there: nothing cancels, the error is 4 units of exp and a rounding
+    assert all(0.9 <= float(n) < half for n, half in zip(numbers, (8, 3.5), strict=True))
     assert "written to" in said
+
+
+@pytest.mark.parametrize("lower", ["0.18", "0.19", "0.2", "0.21", "0.22", "0.24"])
+def test_what_is_shown_decides(
+    lower: str, file: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """Half of float32's digits go near x = 0.2: none of them is allowed, and less is shown else."""
+    file.write_text(TEXT.replace("LOWER", lower), encoding="utf-8")
+    status = cli.main(["generate", str(file), "--out", str(tmp_path / "kernels")])
+    said = " ".join(capsys.readouterr().out.split())
+    (shown,) = re.findall(r"up to ([\d.]+) of 7 in float32", said)
+    assert status == int(float(shown) >= 3.5)
+    assert ("half or more only where" in said) == bool(status)
+    assert true_loss(lower) <= float(shown) <= true_loss(lower) + 0.5
+
+
+def test_what_the_page_says_can_be_done_is_written(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """The part that the message names left out, and the page's series, which goes on below it."""
+    text = (Path(__file__).parents[2] / "docs" / "stable-forms.md").read_text("utf-8")
+    (code,) = re.findall(r"```python\n(# remainder\.py.*?)```", text, re.DOTALL)
+    (shown,) = re.findall(r"generate remainder\.py --out kernels\n(.*?)27 of 27", text, re.DOTALL)
+    file = tmp_path / "remainder.py"
+    file.write_text(code, encoding="utf-8")
+    assert cli.main(["generate", str(file), "--out", str(tmp_path / "kernels")]) == 0
+    assert capsys.readouterr().out.startswith(shown)

@@ -110,7 +110,7 @@ def test_a_condition_and_a_solution_are_said() -> None:
         "b", "undefined", undefined=[{"symbol": "c", "solution": "c = 2", "consumed": ["a"]}]
     )
     text = table(conditional, solved)
-    assert "true for r > 1; not everywhere" in text
+    assert "true on a part only (for r > 1)" in text
     assert "c = 2, fixed by a" in text
 
 

@@ -7,6 +7,7 @@ from typing import Any
 import pytest
 
 from gainproof import witness_text
+from gainproof.verify.judge.verdict_words import Shown
 
 WITNESS = {
     "point": {"r": "1"},
@@ -105,22 +106,25 @@ def test_a_side_without_value() -> None:
 )
 def test_against_a_trend_stands_the_derivative(changed: dict[str, Any], shown: str) -> None:
     witness = {**WITNESS, "right": {"midpoint": "0", "radius": "0"}, **changed}
-    assert shown in witness_text.slope_in_words(witness)
+    assert shown in witness_text.in_words({**witness, "shows": Shown.SLOPE})
+    assert "derivative" not in witness_text.in_words(witness)
 
 
 def test_of_an_equivalence_the_truth_of_each_side_is_told() -> None:
     none = {"midpoint": "", "radius": "", "undefined": "not compared"}
     note = "the left side of the equivalence holds, the right has no value"
-    text = witness_text.in_words({**WITNESS, "left": none, "right": none, "note": note})
+    shows = {"note": note, "shows": Shown.TRUTH}
+    text = witness_text.in_words({**WITNESS, "left": none, "right": none, **shows})
     assert text == f"at r = 1 {note}"
     note = "the left side of the equivalence holds, the right does not hold"
-    text = witness_text.in_words({**WITNESS, "note": note})
+    text = witness_text.in_words({**WITNESS, **shows, "note": note})
     assert text == f"at r = 1 {note} (its sides are 0.5 and 4.38396)"
 
 
 def test_of_a_filter_its_stability_is_told() -> None:
     note = "the filter is stable (poles of modulus 0.707107), though a < 1 fails"
-    assert witness_text.in_words({**WITNESS, "note": note}) == f"at r = 1 {note}"
+    witness = {**WITNESS, "note": note, "shows": Shown.STABILITY}
+    assert witness_text.in_words(witness) == f"at r = 1 {note}"
 
 
 @pytest.mark.parametrize(

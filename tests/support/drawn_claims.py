@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
 from random import Random
+
+from small_claims import SmallClaim
 
 NAMES = ("x", "y", "z")
 FUNCTIONS = (r"\sin", r"\cos", r"\exp", r"\ln", r"\arctan")
@@ -18,22 +19,14 @@ DOMAINS = (
 ORDERS = ("=", "=", "=", r"\leq", "<", r"\neq", ">", r"\geq")
 
 
-@dataclass(frozen=True)
-class Drawn:
-    """The kind of a claim, and the lines of its table."""
-
-    kind: str
-    fields: str
-
-
-def drawn_claims(seed: int, count: int) -> Iterator[Drawn]:
+def drawn_claims(seed: int, count: int) -> Iterator[SmallClaim]:
     """Claims in one to three symbols, of every kind that compares two sides."""
     chance = Random(seed)
     for _ in range(count):
         yield _claim(chance)
 
 
-def _claim(chance: Random) -> Drawn:
+def _claim(chance: Random) -> SmallClaim:
     names = NAMES[: chance.choice((1, 1, 1, 2, 2, 3))]
     domains = [chance.choice(DOMAINS).format(name) for name in names]
     stated = ", ".join(d for d in domains if d)
@@ -41,14 +34,16 @@ def _claim(chance: Random) -> Drawn:
     if chance.random() < 0.1:
         subject, trend = _expression(chance, names, 1), chance.choice(("increasing", "decreasing"))
         fields = f"about = ['{subject}', '{names[0]}']\ntrend = '{trend}'\ntext = 'in words'"
-        return Drawn("monotone", _with(fields, stated))
+        return SmallClaim("monotone", _with(fields, stated))
     first = _relation(chance, names)
     if kind in ("equivalence", "implication"):
         arrow = r"\iff" if kind == "equivalence" else r"\implies"
         second = _relation(chance, names) if chance.random() < 0.7 else _again(chance, first)
-        return Drawn(kind, _with(f"latex = '{first} {arrow} {second}'", stated))
+        return SmallClaim(kind, _with(f"latex = '{first} {arrow} {second}'", stated))
     is_equation = any(f" {order} " in first for order in ("=",))
-    return Drawn("identity" if is_equation else "inequality", _with(f"latex = '{first}'", stated))
+    return SmallClaim(
+        "identity" if is_equation else "inequality", _with(f"latex = '{first}'", stated)
+    )
 
 
 def _with(fields: str, stated: str) -> str:

@@ -5,10 +5,14 @@ from __future__ import annotations
 import random
 from typing import Any
 
+import numpy as np
+import scipy.linalg
 import sympy as sp
+from graph_kernels import balls
 
 from gainproof.derive.model import Model, ModelError, Parameter
 from gainproof.derive.own_model.choice import derive_own_model
+from gainproof.derive.printer.kernel import Kernel
 from gainproof.derive.quantity import (
     MEASUREMENT_DEVIATION,
     METRE,
@@ -17,6 +21,8 @@ from gainproof.derive.quantity import (
     Quantity,
     Unit,
 )
+from gainproof.deriving import plain_subject
+from gainproof.rechecking import expected_of, recheck
 
 T, SIGMA = SAMPLING_INTERVAL.symbol, MEASUREMENT_DEVIATION.symbol
 SHAKE = Quantity("shake", "w", "strength", METRE)
@@ -33,6 +39,10 @@ ODD = [
     *(sp.Piecewise((1, R > 1), (0, True)), sp.Symbol("unknown"), B * T, 1 / (RHO - RHO**2)),
     *(T, SIGMA, W, D / SIGMA, 10**40, sp.Rational(1, 10**40), sp.Rational("0.123456789012345678")),
 ]
+
+GAINS = ("alpha", "beta", "gamma")
+TOLERANCE = 1e-7
+"""SciPy is good to about nine digits."""
 
 
 def drawn(seed: int) -> Model:
@@ -83,10 +93,37 @@ def drawn(seed: int) -> Model:
 
 
 def outcome(model: Model) -> str:
-    """`derived`, or the message of the refusal; anything else is raised."""
+    """`derived`, or the message of the refusal; anything else is raised, a certificate that is
+    rejected and gains that are not SciPy's too.
+    """
     try:
         subject = derive_own_model(model)
-        subject.certificate()
     except ModelError as error:
         return str(error)
+    derived = plain_subject(subject)
+    report = recheck(derived.certificate, expected_of(derived))
+    if not report["accepted"]:
+        raise ValueError(f"the certificate is rejected: {report['reason']}")
+    for kernel in subject.module.kernels:
+        if kernel.name == "gains" and model.measurement.rows == 1:
+            _require_gains(model, kernel)
     return "derived"
+
+
+def _require_gains(model: Model, kernel: Kernel) -> None:
+    """Raises ValueError unless they are those of SciPy's Riccati equation, where it has one."""
+    for index, rho, ratio in ((0.3, 0.4, 1.7), (2.0, 0.8, 0.6), (9.0, 0.15, 1.1)):
+        values = {T: 1, SIGMA: 1, B: 1, W: index, D: index, RHO: rho, R: ratio}
+        matrices = (model.transition, model.process_noise, model.measurement)
+        f, q, h = (np.array(each.subs(values).tolist(), float) for each in matrices)
+        try:
+            p = scipy.linalg.solve_discrete_are(f.T, h.T, q, [[1.0]])
+        except np.linalg.LinAlgError:
+            continue
+        wanted = (p @ h.T / (h @ p @ h.T + 1))[:, 0]
+        found = balls(kernel.graph, {"tracking_index": index, "rho": rho, "ratio": ratio})
+        shown = [each.name for each in kernel.outputs]
+        # a gain that is 0 is no output
+        gains = [float(found[n].mid()) if n in shown else 0.0 for n in GAINS[: len(wanted)]]
+        if np.abs(gains - wanted).max() > TOLERANCE * np.abs(wanted).max():
+            raise ValueError(f"gains {gains} at index {index}, SciPy has {wanted}")

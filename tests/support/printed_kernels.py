@@ -69,6 +69,9 @@ class PrintedKernel:
         return f"d_{output}" if derivative else output
 
 
+SIZES = "the sum of its terms' sizes"
+
+
 def printed_kernels() -> tuple[PrintedKernel, ...]:
     """Every public kernel of one input of every generated module; LookupError if there is none.
 
@@ -106,7 +109,7 @@ def _all() -> Iterator[PrintedKernel]:
                     dtype: {output: promise(text, output, dtype) for output in signature.outputs}
                     for dtype in DTYPES
                 },
-                frozenset(re.findall(r"Error over (\w+)_scale ", text)),
+                frozenset(re.findall(rf" (\w+): [^:]*?Error over {SIZES} ", text)),
             )
 
 
@@ -116,11 +119,11 @@ def promise(text: str, output: str, dtype: str) -> Promise:
     LookupError when the docstring makes none: an output without a stated bound is a defect.
     """
     number = r"([-+.e\d]+)"
-    start = re.search(rf" {output}: [^:]*?(?:Relative error|Error over \w+) at most ", text)
+    start = re.search(rf" {output}: [^:]*?(?:Relative error|Error over [\w' ]+) at most ", text)
     if start is None:
         raise LookupError(f"no error is stated for {output}: {text[:60]}...")
     # up to the next output's statement
-    later = re.split(r"(?:Relative error|Error over \w+) at most ", text[start.end() :])[0]
+    later = re.split(r"(?:Relative error|Error over [\w' ]+) at most ", text[start.end() :])[0]
     digits = {"float64": 52, "float32": 23}[dtype]
     bound = re.search(rf"{number} \* 2\^-{digits} \({dtype}\)", later)
     ends = re.search(rf"{number} <= \w+ <= {number} \({dtype}\)", later)

@@ -105,7 +105,8 @@ def pair_of(family: str, function: Any, signature: Any, graph: Any) -> PrintedPa
 def stated(text: str, output: str) -> Stated:
     """The statement about an output, from a docstring on one line; LookupError if there is none."""
     found = re.search(
-        rf" {output}: [^:]*?(?:Relative error|Error over (\w+)) at most ([.\d]+) \* 2\^-52 "
+        rf" {output}: [^:]*?(?:Relative error|Error over (the sum of its terms' sizes|\w+)) "
+        r"at most ([.\d]+) \* 2\^-52 "
         r"\(float64\), ([.\d]+) \* 2\^-23 \(float32\), proved for every input",
         text,
     )
@@ -113,7 +114,7 @@ def stated(text: str, output: str) -> Stated:
         raise LookupError(f"no bound for every input is stated for {output}: {text[:60]}...")
     scale, double, single = found.groups()
     bounds = {"float64": Fraction(double), "float32": Fraction(single)}
-    return Stated(bounds, scale or output)
+    return Stated(bounds, f"{output}_scale" if scale and " " in scale else scale or output)
 
 
 def pair_groups(kernels: Sequence[PrintedPair]) -> dict[tuple[str, str], list[PrintedPair]]:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field
 from typing import Any
 
 from gainproof.verify.judge.claim.file import read_claim_text
@@ -47,6 +48,21 @@ def judged(
     file = read_claim_text(f"{HEAD}{setting}\n[settings.s.symbols]\n{table}{claim}", "trial.toml")
     (found,) = judge_setting(file.settings["s"], file.claims, models, SOLVED)
     return found
+
+
+@dataclass(frozen=True)
+class SmallClaim:
+    """One claim, made by a test, as `judged` takes it; `name` says of which sort it is."""
+
+    kind: str
+    fields: str
+    symbols: Mapping[str, str] = field(default_factory=dict)
+    setting: str = "kind = 'algebra'"
+    name: str = ""
+
+    def judged(self) -> ClaimVerdict:
+        """Its verdict."""
+        return judged(self.kind, self.fields, self.symbols, self.setting)
 
 
 def check(found: ClaimVerdict, wanted: str) -> None:

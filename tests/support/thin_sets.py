@@ -10,9 +10,11 @@ core is zero at the point is computed anew in fractions.
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from fractions import Fraction
 from random import Random
+
+from small_claims import SmallClaim
 
 Point = Mapping[str, Fraction]
 LETTERS = ("a", "p", "s", "x", "y")
@@ -34,25 +36,7 @@ class Core:
     signed: bool = False
 
 
-@dataclass(frozen=True)
-class ThinClaim:
-    """One claim as lines of a claim file, with the symbols that it declares."""
-
-    kind: str
-    fields: str
-    symbols: Mapping[str, str]
-    core: Core
-    has_value: bool
-    setting: str
-    point: Point = field(default_factory=dict)
-
-    @property
-    def name(self) -> str:
-        """Kind, number of symbols of the core, dimension of its zeros."""
-        return f"{self.kind}, {len(self.core.names)} symbols, dimension {self.core.dimension}"
-
-
-def claims(seed: int, count: int, *, has_value: bool) -> Iterator[ThinClaim]:
+def claims(seed: int, count: int, *, has_value: bool) -> Iterator[SmallClaim]:
     """So many claims, all kinds in turn; all of them true wherever they have a value."""
     random = Random(f"{seed}:{has_value}")
     for number in range(count):
@@ -60,31 +44,39 @@ def claims(seed: int, count: int, *, has_value: bool) -> Iterator[ThinClaim]:
         yield _claim(core, SHAPES[random.randrange(len(SHAPES))], random, has_value)
 
 
-def _claim(core: Core, shape: Shape, random: Random, has_value: bool) -> ThinClaim:
+def _claim(core: Core, shape: Shape, random: Random, has_value: bool) -> SmallClaim:
     while (shape.needs_sign and core.signed) or (has_value and core.signed):
         core = random.choice(CORES)(random)
     assert core.value(core.zero) == 0, core.latex
     text = core.latex
     if has_value:
         text = f"({text} + {random.choice(('1', '2', '0.5', '0.001'))})"
-    fields = shape.fields(text, core.names[0])
     domains = {name: _domain(name, core.zero[name], random) for name in core.names}
     for name in OTHERS:
         domains[name] = random.choice((f"domain = '-2 < {name} < 2', ", ""))
-    if shape.kind == "steady_state":
-        domains |= dict.fromkeys(("p_s", "p_k", "p_b"), "")
+    dimension = f"dimension {core.dimension}"
+    return made(shape, text, core.names, domains, dimension)
+
+
+def made(
+    shape: Shape, core: str, names: Sequence[str], domains: Mapping[str, str], sort: str
+) -> SmallClaim:
+    """The claim of that shape with a core in these symbols, of which the domains are lines of the
+    declarations.
+    """
+    free: tuple[str, ...] = OTHERS if shape.setting == FILTER else ("t",)
+    free += ("p_s", "p_k", "p_b") if shape.kind == "steady_state" else ()
     symbols = {
-        name: f"{{ unit = '1', {domain}meaning = 'a number' }}" for name, domain in domains.items()
+        name: f"{{ unit = '1', {domain}meaning = 'a number' }}"
+        for name, domain in ({**domains, **dict.fromkeys(free, "")}).items()
     }
+    symbols["j"] = "{ unit = '1', integer = true, meaning = 'an index' }"
     if shape.setting == FILTER:
         symbols["\\alpha"] = "{ quantity = 'filter_gain.1', meaning = 'gain' }"
-        symbols["v"] = symbols["w"] = "{ unit = '1', meaning = 'a number' }"
-    else:
-        symbols |= {"t": "{ unit = '1', meaning = 'a number' }"}
-        symbols |= {"j": "{ unit = '1', integer = true, meaning = 'an index' }"}
     if shape.definition:
-        symbols["g"] = f"{{ definition = '{shape.definition(text)}', meaning = 'short' }}"
-    return ThinClaim(shape.kind, fields, symbols, core, has_value, shape.setting, core.zero)
+        symbols["g"] = f"{{ definition = '{shape.definition(core)}', meaning = 'short' }}"
+    name = f"{shape.kind}, {len(names)} symbols, {sort}"
+    return SmallClaim(shape.kind, shape.fields(core, names[0]), symbols, shape.setting, name)
 
 
 def _domain(name: str, at: Fraction, random: Random) -> str:

@@ -8,12 +8,13 @@ the other sort have a core to which a positive number is added.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 from random import Random
 
 from mpmath import atan, cos, e, exp, log, mpf, pi, sin, tan
-from thin_sets import FILTER, LETTERS, OTHERS, SHAPES, Shape
+from small_claims import SmallClaim
+from thin_sets import FILTER, LETTERS, OTHERS, SHAPES, Shape, made
 
 Number = Callable[[mpf], mpf]
 
@@ -26,25 +27,6 @@ class Term:
     value: Number
     zero: mpf
     domains: tuple[str, ...]
-
-
-@dataclass(frozen=True)
-class FunctionClaim:
-    """One claim as lines of a claim file, with the symbols that it declares; how many symbols its
-    core has.
-    """
-
-    kind: str
-    fields: str
-    symbols: Mapping[str, str]
-    setting: str
-    count: int
-    has_value: bool
-
-    @property
-    def name(self) -> str:
-        """Kind, number of symbols of the core."""
-        return f"{self.kind}, {self.count} symbols, with functions"
 
 
 NEAR_0 = ("-1 < X < 1", r"0 \leq X < 1", r"X \leq 0", "-X < 1")
@@ -88,7 +70,7 @@ FURTHER: tuple[Shape, ...] = (
 """True wherever the core is above 0, too."""
 
 
-def claims(seed: int, count: int, *, has_value: bool, most: int = 5) -> Iterator[FunctionClaim]:
+def claims(seed: int, count: int, *, has_value: bool, most: int = 5) -> Iterator[SmallClaim]:
     """So many claims, with at most so many symbols in a core; all of them true wherever they have a
     value and the core is not 0.
     """
@@ -99,7 +81,7 @@ def claims(seed: int, count: int, *, has_value: bool, most: int = 5) -> Iterator
         yield _claim(shape, size, random, has_value)
 
 
-def _claim(shape: Shape, size: int, random: Random, has_value: bool) -> FunctionClaim:
+def _claim(shape: Shape, size: int, random: Random, has_value: bool) -> SmallClaim:
     names = random.sample(LETTERS, size)
     terms = [random.choice(TERMS), *random.choices((*TERMS, *PLAIN), k=len(names) - 1)]
     core = " + ".join(
@@ -113,16 +95,4 @@ def _claim(shape: Shape, size: int, random: Random, has_value: bool) -> Function
     }
     for name in OTHERS if shape.setting != FILTER else ():
         domains[name] = random.choice((f"domain = '-2 < {name} < 2', ", ""))
-    free: tuple[str, ...] = ("v", "w") if shape.setting == FILTER else ("t",)
-    free += ("p_s", "p_k", "p_b") if shape.kind == "steady_state" else ()
-    symbols = {
-        name: f"{{ unit = '1', {domain}meaning = 'a number' }}"
-        for name, domain in (domains | dict.fromkeys(free, "")).items()
-    }
-    symbols["j"] = "{ unit = '1', integer = true, meaning = 'an index' }"
-    if shape.setting == FILTER:
-        symbols["\\alpha"] = "{ quantity = 'filter_gain.1', meaning = 'gain' }"
-    if shape.definition:
-        symbols["g"] = f"{{ definition = '{shape.definition(core)}', meaning = 'short' }}"
-    fields = shape.fields(core, names[0])
-    return FunctionClaim(shape.kind, fields, symbols, shape.setting, len(names), has_value)
+    return made(shape, core, names, domains, "with functions")

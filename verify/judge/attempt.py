@@ -9,7 +9,7 @@ from dataclasses import replace
 from gainproof.verify.judge.charted import judge_in
 from gainproof.verify.judge.cited import cited
 from gainproof.verify.judge.claim.record import Claim, Setting
-from gainproof.verify.judge.dimensions.claim import claim_readings
+from gainproof.verify.judge.dimensions.claim import claim_readings, likeliest_first
 from gainproof.verify.judge.exact.limits import Malformed, Undecided
 from gainproof.verify.judge.formula import Reading
 from gainproof.verify.judge.kinds.printed_decimal import decimals_read, with_rounded
@@ -27,7 +27,7 @@ def judge_claim(claim: Claim, setting: Setting, environment: Environment) -> Fin
     for reading, attempt in _attempts(claim, setting, environment):
         finding = _attempt(attempt)
         if reading is not None:
-            words = [text for text in (reading.text, decimals_read(claim, reading)) if text]
+            words = _how_read(claim, reading, setting, finding.verdict)
             finding = with_rounded(finding, claim, reading, setting, environment)
             finding = replace(finding, reading="; ".join(words) or None)
         if environment.conditions:
@@ -49,6 +49,25 @@ def judge_claim(claim: Claim, setting: Setting, environment: Environment) -> Fin
     if len({f.verdict for f in findings}) > 1 and any(f.verdict == "undecided" for f in findings):
         return next(f for f in findings if f.verdict == "undecided")
     return findings[0]
+
+
+def _how_read(claim: Claim, reading: Reading, setting: Setting, verdict: str) -> list[str]:
+    """How a formula was read where it may be read otherwise; of a refuted one, which another
+    reading may save, what its chains say, of which a witness has one link, and how the definitions
+    of what it prints were read.
+    """
+    words = [reading.text, decimals_read(claim, reading), *reading.taken]
+    if verdict != "refuted":
+        return [said for said in words if said]
+    # a chain that is told with its signs is not told twice
+    words += [said for said in reading.chains if not any(said in t for t in reading.taken)]
+    for token in claim.formula.symbols if claim.formula else ():
+        entry = setting.symbols.get(token)
+        definition = None if entry is None else entry.definition
+        # which of several readings is meant is chosen for the setting and told there
+        taken = () if definition is None else definition.readings[0].taken
+        words += [f"in the definition of {token} {said}" for said in taken]
+    return [said for said in words if said]
 
 
 def _of_one_filter(finding: Finding, parameter: str | None) -> Finding:
@@ -87,7 +106,7 @@ def _of_dimensions(claim: Claim, fault: str, setting: Setting, environment: Envi
     """Refuted for its dimensions, with a point at which it fails in units of its own, if one is
     seen.
     """
-    readings = () if claim.formula is None else claim.formula.readings
+    readings = () if claim.formula is None else likeliest_first(claim.formula)
     failing = [seen_to_fail(claim, r, setting, environment) for r in readings]
     witness = failing[0].witness if failing and failing[0] and all(failing) else None
     return Finding("refuted", fault, method="dimensions", witness=witness)

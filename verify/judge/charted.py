@@ -4,27 +4,37 @@ parameters.
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import replace
 from fractions import Fraction
+from functools import partial
 
 from gainproof.verify.judge.claim.record import Claim, Setting
 from gainproof.verify.judge.exact.box import Box
-from gainproof.verify.judge.exact.enclose import NoValue, Unresolved, enclosed
-from gainproof.verify.judge.exact.enclosure import enclosure
+from gainproof.verify.judge.exact.enclose import Balls, enclosed
+from gainproof.verify.judge.exact.enclosure import value_shown
 from gainproof.verify.judge.exact.expression import Expr, symbols_of
 from gainproof.verify.judge.exact.expression_text import labelled
-from gainproof.verify.judge.exact.limits import Undecided
+from gainproof.verify.judge.exact.limits import Malformed, Undecided
 from gainproof.verify.judge.exact.points import try_points
-from gainproof.verify.judge.exact.statement import Enclosure, Outcome, Statement, Witness
-from gainproof.verify.judge.exact.zero_divisor import divisor_factors, rational_zero
+from gainproof.verify.judge.exact.statement import (
+    NOT_EVALUATED,
+    STRICT,
+    Enclosure,
+    Outcome,
+    Statement,
+    Witness,
+)
+from gainproof.verify.judge.exact.zero_divisor import divisor_factors, is_zero_where, rational_zero
 from gainproof.verify.judge.fixed_gain.judging import judge_free
 from gainproof.verify.judge.formula import Reading
 from gainproof.verify.judge.kinds.catalogue import judge_reading
+from gainproof.verify.judge.meaning.symbols import UndefinedSymbol
 from gainproof.verify.judge.scope import Scope
 from gainproof.verify.judge.setting.chart_decision import EQUAL
-from gainproof.verify.judge.setting.environment import Environment
+from gainproof.verify.judge.setting.environment import Environment, NotEstablished
 from gainproof.verify.judge.verdict import Finding
+from gainproof.verify.judge.verdict_words import LACKS_VALUE
 
 KINDS = ("identity", "inequality", "monotone", "recursion")
 """What a chart helps to decide; limits are taken in the parameters themselves."""
@@ -48,6 +58,8 @@ def judge_in(
     if found.verdict == "proved":
         return found
     at_points = replace(environment, chart=None, decide=_by_points)
+    scope = Scope(setting, at_points, held=claim.held)
+    at_points = replace(at_points, decide=partial(_by_points, named=partial(_named, scope)))
     seen = judge_reading(claim, reading, Scope(setting, at_points, held=claim.held))
     if seen.witness is None and found.reason == EQUAL:
         at_points = replace(at_points, decide=_as_equal)
@@ -61,8 +73,26 @@ def judge_in(
     return replace(found, reason=reason, witness=seen.witness, reach=seen.reach)
 
 
+def _named(scope: Scope, factor: Expr) -> str | None:
+    """The symbol of the source that is zero where a factor is, if there is one."""
+    for token, entry in scope.setting.symbols.items():
+        if entry.definition is None or entry.shape is not None:
+            continue
+        graph = {"nodes": [["symbol", token]], "outputs": {"value": 0}}
+        try:
+            value = scope.expression(graph)
+        except (Undecided, Malformed, UndefinedSymbol, NotEstablished):
+            continue
+        if is_zero_where(value, factor, scope.boxes()):
+            return token
+    return None
+
+
 def _by_points(
-    statement: Statement, boxes: Mapping[str, Box], labels: Mapping[str, str]
+    statement: Statement,
+    boxes: Mapping[str, Box],
+    labels: Mapping[str, str],
+    named: Callable[[Expr], str | None] = lambda _: None,
 ) -> Outcome:
     """`refuted` at a point where it fails, else where a divisor is zero; without evidence `proved`:
     only what is known to be false is asked for.
@@ -76,8 +106,9 @@ def _by_points(
         point = rational_zero(factor, boxes)
         witness = None if point is None else _without_value(statement, point, labels)
         if witness is not None:
-            named = ", ".join(f"{labels.get(n, n)} > 0" for n in sorted(point or {}))
-            domain = f"for {named}, where {labelled(factor, labels)} is not zero"
+            positive = ", ".join(f"{labels.get(n, n)} > 0" for n in sorted(point or {}))
+            divisor = named(factor) or labelled(factor, labels)
+            domain = f"for {positive}, where {divisor} is not zero"
             return Outcome("refuted", domain, "", "", witness)
     return Outcome("proved", "", "", "")
 
@@ -85,7 +116,7 @@ def _by_points(
 def _as_equal(statement: Statement, boxes: Mapping[str, Box], labels: Mapping[str, str]) -> Outcome:
     """The same for one relation that excludes equality, of sides that are known to be equal."""
     found = _by_points(statement, boxes, labels)
-    strict = [rel for rel in statement.relations if rel.operator in ("<", ">", "!=")]
+    strict = [rel for rel in statement.relations if rel.operator in STRICT]
     known = {name: box for name, box in boxes.items() if name in statement.symbols()}
     inside = all(box.holds(Fraction(1)) for box in known.values())
     if found.witness is not None or len(strict) != 1 or statement.domain or not inside:
@@ -109,13 +140,12 @@ def _without_value(
         left, right = (_side(expr, point) for expr in (rel.left, rel.right))
         if left.undefined or right.undefined:
             where = {labels.get(name, name): str(value) for name, value in point.items()}
-            return Witness(where, rel.operator, left, right, note="a side has no value")
+            return Witness(where, rel.operator, left, right, note=LACKS_VALUE)
     return None
 
 
 def _side(expr: Expr, point: Mapping[str, Fraction]) -> Enclosure:
     whole = dict.fromkeys(symbols_of(expr), Fraction(1)) | dict(point)
-    try:
-        return enclosure(enclosed(expr, whole, BITS), 12)
-    except (NoValue, Unresolved):
-        return Enclosure("", "", "a divisor is zero")
+    found = value_shown(expr, Balls(whole, BITS))
+    unknown = found.undefined == NOT_EVALUATED
+    return replace(found, undefined="a divisor is zero") if unknown else found

@@ -10,6 +10,7 @@ from gainproof.verify.judge.claim.record import Claim
 from gainproof.verify.judge.convention import READING
 from gainproof.verify.judge.trial import Trial
 from gainproof.verify.judge.verdict import ClaimVerdict, Finding
+from gainproof.verify.judge.verdict_words import OTHERS
 
 MOST_NAMED = 12
 UNSETTLED = ("undecided", "held", "undefined")
@@ -162,7 +163,7 @@ def verdict_of(
     """The verdict on a claim; `others` are witnesses against conventions that were not chosen."""
     certificate = dict(finding.certificate)
     if others:
-        certificate["against other conventions"] = dict(others)
+        certificate[OTHERS] = dict(others)
     undefined: tuple[Mapping[str, Any], ...] = ()
     if finding.verdict == "undefined":
         undefined = ({"symbol": certificate.pop("symbol", ""), "solution": None, "consumed": []},)

@@ -22,10 +22,9 @@ from gainproof.verify.judge.setting.own_model import scaled_model
 from gainproof.verify.judge.task import Models, Solved
 from gainproof.verify.judge.trial import Trial, findings_of
 from gainproof.verify.judge.verdict import ClaimVerdict
+from gainproof.verify.judge.verdict_words import ALONE, CONTRADICTED, DECIDES
 
 TRUE, FALSE = "proved", "refuted"
-ALONE = "would be true with"
-"""In the certificate of a refuted claim: a convention that other claims of its setting exclude."""
 CHANCE = frozenset(("value", "limit", "inequality"))
 """Kinds of claims of which a single one may be true under another convention by chance."""
 
@@ -191,12 +190,12 @@ def _conditional(stated: ClaimVerdict, other: ClaimVerdict) -> ClaimVerdict:
     # what is kept as a statement is that against the stated convention, if there is one
     own = stated.certificate
     rests = stated if "statement" in own else other
-    more = {"under the other convention": dict(other.certificate)}
+    more = {CONTRADICTED: dict(other.certificate)}
     return replace(
         stated,
         verdict="conditional",
         convention=other.convention,
         domain=other.domain,
-        certificate={"decides": rests.verdict, **own, **more},
+        certificate={DECIDES: rests.verdict, **own, **more},
         reason=reason,
     )

@@ -60,13 +60,16 @@ class Reading:
     for the `x \\to a` of a `\\lim`; `iff` for `A \\Leftrightarrow B`
     and `implies` for `A \\Rightarrow B`; in the latter two `relations` is A and `conditions` is B.
     Without conditions it is `if`. `text` names the reading, and is None when the formula has only
-    this one.
+    this one. `taken` says what else was read in one way and has others, `chains` what long chains
+    say: words about the print, in which equal formulas may differ.
     """
 
     relations: tuple[Relation, ...]
     conditions: tuple[Relation, ...] = ()
     connective: str = "if"
     text: str | None = None
+    taken: tuple[str, ...] = field(default=(), compare=False)
+    chains: tuple[str, ...] = field(default=(), compare=False)
 
 
 @dataclass(frozen=True)

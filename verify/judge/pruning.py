@@ -9,11 +9,11 @@ from gainproof.verify.judge.convention import Convention
 from gainproof.verify.judge.dimensions.claim import claim_readings
 from gainproof.verify.judge.exact.limits import Malformed, Undecided
 from gainproof.verify.judge.exact.points import try_points
-from gainproof.verify.judge.exact.statement import Statement
+from gainproof.verify.judge.exact.statement import ALLOWED, Statement
 from gainproof.verify.judge.formula import Reading
 from gainproof.verify.judge.repair.points import generic_points
 from gainproof.verify.judge.repair.printed import printed
-from gainproof.verify.judge.repair.values import COMPARED, Values, truth
+from gainproof.verify.judge.repair.values import Values, truth
 from gainproof.verify.judge.scope import Scope, UndefinedSymbol
 from gainproof.verify.judge.setting.environment import Environment, NotEstablished
 from gainproof.verify.judge.verdict import Finding, finding_of
@@ -53,7 +53,7 @@ def _refuted(
     claim: Claim, reading: Reading, setting: Setting, environment: Environment
 ) -> Finding | None:
     printed_relations = (*reading.relations, *reading.conditions, *claim.domain)
-    plain = all(r.operator in COMPARED for r in printed_relations)
+    plain = all(r.operator in ALLOWED for r in printed_relations)
     if reading.connective != "if" or not plain:
         return None
     scope = Scope(setting, environment, held=claim.held)

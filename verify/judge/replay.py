@@ -19,6 +19,7 @@ from gainproof.verify.judge.exact.points import is_seen
 from gainproof.verify.judge.exact.statement import NEGATED, Rel, Statement
 from gainproof.verify.judge.freed.deciding import decided
 from gainproof.verify.judge.setting.chart_decision import INSIDE, Plane
+from gainproof.verify.judge.verdict_words import DECIDES
 
 FIELDS = (
     "tower",
@@ -41,12 +42,12 @@ def replay(certificate: Mapping[str, Any], verdict: str) -> str | None:
     several that it names, each of which has to be proved unless it says what it comes to: the
     worst of them is what they come to together.
     """
-    wanted = verdict if verdict == "proved" else certificate.get("decides", verdict)
+    wanted = verdict if verdict == "proved" else certificate.get(DECIDES, verdict)
     if "statement" not in certificate:
         parts = statements_of(certificate)
         if not parts:
             return "cannot be replayed: no statement"
-        each = {name: p.get("decides", "proved") for name, p in parts.items()}
+        each = {name: p.get(DECIDES, "proved") for name, p in parts.items()}
         together = next((v for v in ("refuted", "conditional") if v in each.values()), "proved")
         if together != wanted:
             return f"wanted {wanted}, but its parts come to {together}"

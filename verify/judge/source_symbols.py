@@ -48,6 +48,7 @@ MOST_POWER = 12
 LONGEST = 200
 """Characters of an expression that is told beside a domain."""
 BEFORE = r"(^|[(,;:]\s?|\b(?:and|for|if|only|or|where|with)\s)"
+WITHIN = r"(^|[\s(])"
 AFTER = r"(?=$|[,;:)]|\.$|\.?\s(?!\s*[-+*/^<>=]))"
 """What a condition stands between where all of it is meant: a number that goes on is another
 one.
@@ -158,6 +159,9 @@ def _scaled(
 
 def _retold(finding: Finding, meant: Meant, environment: Environment) -> Finding:
     domain, reason, witness = finding.domain, finding.reason, finding.witness
+    for old, new in _ends(meant, environment) if f"{meant.label} -> " in (domain or "") else ():
+        old, new = f"as {meant.label} -> {old}", f"as {meant.words} -> {new}"
+        domain, reason = _put(old, new, domain or "", WITHIN), _put(old, new, reason, WITHIN)
     if witness is not None and meant.label in witness.point:
         told = _at(witness, meant)
         reason = reason.replace(witness.text(), told.text())
@@ -165,18 +169,35 @@ def _retold(finding: Finding, meant: Meant, environment: Environment) -> Finding
     if domain is not None and _speaks_of(domain, meant.label):
         for old, new in _regions(finding.region, meant, environment):
             domain, reason = _put(old, new, domain), _put(old, new, reason)
+        if meant.value == symbol(meant.name):
+            exchanged = _exchanged(domain, meant)
+            reason, domain = _put(domain, exchanged, reason, r"(^|[\s(])"), exchanged
         if _speaks_of(domain, meant.label):
             value = labelled(meant.value, {meant.name: meant.label})
             more = f"{domain}, where {meant.words} = {value}"
             if len(value) <= LONGEST:
                 # added, not exchanged: any words may stand before
-                reason, domain = _put(domain, more, reason, r"(^|[\s(])"), more
+                reason, domain = _put(domain, more, reason, WITHIN), more
     return replace(finding, domain=domain, reason=reason, witness=witness)
 
 
 def _speaks_of(text: str, name: str) -> bool:
     """Whether a name stands in a text as a whole, not as a part of another name."""
-    return re.search(rf"(?<![\w\\{{]){re.escape(name)}(?![\w}}])", text) is not None
+    return re.search(_whole(name), text) is not None
+
+
+def _whole(name: str) -> str:
+    return rf"(?<![\w\\{{]){re.escape(name)}(?![\w}}])"
+
+
+def _exchanged(text: str, meant: Meant) -> str:
+    """The text with the words for a parameter that they are, in brackets amid a formula."""
+
+    def put(found: re.Match[str]) -> str:
+        amid = found.end() < len(text) and not re.match(r",| ->", text[found.end() :])
+        return f"({meant.words})" if amid and re.search(r"[ /]", meant.words) else meant.words
+
+    return re.sub(_whole(meant.label), put, text)
 
 
 def _put(old: str, new: str, text: str, before: str = BEFORE) -> str:
@@ -202,6 +223,29 @@ def _at(witness: Witness, meant: Meant) -> Witness:
         for name, other in witness.point.items()
     }
     return replace(witness, point={**point, **units})
+
+
+def _ends(meant: Meant, environment: Environment) -> Iterator[tuple[str, str]]:
+    """The ends of the values of the parameter, each with that to which the symbol goes."""
+    box = environment.boxes[meant.name]
+    lower, upper = (None if b is None else rational_point(b) for b in (box.lower, box.upper))
+    within = rational_point(Place(left=lower, right=upper, is_cell=True).samples[0])
+    try:
+        edge = image(meant.value, meant.name, within)
+        for end, far, half in (
+            (lower, "-infinity", Place(left=lower, right=within, is_cell=True)),
+            (upper, "infinity", Place(left=within, right=upper, is_cell=True)),
+        ):
+            found = images(meant.value, meant.name, box, [half])
+            if not found:
+                return
+            rises = found[0].left == edge
+            goes = found[0].right if rises else found[0].left
+            infinite = "infinity" if rises else "-infinity"
+            old, new = (far if end is None else end.text()), goes.text() if goes else infinite
+            yield old, new
+    except Undecided:
+        return
 
 
 def _regions(

@@ -9,6 +9,7 @@ from gainproof.verify.judge.choice import admitted
 from gainproof.verify.judge.claim.record import Claim, Setting
 from gainproof.verify.judge.contradiction import other_tasks, under_other_convention
 from gainproof.verify.judge.kinds.definition import defined_token
+from gainproof.verify.judge.noise_strength import strength_tasks, with_strengths
 from gainproof.verify.judge.repair.definition import DefinitionTask, definition_task
 from gainproof.verify.judge.repair.offer import (
     NOT_TRUE,
@@ -38,15 +39,17 @@ class Stage:
 
 def with_other_conventions(stages: Iterable[Stage], done: Done) -> list[Stage]:
     """Refuted claims that are all true under one convention which the source excludes are
-    conditional.
+    conditional; one that another strength of a noise makes true names it.
     """
     stages = list(stages)
     tasks = [t for s in stages for t in other_tasks(s.setting, s.decidable, s.verdicts)]
     trials = done(tasks)
-    return [
+    stages = [
         replace(s, verdicts=tuple(under_other_convention(s.decidable, s.verdicts, trials)))
         for s in stages
     ]
+    named = done([t for s in stages for t in strength_tasks(s.setting, s.decidable, s.verdicts)])
+    return [replace(s, verdicts=tuple(with_strengths(s.verdicts, named))) for s in stages]
 
 
 def with_repairs(stages: Iterable[Stage], done: Done) -> list[Stage]:

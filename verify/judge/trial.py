@@ -115,7 +115,9 @@ def _seen_by(claim: Claim, convention: Convention) -> object:
         quantity = environment.quantities.get(entry.quantity or "")
         readings = entry.definition.readings if entry.definition is not None else ()
         texts = tuple(reading.text for reading in readings)
-        used.append((token, entry.unit, quantity and quantity.key, texts))
+        assigned = environment.assigned.get(token)
+        own = assigned and assigned.key
+        used.append((token, entry.unit, quantity and quantity.key, own, texts))
     if claim.kind == "determines" or not any(setting.symbols[t].quantity for t in tokens):
         used.append(environment.name)
     return tuple(used)

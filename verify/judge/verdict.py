@@ -10,6 +10,7 @@ from typing import Any
 from gainproof.verify.judge.exact.limits import Undecided
 from gainproof.verify.judge.exact.place import Place
 from gainproof.verify.judge.exact.statement import Outcome, Witness
+from gainproof.verify.judge.verdict_words import DECIDES
 
 VERDICTS = (
     "proved",
@@ -46,7 +47,7 @@ class Finding:
         """The same under another verdict; the certificate says what its own statement comes to,
         unless it says so already.
         """
-        certificate = {"decides": self.verdict, **self.certificate}
+        certificate = {DECIDES: self.verdict, **self.certificate}
         return replace(self, verdict=verdict, reason=reason, domain=domain, certificate=certificate)
 
 

@@ -2,56 +2,34 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from collections.abc import Collection, Mapping, Sequence
+from dataclasses import dataclass, replace
 from itertools import groupby
 from typing import Any
 
-from markupsafe import Markup
+from markupsafe import Markup, escape
 
-from gainproof.book.mathematics import displayed
+from gainproof.book.mathematics import displayed, inline
 from gainproof.book.page import Finding, Page
-from gainproof.book.quoted_symbols import with_symbols
 from gainproof.book.words import LANGUAGES, in_language
 from gainproof.claim_words import Said
-from gainproof.errata_entries import entries
+from gainproof.errata_entries import Block, Entry, Member, entries, entry_blocks, source_line
 from gainproof.explanation import parts
-from gainproof.verdict_reason import reason, repairs_of, solutions, truth
+from gainproof.sentence_formulas import written
 from gainproof.verdicts import Judgement, tally
 
 Claim = Mapping[str, Any]
 
 
 @dataclass(frozen=True)
-class ShownRepair:
-    """A nearest true formula, its verdict, under which convention it is true, what was changed."""
-
-    formula: Markup
-    verdict: str
-    under: str
-    changes: tuple[str, ...]
-
-
-@dataclass(frozen=True)
 class ShownClaim:
-    """A claim: where it comes from, the words or the excerpt of the source, the formula or the
-    words as which it is judged, and under what; why it has its verdict, notes, the nearest true
-    formulas, and the parts of its proof or witness, each a title with lines, true for those that
-    are set in.
+    """A claim: what its file and the judge say of it, as on a sheet of errata, facts of the method,
+    and the parts of its proof or witness, each a title with lines, true for those that are set in.
     """
 
     id: str
-    verdict: str
-    origin: str
-    text: Markup
-    quoted: str
-    formula: Markup | None
-    words: str
-    under: tuple[Markup, ...]
-    note: Markup
+    blocks: tuple[Block, ...]
     facts: tuple[tuple[str, Markup], ...]
-    reason: Markup
-    repairs: tuple[ShownRepair, ...]
     parts: tuple[tuple[str, tuple[tuple[bool, Markup], ...]], ...]
     checked: str
 
@@ -68,10 +46,11 @@ def source_pages(
     beside the formula, `checked` what came of its certificate when it was gone through again.
     """
     source = judgement["source"]
-    claims = [
-        _shown(claim, said[claim["id"]], checked.get(claim["id"], ""))
+    members = [
+        Member(claim, said[claim["id"]], {c["id"]: c["place"] for c in judgement["claims"]})
         for claim in judgement["claims"]
     ]
+    claims = [_shown(member, checked.get(member.claim["id"], "")) for member in members]
     by_id = {claim.id: claim for claim in claims}
     places = [
         (place, [by_id[claim["id"]] for claim in group])
@@ -87,14 +66,9 @@ def source_pages(
             data={
                 "source": source,
                 "places": places,
+                "byline": source_line(source),
                 "errata": [
-                    (
-                        entry.title,
-                        [
-                            (by_id[member.claim["id"]], member in entry.readings)
-                            for member in entry.members
-                        ],
-                    )
+                    (entry.title, entry.members[0].claim["id"], _blocks(entry))
                     for entry in entries(judgement, said)
                 ],
                 "tally": tally([judgement]),
@@ -131,34 +105,40 @@ def _words(said: Said) -> str:
     return said.text or said.reading
 
 
-def _shown(claim: Claim, said: Said, checked: str) -> ShownClaim:
+def _shown(member: Member, checked: str) -> ShownClaim:
+    claim = member.claim
     facts = (
-        ("reading", claim["reading"]),
-        ("convention", claim["convention"]),
         ("domain", claim["domain"] if claim["domain"] != "nowhere" else None),
         ("method", claim["evidence"]["method"]),
-        *(("undefined", text) for text in solutions(claim)),
     )
+    known = member.said.known
     return ShownClaim(
         id=claim["id"],
-        verdict=claim["verdict"],
-        origin=said.origin,
-        text=with_symbols(said.text),
-        quoted=said.quoted,
-        formula=displayed(claim["latex"]) if claim["latex"] else None,
-        words="" if claim["kind"] == "remark" else said.reading,
-        under=tuple(map(displayed, said.under)),
-        note=with_symbols(said.note),
-        facts=tuple((label, with_symbols(str(value))) for label, value in facts if value),
-        reason=with_symbols("; ".join(filter(None, (reason(claim), *truth(claim))))),
-        repairs=tuple(
-            ShownRepair(displayed(r["latex"]), r["verdict"], r["under"], tuple(r["changes"]))
-            for r in repairs_of(claim)
+        blocks=_blocks(Entry((member,))),
+        facts=tuple((label, _sentence(str(value), known)) for label, value in facts if value),
+        parts=tuple(
+            (title, tuple((line.startswith(" "), _sentence(line.strip(), known)) for line in lines))
+            for title, lines in parts(claim)
         ),
-        parts=tuple((title, tuple(map(_line, lines))) for title, lines in parts(claim)),
         checked=checked,
     )
 
 
-def _line(line: str) -> tuple[bool, Markup]:
-    return line.startswith(" "), with_symbols(line.strip())
+def _blocks(entry: Entry) -> tuple[Block, ...]:
+    """What is said of an entry, its texts and formulas set."""
+    return tuple(
+        block
+        if block.how == "quote"
+        else replace(
+            block,
+            text=displayed(block.text)
+            if block.how == "formula"
+            else _sentence(block.text, block.symbols),
+            more=_sentence(block.more, block.symbols),
+        )
+        for block in entry_blocks(entry)
+    )
+
+
+def _sentence(text: str, symbols: Collection[str]) -> Markup:
+    return Markup(written(text, symbols, escape, inline))

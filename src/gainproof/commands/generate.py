@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
     from gainproof.drift import Difference
-    from gainproof.standalone.making import Loss
+    from gainproof.standalone.making import Remark
     from gainproof.workshop import Workshop
 
 HELP = "write kernels and certificates, or a package of your own with its tests"
@@ -29,7 +29,8 @@ as FPCore, into DIR/fpcore.
 Where the error of an output is proved relative to something larger than its value, the command says
 how many digits can be lost and in which part of the domain, as docstring and page do. A kernel of
 expressions of your own that can lose half of its digits or more is not written, unless --allow-loss
-is given; those of a MODEL are, since their outputs vanish whatever their form.
+is given, and the command says what else helps; those of a MODEL are, since their outputs vanish
+whatever their form.
 
 With --check nothing is written. Exit status 0: written, or as derived; 1: with --check a file is
 missing, different or left over, with --test a test fails, without --allow-loss half of an output's
@@ -98,25 +99,30 @@ def _package(options: argparse.Namespace, shop: Workshop) -> int:
     if options.check:
         cure = f"`{made.command}` writes them"
         status = _checked(len(files) + 1, record.differences(files, folder), cure)
-    elif _refused(made.losses, options.allow_loss):
+    elif _refused(made.remarks, options.allow_loss):
         return 1
     else:
         status = _said(record.put(files, folder), len(files) + 1, folder)
     return int(not testing.passes(folder)) if options.test and status == 0 else status
 
 
-def _refused(losses: Sequence[Loss], allowed: bool) -> bool:
+def _refused(remarks: Sequence[Remark], allowed: bool) -> bool:
     """Whether nothing may be written, after what each output can lose was said."""
     from gainproof.page import filled
 
-    for loss in losses:
-        print("\n".join(filled(loss.text, "", "  ")))
-    refused = sum(loss.refused for loss in losses)
+    for remark in remarks:
+        print("\n".join(filled(remark.text, "", "  ")))
+    refused = [remark.where for remark in remarks if remark.refused]
     if allowed or not refused:
         return False
-    outputs = "1 output" if refused == 1 else f"{refused} outputs"
-    print(f"nothing is written: half of the digits or more can be lost of {outputs};")
-    print("--allow-loss writes the kernels as they are")
+    outputs = "1 output" if len(refused) == 1 else f"{len(refused)} outputs"
+    print(f"nothing is written: half of the digits or more can be lost of {outputs}. What helps:")
+    for text in (
+        f"narrower domains of the inputs, without this part: {'; '.join(refused)}",
+        'a form whose terms do not cancel: docs/stable-forms.md, "What you can do"',
+        "--allow-loss, which writes the kernels as they are",
+    ):
+        print("\n".join(filled(text, "- ", "  ")))
     return True
 
 

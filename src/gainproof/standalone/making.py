@@ -24,13 +24,14 @@ TAKEN = frozenset({*sys.stdlib_module_names, "gainproof", "mpmath", "numpy", "py
 
 
 @dataclass(frozen=True)
-class Loss:
-    """What an output may lose, in words; `refused`: half of the digits or more, of a user's own
-    expression.
+class Remark:
+    """What is to be said of a part: what it leaves out, or what an output may lose. `refused`: so
+    much that it is not written unasked; `where`: the inputs at which it is so much.
     """
 
     text: str
     refused: bool
+    where: str
 
 
 @dataclass(frozen=True)
@@ -38,7 +39,7 @@ class Package:
     """Content by file name, what is to be said of it, and the command that makes it."""
 
     files: Mapping[str, bytes]
-    losses: Sequence[Loss]
+    remarks: Sequence[Remark]
     command: str
 
 
@@ -66,15 +67,11 @@ def fresh(
             raise BadInputError(f"{subject}: {said}: {report['reason']}")
     parts = [_aimed(each["part"], targets) for each in found]
     _require_apart(chosen, parts)
-    losses = [
-        Loss(text, half and derivations.is_file(subject))
-        for subject, part in zip(chosen, parts, strict=True)
-        for text, half in part["losses"]
-    ]
+    remarks = [Remark(**each) for part in parts for each in part["remarks"]]
     line = command(subjects, name, targets)
-    if any(loss.refused for loss in losses):
+    if any(remark.refused for remark in remarks):
         line += " --allow-loss"
-    return Package(package_files(parts, name, line), losses, line)
+    return Package(package_files(parts, name, line), remarks, line)
 
 
 def _aimed(part: dict[str, Any], targets: Sequence[str]) -> dict[str, Any]:

@@ -4,10 +4,13 @@ from __future__ import annotations
 
 import copy
 import json
+import math
+import re
 from collections.abc import Iterator
 from functools import cache
 from typing import Any
 
+import numpy as np
 import pytest
 import sympy as sp
 from one_of_each import cases
@@ -120,3 +123,43 @@ def test_a_noise_with_a_free_ratio_has_a_free_ratio_in_its_limits() -> None:
     claims = {entry["id"]: entry["claim"] for entry in found["statements"]}
     text = json.dumps(claims["large-innovation-deviation"]["value"])
     assert "s_squared" in text
+
+
+@pytest.mark.parametrize("name", [name for name in MODELS if not MODELS[name].parameters])
+def test_the_lines_of_docstrings_are_true(name: str) -> None:
+    """Read as they stand, at index 1, against the Riccati equation iterated; and reduced."""
+    subject = derive_any_two_state(MODELS[name])
+    lines = " ".join(subject.module.kernels[0].equations)
+    assert "(0)" not in lines
+    assert "(1) " not in lines
+    assert subject.model is not None
+    F = np.array(subject.model.transition, float)
+    Q = np.array(subject.model.process_noise, float)
+    P = np.eye(2)
+    for _ in range(4000):
+        gain = P[:, :1] / (P[0, 0] + 1)
+        P = F @ (P - gain @ P[:1]) @ F.T + Q
+    alpha, beta = P[0, 0] / (P[0, 0] + 1), P[1, 0] / (P[0, 0] + 1)
+    at = {"alpha": alpha, "beta": beta, "q": 1.0, "sigma": math.sqrt(P[0, 0] + 1)}
+    at |= {each: value(text, {}) for each, text in re.findall(r"([fn]\d) = ([^,;]+)[,;]", lines)}
+    at["d0"] = math.sqrt(at["f0"] ** 2 + at["n0"])
+    at["d2"] = math.sqrt(at["f2"] ** 2 + at["n1"])
+    rest = at["n0"] + at["n1"] + 2 * at["d0"] * at["d2"]
+    at["d1"] = math.sqrt(at["f1"] ** 2 - 2 * at["f0"] * at["f2"] + rest)
+    for each, text in re.findall(r"(W) = ([^;]+);", lines):
+        at[each] = value(text, at)
+    (both,) = re.findall(r"([^,;]*beta[^=,;]*=[^,;]*)[,;]", lines.partition("predicted_11")[0])
+    left, right = (value(side, at) for side in both.split("="))
+    assert left == pytest.approx(right, rel=1e-9, abs=1e-12), both
+
+
+def value(text: str, at: dict[str, float]) -> float:
+    """A docstring's formula as a number: a space between factors is a product."""
+    return float(eval(re.sub(r"(?<=[\w)]) (?=[\w(])", "*", text.strip()), {}, at))  # noqa: S307
+
+
+def test_a_sum_is_written_as_one_reads_it() -> None:
+    terms = [(0, "a"), (1, "b"), (-1, "c"), (2, "q"), (R + 1, "s"), (-TENTH, "t"), (-TENTH, "")]
+    assert printed.linear(*terms) == "b - c + 2 q + (r + 1) s - (1/10) t - 1/10"
+    assert printed.linear((-1, "c"), (0, "")) == "-c"
+    assert printed.linear((0, "c")) == "0"

@@ -10,7 +10,7 @@ import pytest
 import scipy.linalg
 import sympy as sp
 from graph_kernels import balls
-from own_models import own_model
+from own_models import free_number, own_model
 
 from gainproof.derive.algebra.leading_terms import prime_powers
 from gainproof.derive.any_two_state import printed
@@ -96,3 +96,19 @@ def test_the_root_of_a_number_of_two_large_primes_is_found() -> None:
     factor, inside = surd(Fraction(49 * large, 4))
     assert list(inside.values()) == [large]
     assert factor.as_coeff_Mul()[0] == sp.Rational(7, 2)
+
+
+R = sp.Symbol("r", real=True)
+
+
+@pytest.mark.parametrize("entry", [1 / R, 2 + 1 / R**2, (1 + R**2) / R**2, 1 / (3 * R) + 1 / R**3])
+@pytest.mark.parametrize("place", ["transition", "noise"])
+def test_quotients_by_a_parameter_below_one_are_proved(entry: sp.Expr, place: str) -> None:
+    """They are polynomials over the odds of it, which the checker does not find by itself."""
+    numbers = (free_number("r", below_one=True),)
+    in_transition = place == "transition"
+    transition = [[1, entry if in_transition else 1], [0, sp.Rational(1, 2)]]
+    noise = [[1 if in_transition else entry, 0], [0, 1]]
+    derived = plain_subject(derive_own_model(own_model(transition, noise, parameters=numbers)))
+    report = recheck(derived.certificate, expected_of(derived))
+    assert report["accepted"], report["reason"]

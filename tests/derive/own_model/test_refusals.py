@@ -120,8 +120,8 @@ REFUSED: list[tuple[Model, str]] = [
     (
         own_model(KINEMATIC, [[R, 1], [1, 1]], parameters=(free_number("r"),)),
         (
-            "process_noise should be positive semidefinite for all parameters, the sign of its "
-            "minor of rows 1, 2, r - 1, is not shown"
+            "process_noise should be positive semidefinite, and each minor of it 0 or of one sign "
+            "for all parameters: of its minor of rows 1, 2, r - 1 is not shown to have one sign"
         ),
     ),
     (
@@ -360,3 +360,31 @@ def test_a_noise_in_numbers_alone_is_told_what_to_do() -> None:
     noise = sp.ImmutableDenseMatrix([[sp.Rational("0.004"), 0], [0, sp.Rational("0.012")]])
     with pytest.raises(ModelError, match=r"entry 1,1 of process_noise .* a strength in front"):
         derive_own_model(own_model([[1, 1], [0, 1]], LAST, process_noise=noise))
+
+
+@pytest.mark.parametrize("noise", [[[1, 0], [0, (R - 1) ** 2]], [[(R - 1) ** 2, 0], [0, R]]])
+def test_a_square_that_may_be_zero_is_not_told_as_indefinite(noise: list[list[sp.Expr]]) -> None:
+    model = own_model([[1, 2], [0, 0]], noise, parameters=(free_number("r"),))
+    with pytest.raises(
+        ModelError, match=r"minor of rows \d, \(r - 1\)\*\*2 is not shown to be other"
+    ):
+        derive_own_model(model)
+
+
+@pytest.mark.parametrize("power", [4, 6])
+def test_no_message_is_longer_than_is_read(power: int) -> None:
+    """A polynomial of many terms is told by how it begins and what it holds."""
+    odd = sp.expand((R**2 - 3 * R + sp.Rational(1, 7)) * (R + 2) ** (4 * power) - 1)
+    model = own_model([[1, odd], [0, HALF]], LAST, parameters=(free_number("r"),))
+    with pytest.raises(ModelError, match=r"\.\.\. \(\d+ characters in r\) is not shown") as raised:
+        derive_own_model(model)
+    assert len(str(raised.value)) < 500
+
+
+def test_a_sign_within_a_derivation_is_told_with_its_meaning() -> None:
+    """det F changes its sign within the domain."""
+    model = own_model(
+        [[1, 1 / R], [2, 1]], [[R**2, 0], [0, 0]], parameters=(free_number("r", below_one=True),)
+    )
+    with pytest.raises(ModelError, match=r"2\*r - 1.*and the formulas depend on its sign"):
+        derive_own_model(model)

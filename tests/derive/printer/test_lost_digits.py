@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import math
 import random
+import re
+from fractions import Fraction
 from typing import Any
 
 import flint
@@ -26,7 +28,8 @@ from gainproof.derive.own_expressions.graphs import graph_of_outputs
 from gainproof.derive.own_expressions.parts import Parts
 from gainproof.derive.own_expressions.subject import derive_expressions
 from gainproof.derive.printer.bound import KernelBound
-from gainproof.derive.printer.formats import FLOAT32, Format
+from gainproof.derive.printer.cancelling import cancelling as terms_at
+from gainproof.derive.printer.formats import FLOAT32, FLOAT64, Format
 from gainproof.derive.printer.graph import GraphBuilder
 from gainproof.derive.printer.kernel import Kernel
 from gainproof.derive.printer.loss import Loss, Part, loss_text
@@ -124,8 +127,8 @@ def most(loss: Loss | None, bound: float, form: Format, place: dict[str, float])
     """How many digits may be lost at a point by what is said."""
     if loss is None:
         return math.log10(2 * bound)
-    half, quarter = (-math.log10(form.unit_roundoff) * part for part in (0.5, 0.25))
-    limit = math.inf if loss.digits == form.decimals else float(loss.digits)
+    half, quarter = (form.decimals * part for part in (0.5, 0.25))
+    limit = math.inf if loss.digits == form.decimals else loss.digits
     if loss.halved is not None and not holds(loss.halved, place):
         limit = min(limit, half)
         if loss.halved.empty and loss.quartered is not None and not holds(loss.quartered, place):
@@ -162,10 +165,11 @@ def number(name: str, lower: str, upper: str, signed: bool = False) -> Argument:
     ids=str,
 )
 def test_half_is_lost_up_to_where_mpmath_says(expression: Any, rounded: float) -> None:
-    """The part ends where the bound over the value is the root of the unit roundoff."""
+    """The part ends where the bound over the value is told as half of the digits."""
     value = sp.lambdify([X], expression, "mpmath")
     for loss in told(expression, number("x", "1e-6", "3")):
         u = loss.form.unit_roundoff
+        least = u * 10 ** (loss.form.decimals / 2 - 0.1)
         assert loss.half
         assert loss.halved is not None
         ((text, ((low, high),)),) = loss.halved.ranges
@@ -176,8 +180,8 @@ def test_half_is_lost_up_to_where_mpmath_says(expression: Any, rounded: float) -
             under = sp.fraction(expression)[1]
             terms = sp.lambdify([X], sum(sizes) / under, "mpmath")
 
-            def excess(x: Any, u: float = u, terms: Any = terms) -> Any:
-                return rounded * 2 * u * terms(x) / abs(value(x)) - mpmath.sqrt(u)
+            def excess(x: Any, u: float = u, least: float = least, terms: Any = terms) -> Any:
+                return rounded * 2 * u * terms(x) / abs(value(x)) - least
 
             end = mpmath.findroot(excess, (high / 2, high * 1.1), solver="anderson")
         assert end <= high <= end * 1.25  # by the width of a box at most
@@ -219,13 +223,13 @@ def test_differences_of_ranges_are_seen_through() -> None:
 
 
 def test_zeros_that_run_through_the_domain_are_told_by_a_share() -> None:
-    """Two roundings u, of a product and of the sum: 2 u over the share is the root of u."""
+    """Two roundings u, of a product and of the sum: 2 u over the share is told as half."""
     inputs = (number(name, "1e-3", "1e3", signed=True) for name in "wxyz")
     for loss in told(W * X + Y * Z, *inputs):
         assert loss.half
         assert loss.halved is None
         assert loss.digits == loss.form.decimals
-        assert loss.share == pytest.approx(2 * math.sqrt(loss.form.unit_roundoff), rel=0.02)
+        assert loss.share == pytest.approx(2 * 10 ** (0.1 - loss.form.decimals / 2), rel=0.02)
 
 
 def test_nothing_is_said_where_nothing_cancels() -> None:
@@ -285,3 +289,29 @@ def test_values_lie_in_their_enclosures() -> None:
             with flint.ctx.workprec(PRECISION):
                 assert not ball.is_finite() or ball.overlaps(flint.arb(text)), (seed, place)
                 assert not least > abs(flint.arb(text)), (seed, place)
+
+
+def test_what_cancels_is_told_in_names_that_are_explained() -> None:
+    """Short sums whole; long ones by a name that is known, or by parts without inner names."""
+    b = GraphBuilder()
+    x, y = b.symbol("x"), b.symbol("y")
+    long = x
+    for _ in range(60):
+        long = b.sqrt(long + y * x)
+    inner, short = long * y, x - y
+    graph = b.graph({"v": inner - x * y, "w": short}, {"inner": inner, "mine": inner - x * y})
+    made = program(graph)
+    place = [Fraction(2), Fraction(2)]
+
+    def said(output: str, *known: str) -> str:
+        end = made.outputs[output]
+        return terms_at(made, end, {end}, place, FLOAT64, {"x", "y", *known})
+
+    assert said("w") == "x - y"
+    assert said("v") == ""
+    assert said("v", "mine") == "the terms of mine"
+    nameless = program(b.graph({"v": inner - x * y}, {"root": long}))
+    end = nameless.outputs["v"]
+    text = terms_at(nameless, end, {end}, place, FLOAT64, {"x", "y"})
+    assert re.fullmatch(r"[-+*/() .xy]+|.*sqrt.*- x\*y", text)
+    assert "root" not in text

@@ -73,7 +73,7 @@ class Point:
             case "matrix":
                 rows, columns = tree[1], tree[2]
                 entries = [self._value(part, local) for part in tree[3:]]
-                return [entries[r * columns : (r + 1) * columns] for r in range(rows)]
+                return _joined([entries[r * columns : (r + 1) * columns] for r in range(rows)])
             case "transpose":
                 inner = self._value(tree[1], local)
                 return [list(row) for row in zip(*inner, strict=True)]
@@ -160,6 +160,17 @@ class Point:
         step = STEP * max(abs(here), 1)
         high, low = (self._at(tree, name, here + move, local) for move in (step, -step))
         return times(1 / (2 * step), plus(high, times(-1, low)))
+
+
+def _joined(rows: list[list[Any]]) -> list[list[Any]]:
+    """A matrix whose entries may be matrices, such as a covariance of blocks."""
+    found = []
+    for row in rows:
+        blocks = [part if isinstance(part, list) else [[part]] for part in row]
+        if len({len(block) for block in blocks}) != 1:
+            raise Misshapen("blocks")
+        found += [sum(lines, []) for lines in zip(*blocks, strict=True)]
+    return found
 
 
 def _power(base: Any, exponent: Any) -> Any:

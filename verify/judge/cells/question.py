@@ -8,7 +8,7 @@ from gainproof.verify.judge.exact.expression import walk
 from gainproof.verify.judge.exact.limits import Limits
 from gainproof.verify.judge.exact.norm import ground_factors, highest_root
 from gainproof.verify.judge.exact.poly import Poly, Ring, ring
-from gainproof.verify.judge.exact.statement import Rel
+from gainproof.verify.judge.exact.statement import ALLOWED, STRICT, Rel
 from gainproof.verify.judge.exact.truth import Question
 
 
@@ -63,7 +63,7 @@ class CellQuestion(Question):
             found += self.of_relation(rel)
         joined = self.statement.connective != "if"
         for rel in self.statement.all_relations() if joined else self.statement.relations:
-            if joined or rel.operator in ("<", ">", "!="):
+            if joined or rel.operator in STRICT:
                 found += self.of_relation(rel)
         return irreducible(found)
 
@@ -116,14 +116,6 @@ class CellQuestion(Question):
             if not (element.num.is_constant() and element.den.is_constant()):
                 continue
             sign = element.num.leading_coefficient() / element.den.leading_coefficient()
-            holds = {
-                "=": sign == 0,
-                "!=": sign != 0,
-                "<": sign < 0,
-                "<=": sign <= 0,
-                ">": sign > 0,
-                ">=": sign >= 0,
-            }
-            if not holds[rel.operator]:
+            if (sign > 0) - (sign < 0) not in ALLOWED[rel.operator]:
                 return True
         return False

@@ -10,7 +10,7 @@ from gainproof.verify.judge.exact.box import Box
 from gainproof.verify.judge.exact.constant_value import constant_value
 from gainproof.verify.judge.exact.expression import Expr
 from gainproof.verify.judge.exact.limits import Limits, Undecided
-from gainproof.verify.judge.exact.statement import Rel, Statement
+from gainproof.verify.judge.exact.statement import ALLOWED, Rel, Statement
 
 
 @dataclass(frozen=True)
@@ -89,11 +89,4 @@ def plainly_false(rel: Rel) -> bool:
     left, right = constant_value(rel.left), constant_value(rel.right)
     if left is None or right is None:
         return False
-    return not {
-        "=": left == right,
-        "!=": left != right,
-        "<": left < right,
-        "<=": left <= right,
-        ">": left > right,
-        ">=": left >= right,
-    }[rel.operator]
+    return (left > right) - (left < right) not in ALLOWED[rel.operator]

@@ -12,14 +12,16 @@ from gainproof.verify.judge.cells.task import Task
 from gainproof.verify.judge.exact.calculus import substituted
 from gainproof.verify.judge.exact.connected import Sample
 from gainproof.verify.judge.exact.constant_value import constant_value
+from gainproof.verify.judge.exact.enclose import compared
 from gainproof.verify.judge.exact.enclosure import enclosure, separated
 from gainproof.verify.judge.exact.expression import Expr, number
 from gainproof.verify.judge.exact.expression_text import labelled
 from gainproof.verify.judge.exact.limits import Undecided
 from gainproof.verify.judge.exact.points import failure_at
-from gainproof.verify.judge.exact.statement import Enclosure, Rel, Witness
+from gainproof.verify.judge.exact.statement import NOT_EVALUATED, STRICT, Enclosure, Rel, Witness
 from gainproof.verify.judge.exact.truth import FALSE
-from gainproof.verify.judge.exact.witness import fails, sides_witness, value_ball
+from gainproof.verify.judge.exact.witness import sides_witness, value_ball
+from gainproof.verify.judge.verdict_words import BOTH_EQUAL, LACKS_VALUE
 
 PRECISIONS = (64, 256, 1024, 4096)
 MOST_SIMPLE = 60
@@ -93,7 +95,7 @@ def _at(piece: Piece, sample: Sample | None, labels: Mapping[str, str]) -> Witne
     point = _point(piece, sample, labels)
     if piece.truth != FALSE:
         sides = [_side(piece, expr, sample) for expr in (rel.left, rel.right)]
-        return Witness(point, rel.operator, sides[0], sides[1], note="a side has no value")
+        return Witness(point, rel.operator, sides[0], sides[1], note=LACKS_VALUE)
     if piece.task.statement.connective != "if":
         return sides_witness(piece.task.statement, piece.local, point)
     elements = local.tower.element(rel.left), local.tower.element(rel.right)
@@ -103,13 +105,12 @@ def _at(piece: Piece, sample: Sample | None, labels: Mapping[str, str]) -> Witne
             continue
         apart = separated(a, b)
         if apart is not None:
-            return Witness(point, rel.operator, *apart) if fails(rel.operator, a, b) else None
-    if rel.operator in ("<", ">", "!=") and _equal(piece, rel):
+            return None if compared(rel.operator, a, b) else Witness(point, rel.operator, *apart)
+    if rel.operator in STRICT and _equal(piece, rel):
         a = value_ball(local, elements[0], sample, PRECISIONS[0], ())
         if a is not None:
             both = enclosure(a, 12)
-            note = "both sides are equal, exactly"
-            return Witness(point, rel.operator, both, both, exact=True, note=note)
+            return Witness(point, rel.operator, both, both, exact=True, note=BOTH_EQUAL)
     return None
 
 
@@ -125,7 +126,7 @@ def _side(piece: Piece, expr: Expr, sample: Sample | None) -> Enclosure:
     if why is not None:
         return Enclosure("", "", why)
     ball = value_ball(piece.local, piece.local.tower.element(expr), sample, PRECISIONS[0], ())
-    return Enclosure("", "", "not evaluated") if ball is None else enclosure(ball, 12)
+    return Enclosure("", "", NOT_EVALUATED) if ball is None else enclosure(ball, 12)
 
 
 def _point(piece: Piece, sample: Sample | None, labels: Mapping[str, str]) -> dict[str, str]:

@@ -37,10 +37,17 @@ def fitting_readings(formula: Formula, setting: Setting) -> tuple[tuple[Reading,
     """The readings of a formula whose dimensions agree; if there is none, what is wrong with each:
     of `4 a/b c` its author may have meant either.
     """
-    faults = [reading_fault(reading, setting) for reading in formula.readings]
-    fitting = tuple(r for r, fault in zip(formula.readings, faults, strict=True) if fault is None)
-    wrong = "; read otherwise, ".join(dict.fromkeys(fault for fault in faults if fault))
+    told = [(reading, reading_fault(reading, setting)) for reading in likeliest_first(formula)]
+    fitting = tuple(reading for reading, fault in reversed(told) if fault is None)
+    wrong = "; read otherwise, ".join(dict.fromkeys(fault for _, fault in told if fault))
     return fitting, None if fitting else f"dimensions: {wrong}"
+
+
+def likeliest_first(formula: Formula) -> tuple[Reading, ...]:
+    """The readings in the order in which they are told where nothing chooses between them: in
+    print `4 a/b c` mostly divides by `b c`, the last of its readings.
+    """
+    return tuple(reversed(formula.readings))
 
 
 def _faults(claim: Claim, setting: Setting) -> Iterator[str]:

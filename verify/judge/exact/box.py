@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass
 from fractions import Fraction
 from math import ceil, floor
@@ -65,3 +66,7 @@ class Box:
         if left and not right:
             return f"{name} {'>' if self.lower_open else '>='} {self.lower}{kind}"
         return f"{left}{name}{right}{kind}"
+
+
+Boxes = Mapping[str, Box]
+"""The domains of variables by their names."""

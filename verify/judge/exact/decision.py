@@ -15,6 +15,7 @@ from gainproof.verify.judge.exact.radicand import NeedsPower
 from gainproof.verify.judge.exact.region import region_text
 from gainproof.verify.judge.exact.statement import (
     ORDERS,
+    STRICT,
     Outcome,
     Statement,
     Witness,
@@ -166,7 +167,7 @@ def _witness(work: Work, failed: list[Judged]) -> tuple[Witness, int]:
         if found is not None:
             return found[0], tried + found[1]
         equal = j.local.vanishes(work.tower.element(work.differences[rel]).num)
-        if equal and rel.operator in ("<", ">", "!="):
+        if equal and rel.operator in STRICT:
             return equal_sides_witness(j.local, rel, work.boxes, work.labels, integer), tried + 1
     raise Undecided("the statement is false, but no rational point that shows it was found")
 

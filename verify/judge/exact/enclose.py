@@ -10,6 +10,7 @@ import flint
 from gainproof.verify.judge.exact.expression import Expr, walk
 from gainproof.verify.judge.exact.functions import ball_of
 from gainproof.verify.judge.exact.poly import Ball, rational
+from gainproof.verify.judge.exact.statement import ALLOWED
 
 
 class NoValue(ArithmeticError):
@@ -41,6 +42,24 @@ class Balls:
 def enclosed(expr: Expr, values: Mapping[str, Fraction], precision: int) -> Ball:
     """A ball round the value at a point. Raises NoValue, Unresolved."""
     return Balls(values, precision).round(expr)
+
+
+def sign_at(expr: Expr, values: Mapping[str, Fraction], precision: int) -> int:
+    """Of the value at a point; 0 also where balls do not tell."""
+    try:
+        ball = enclosed(expr, values, precision)
+    except (NoValue, Unresolved):
+        return 0
+    return 1 if ball > 0 else -1 if ball < 0 else 0
+
+
+def compared(operator: str, a: Ball, b: Ball) -> bool | None:
+    """Whether a relation holds of the numbers of two balls; None where these overlap, and for what
+    is no such relation.
+    """
+    if a.overlaps(b) or operator not in ALLOWED:
+        return None
+    return (-1 if a < b else 1) in ALLOWED[operator]
 
 
 def _node(node: Expr, parts: list[Ball], values: Mapping[str, Fraction | Ball]) -> Ball:

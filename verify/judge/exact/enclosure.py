@@ -7,9 +7,11 @@ from fractions import Fraction
 
 import flint
 
+from gainproof.verify.judge.exact.enclose import Balls, NoValue, Unresolved
+from gainproof.verify.judge.exact.expression import Expr
 from gainproof.verify.judge.exact.limits import Undecided
 from gainproof.verify.judge.exact.poly import Ball
-from gainproof.verify.judge.exact.statement import Enclosure
+from gainproof.verify.judge.exact.statement import NOT_EVALUATED, Enclosure
 
 MOST_BITS = 200_000
 """Before or after the point, of a number that is written digit by digit."""
@@ -18,7 +20,7 @@ MOST_POWER = 10**17
 PRECISION = 256
 """Of logarithms, of which the power of ten takes sixty bits."""
 FEW = 12
-"""Digits of what is longer."""
+"""Digits of what is longer, and of a side in a witness."""
 
 
 def enclosure(ball: Ball, digits: int) -> Enclosure:
@@ -34,6 +36,19 @@ def enclosure(ball: Ball, digits: int) -> Enclosure:
     while middle % 10 == 0 and radius % 10 == 0 and (middle or radius):
         middle, radius, exponent = middle // 10, radius // 10, exponent + 1
     return Enclosure(_decimal(middle, exponent), _decimal(radius, exponent))
+
+
+def value_shown(expr: Expr, balls: Balls) -> Enclosure:
+    """The value of an expression at the point of these balls, or why it has none: NOT_EVALUATED
+    where they do not tell.
+    """
+    try:
+        ball = balls.round(expr)
+        return enclosure(ball, FEW) if ball.is_finite() else Enclosure("", "", NOT_EVALUATED)
+    except NoValue as reason:
+        return Enclosure("", "", str(reason))
+    except (Unresolved, Undecided):
+        return Enclosure("", "", NOT_EVALUATED)
 
 
 def is_long(number: Enclosure) -> bool:

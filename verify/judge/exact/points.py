@@ -10,25 +10,25 @@ from itertools import chain
 from gainproof.verify.judge.exact.box import Box
 from gainproof.verify.judge.exact.calculus import substituted
 from gainproof.verify.judge.exact.constant_value import constant_value
-from gainproof.verify.judge.exact.enclose import Balls, NoValue, Unresolved, enclosed
-from gainproof.verify.judge.exact.enclosure import enclosure, separated
+from gainproof.verify.judge.exact.enclose import Balls, NoValue, Unresolved, compared, enclosed
+from gainproof.verify.judge.exact.enclosure import enclosure, separated, value_shown
 from gainproof.verify.judge.exact.expression import Expr, number, walk
-from gainproof.verify.judge.exact.limits import Undecided
 from gainproof.verify.judge.exact.poly import Ball
 from gainproof.verify.judge.exact.simple_points import at_bounds, at_ends, simple_points
 from gainproof.verify.judge.exact.statement import (
     NEGATED,
-    Enclosure,
+    NOT_EVALUATED,
     Outcome,
     Rel,
     Statement,
     Witness,
+    refuted,
 )
+from gainproof.verify.judge.verdict_words import BOTH_EQUAL, LACKS_VALUE
 
 PRECISIONS = (128, 512, 2048)
 AGREED_BITS = 400
 LEAST = 8
-NOT_RESOLVED = "not evaluated"
 
 
 def try_points(
@@ -50,17 +50,12 @@ def try_points(
     for tried, point in enumerate(points, start=1):
         found = _at(statement, point, labels, exactly=exactly)
         if isinstance(found, Witness):
-            return _refuted(found, "balls at an exact point", tried)
+            return refuted(found, "balls at an exact point", tried)
         agreed += found
     if agreed < LEAST:
         return None
     reason = f"agrees at {agreed} exact points to {AGREED_BITS * 3 // 10} digits; no proof"
     return Outcome("held", "", reason, "balls at exact points")
-
-
-def _refuted(witness: Witness, method: str, tried: int) -> Outcome:
-    reason = f"fails {witness.text()}; where it may hold is not determined"
-    return Outcome("refuted", "", reason, method, witness, {}, tried)
 
 
 def without_value(
@@ -84,23 +79,13 @@ def without_value(
         except (NoValue, Unresolved):
             continue
         for rel in statement.relations:
-            left, right = _told(rel.left, balls), _told(rel.right, balls)
+            left, right = value_shown(rel.left, balls), value_shown(rel.right, balls)
             reasons = {left.undefined, right.undefined} - {None}
-            if reasons and NOT_RESOLVED not in reasons:
+            if reasons and NOT_EVALUATED not in reasons:
                 where = {labels.get(name, name): str(value) for name, value in point.items()}
-                found = Witness(where, rel.operator, left, right, note="a side has no value")
-                return _refuted(found, "no value at an exact point", tried)
+                found = Witness(where, rel.operator, left, right, note=LACKS_VALUE)
+                return refuted(found, "no value at an exact point", tried)
     return None
-
-
-def _told(expr: Expr, balls: Balls) -> Enclosure:
-    try:
-        ball = balls.round(expr)
-        return enclosure(ball, 12) if ball.is_finite() else Enclosure("", "", NOT_RESOLVED)
-    except NoValue as reason:
-        return Enclosure("", "", str(reason))
-    except (Unresolved, Undecided):
-        return Enclosure("", "", NOT_RESOLVED)
 
 
 def failure_at(
@@ -124,7 +109,7 @@ def failure_where(
     if not all(boxes.get(name, Box()).holds(value) for name, value in point.items()):
         return None
     found = failure_at(statement, point, labels)
-    return None if found is None else _refuted(found, "balls at an exact point", 1)
+    return None if found is None else refuted(found, "balls at an exact point")
 
 
 def is_seen(rel: Rel) -> bool:
@@ -159,8 +144,7 @@ def _at(
                 where = {labels.get(name, name): str(value) for name, value in point.items()}
                 if _are_one_number(left, right):
                     both = enclosure(left, 12)
-                    note = "both sides are equal, exactly"
-                    return Witness(where, rel.operator, both, both, exact=True, note=note)
+                    return Witness(where, rel.operator, both, both, exact=True, note=BOTH_EQUAL)
                 shown = separated(left, right)
                 if shown is None:
                     raise Unresolved("sides too close")
@@ -178,11 +162,8 @@ def _holds(rel: Rel, balls: Balls, *, exactly: bool = False) -> bool:
     only if they are `exactly` one number. Raises Unresolved, NoValue.
     """
     a, b = balls.round(rel.left), balls.round(rel.right)
-    if not a.overlaps(b):
-        less = bool(a < b)
-        return {"=": False, "!=": True, "<": less, "<=": less, ">": not less, ">=": not less}[
-            rel.operator
-        ]
+    if (known := compared(rel.operator, a, b)) is not None:
+        return known
     if exactly and _are_one_number(a, b):
         return rel.operator in ("=", "<=", ">=")
     gap = a - b

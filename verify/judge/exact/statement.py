@@ -9,14 +9,26 @@ from typing import Any
 from gainproof.verify.judge.exact.box import Box
 from gainproof.verify.judge.exact.expression import Expr, symbols_of
 from gainproof.verify.judge.exact.place import Place
+from gainproof.verify.judge.verdict_words import NOT_COMPARED, Shown
 
 ORDERS = ("<", "<=", ">", ">=")
+STRICT = ("<", ">", "!=")
+"""Of two equal numbers none of these holds."""
 TURNED = {"<": ">", "<=": ">=", ">": "<", ">=": "<="}
 """The same orders of sides exchanged."""
 NEGATED = {"<": ">=", "<=": ">", ">": "<=", ">=": "<"}
 """Which order holds of two numbers where another does not."""
-NOT_COMPARED = "not compared"
-"""Of the sides of a relation where the note of a witness says what fails."""
+ALLOWED: Mapping[str, tuple[int, ...]] = {
+    ">": (1,),
+    ">=": (1, 0),
+    "=": (0,),
+    "<=": (-1, 0),
+    "<": (-1,),
+    "!=": (1, -1),
+}
+"""For each relation the signs that the difference of its sides may have."""
+NOT_EVALUATED = "not evaluated"
+"""Of a side of which balls do not tell whether it has a value."""
 
 
 @dataclass(frozen=True)
@@ -122,6 +134,7 @@ class Witness:
     values: Mapping[str, Enclosure] = field(default_factory=dict)
     exact: bool = False
     note: str = ""
+    shows: Shown = Shown.SIDES
 
     def to_json(self) -> dict[str, Any]:
         """Plain data."""
@@ -130,12 +143,15 @@ class Witness:
             "left": self.left.to_json(),
             "operator": self.operator,
             "right": self.right.to_json(),
-            "exact": self.exact,
         }
+        if self.exact:
+            found["exact"] = True
         if self.values:
             found["values"] = {name: value.to_json() for name, value in self.values.items()}
         if self.note:
             found["note"] = self.note
+        if self.shows != Shown.SIDES:
+            found["shows"] = str(self.shows)
         return found
 
     def text(self) -> str:
@@ -161,6 +177,12 @@ class Outcome:
     certificate: Mapping[str, Any] = field(default_factory=dict)
     reach: int = 0  # how many points were tried before the witness; 1 means that the first one did
     region: tuple[Place, ...] = ()  # of one parameter, where `domain` tells of it
+
+
+def refuted(witness: Witness, method: str, tried: int = 1) -> Outcome:
+    """What fails at a point, whatever it is elsewhere, found after so many points."""
+    reason = f"fails {witness.text()}; where it may hold is not determined"
+    return Outcome("refuted", "", reason, method, witness, {}, tried)
 
 
 def unstated() -> Box:

@@ -12,24 +12,18 @@ import flint
 
 from gainproof.verify.judge.exact.box import Box
 from gainproof.verify.judge.exact.connected import Connected, Sample
+from gainproof.verify.judge.exact.enclose import compared
 from gainproof.verify.judge.exact.enclosure import enclosure, separated
 from gainproof.verify.judge.exact.limits import Undecided
 from gainproof.verify.judge.exact.local import FIRST_PRECISION, Local
 from gainproof.verify.judge.exact.place import Place
 from gainproof.verify.judge.exact.poly import Ball
 from gainproof.verify.judge.exact.radicand import Element
-from gainproof.verify.judge.exact.statement import (
-    NOT_COMPARED,
-    Enclosure,
-    Rel,
-    Statement,
-    Witness,
-)
+from gainproof.verify.judge.exact.statement import NOT_EVALUATED, Enclosure, Rel, Statement, Witness
 from gainproof.verify.judge.exact.tower import Tower
 from gainproof.verify.judge.exact.truth import FALSE, NO_VALUE, TRUE, Question, truth
+from gainproof.verify.judge.verdict_words import BOTH_EQUAL, LACKS_VALUE, NOT_COMPARED, Shown
 
-SIDES_OF = "the left side of the"
-"""How the note of a witness against an equivalence or implication begins."""
 FREE_PATTERNS = (
     (1, 2, 3, 5, 7, 11, 13, 17),
     (2, 3, 5, 7, 11, 13, 17, 19),
@@ -115,24 +109,11 @@ def find_witness(
                 if a is None or b is None:
                     continue
                 shown = separated(a, b)
-                if shown is None or not fails(rel.operator, a, b):
+                if shown is None or compared(rel.operator, a, b):
                     continue
                 point = point_text(local, sample, free, labels)
                 return Witness(point, rel.operator, *shown), tried
     return None
-
-
-def fails(operator: str, a: Ball, b: Ball) -> bool:
-    """Whether the relation fails for numbers in two balls that do not overlap."""
-    match operator:
-        case "=":
-            return True
-        case "<" | "<=":
-            return bool(a > b)
-        case ">" | ">=":
-            return bool(a < b)
-        case _:
-            return False
 
 
 def point_text(
@@ -163,14 +144,8 @@ def equal_sides_witness(
             if ball is not None:
                 both = enclosure(ball, 12)
                 point = point_text(local, sample, free, labels)
-                return Witness(
-                    point,
-                    rel.operator,
-                    both,
-                    both,
-                    exact=True,
-                    note="both sides are equal, exactly",
-                )
+                note = BOTH_EQUAL
+                return Witness(point, rel.operator, both, both, exact=True, note=note)
     raise Undecided("no simple point of the set where both sides are equal was found")
 
 
@@ -195,9 +170,9 @@ def undefined_witness(
         if why is None and ball is not None:
             sides.append(enclosure(ball, 12))
         else:
-            sides.append(Enclosure("", "", why or "not evaluated"))
+            sides.append(Enclosure("", "", why or NOT_EVALUATED))
     point = point_text(local, samples[0], free, labels)
-    return Witness(point, rel.operator, sides[0], sides[1], note="a side has no value")
+    return Witness(point, rel.operator, sides[0], sides[1], note=LACKS_VALUE)
 
 
 SAID = {TRUE: "holds", FALSE: "does not hold", NO_VALUE: "has no value"}
@@ -211,6 +186,11 @@ class _Side(Question):
         self.differences = {rel: rel.left - rel.right for rel in relations}
 
 
+def truth_of_sides(what: str, first: str, second: str) -> str:
+    """The note of a witness against an equivalence or implication: what each side comes to."""
+    return f"the left side of the {what} {first}, the right {second}"
+
+
 def sides_witness(statement: Statement, local: Local, point: Mapping[str, str]) -> Witness:
     """Against an equivalence or implication: what each side comes to at a point of the place, in
     whose tower the statement is.
@@ -220,6 +200,8 @@ def sides_witness(statement: Statement, local: Local, point: Mapping[str, str]) 
         for rels in (statement.relations, statement.conditions)
     )
     what = "equivalence" if statement.connective == "iff" else "implication"
-    note = f"{SIDES_OF} {what} {first}, the right {second}"
+    note = truth_of_sides(what, first, second)
     none = Enclosure("", "", NOT_COMPARED)
-    return Witness(point, statement.relations[0].operator, none, none, exact=True, note=note)
+    return Witness(
+        point, statement.relations[0].operator, none, none, exact=True, note=note, shows=Shown.TRUTH
+    )

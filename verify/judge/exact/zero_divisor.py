@@ -7,10 +7,11 @@ from fractions import Fraction
 from itertools import permutations
 
 from gainproof.verify.judge.exact.box import Box
-from gainproof.verify.judge.exact.expression import Expr, symbols_of, walk
+from gainproof.verify.judge.exact.expression import Expr, symbol, symbols_of, walk
 from gainproof.verify.judge.exact.limits import Undecided
 from gainproof.verify.judge.exact.poly import Poly, fraction, rational, univariate
 from gainproof.verify.judge.exact.tidy import expression_of
+from gainproof.verify.judge.exact.total import divisors
 from gainproof.verify.judge.exact.tower_building import build_tower
 
 TRIED = tuple(
@@ -24,13 +25,7 @@ TRIED = tuple(
 def divisor_factors(*exprs: Expr) -> Iterator[Expr]:
     """Irreducible factors, polynomials in two symbols, of the divisors without roots."""
     seen: set[str] = set()
-    for node in walk(*exprs):
-        if node.kind == "div":
-            divisor = node.parts[1]
-        elif node.kind == "pow" and node.fraction < 0:
-            divisor = node.parts[0]
-        else:
-            continue
+    for divisor in divisors(*exprs):
         if any(n.kind == "pow" and n.fraction.denominator != 1 for n in walk(divisor)):
             continue
         names = tuple(sorted(symbols_of(divisor)))
@@ -61,3 +56,21 @@ def rational_zero(factor: Expr, boxes: Mapping[str, Box]) -> dict[str, Fraction]
                 if boxes.get(other, Box()).holds(root):
                     return {fixed: value, other: root}
     return None
+
+
+def is_zero_where(value: Expr, factor: Expr, boxes: Mapping[str, Box]) -> bool:
+    """Whether an expression without roots is known to be zero where an irreducible factor is, and
+    nowhere else in the boxes.
+    """
+    names = tuple(sorted(symbols_of(value, factor)))
+    if any(n.kind == "pow" and n.fraction.denominator != 1 for n in walk(value)):
+        return False
+    try:
+        tower = build_tower([value, factor], None, names, frozenset())
+        factors = [part for part, _ in tower.element(value).num.factor()[1]]
+        (wanted,) = (part for part, _ in tower.element(factor).num.factor()[1])
+    except (Undecided, ValueError):
+        return False
+    others = [expression_of(part, names) for part in factors if part != wanted]
+    own = [name for name in names if not boxes.get(name, Box()).holds(Fraction(0))]
+    return len(others) < len(factors) and all(other in map(symbol, own) for other in others)

@@ -6,14 +6,14 @@ from collections.abc import Iterator
 from dataclasses import dataclass, replace
 from fractions import Fraction
 
-from gainproof.verify.judge.exact.box import Box
+from gainproof.verify.judge.exact.box import Box, Boxes
 from gainproof.verify.judge.exact.calculus import differentiated, substituted
 from gainproof.verify.judge.exact.expression import Expr, neg, number, symbols_of
 from gainproof.verify.judge.exact.points import failure_at
 from gainproof.verify.judge.exact.statement import Rel, Statement
 from gainproof.verify.judge.exact.witness import inside
 from gainproof.verify.judge.freed.folding import folded, plain
-from gainproof.verify.judge.freed.smooth import Boxes, Proves, is_smooth
+from gainproof.verify.judge.freed.smooth import Proves, is_smooth
 
 SEEN = (Fraction(1), Fraction(1, 3), Fraction(7))
 """Where a slope is looked at whether it is other than 0."""

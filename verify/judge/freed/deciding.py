@@ -17,15 +17,11 @@ from gainproof.verify.judge.exact.points import (
     without_value,
 )
 from gainproof.verify.judge.exact.statement import Outcome, Statement
+from gainproof.verify.judge.exact.total import is_total
 from gainproof.verify.judge.freed import sign_changes, special_points
 from gainproof.verify.judge.freed.certificate import certificate_of
 from gainproof.verify.judge.freed.domain_words import domain_text
-from gainproof.verify.judge.freed.freely import (
-    VALUED,
-    freely,
-    refuse_without_value,
-    where_valued,
-)
+from gainproof.verify.judge.freed.freely import VALUED, freely, refuse_without_value, where_valued
 from gainproof.verify.judge.freed.induction import open_sums
 from gainproof.verify.judge.freed.other_variables import in_other_variables
 from gainproof.verify.judge.freed.restated import put_in, restated
@@ -33,7 +29,6 @@ from gainproof.verify.judge.freed.rewriting import has_functions
 from gainproof.verify.judge.freed.rising import rising
 from gainproof.verify.judge.freed.scaled import scaled
 from gainproof.verify.judge.freed.sizes import by_sizes
-from gainproof.verify.judge.freed.total import is_total
 from gainproof.verify.judge.freed.valued import valued
 from gainproof.verify.judge.freed.where_valued import but_where_it_has, but_where_they_differ
 from gainproof.verify.judge.freed.whole_numbers import for_numbers, inductively

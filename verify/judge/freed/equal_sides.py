@@ -7,19 +7,28 @@ from dataclasses import replace
 from fractions import Fraction
 from itertools import product
 
-from gainproof.verify.judge.exact.box import Box
+from gainproof.verify.judge.exact.box import Box, Boxes
 from gainproof.verify.judge.exact.calculus import substituted
 from gainproof.verify.judge.exact.enclose import Balls, NoValue, Unresolved
 from gainproof.verify.judge.exact.enclosure import enclosure
 from gainproof.verify.judge.exact.expression import number
 from gainproof.verify.judge.exact.limits import Undecided
 from gainproof.verify.judge.exact.points import failure_at
-from gainproof.verify.judge.exact.statement import ORDERS, Outcome, Rel, Statement, Witness
+from gainproof.verify.judge.exact.statement import (
+    ORDERS,
+    STRICT,
+    Outcome,
+    Rel,
+    Statement,
+    Witness,
+    refuted,
+)
 from gainproof.verify.judge.freed.away import sides
 from gainproof.verify.judge.freed.folding import folded
 from gainproof.verify.judge.freed.lowest import lowest
 from gainproof.verify.judge.freed.slopes import above_zero, by_slopes, points
-from gainproof.verify.judge.freed.smooth import Boxes, Proves
+from gainproof.verify.judge.freed.smooth import Proves
+from gainproof.verify.judge.verdict_words import BOTH_EQUAL
 
 PRECISION = 128
 SIDES = "both sides at an exact point, slopes away from it"
@@ -47,9 +56,7 @@ def fails_near(statement: Statement, boxes: Boxes, labels: Mapping[str, str]) ->
     for tried, point in enumerate([*_near(box), *below], start=1):
         witness = failure_at(statement, {name: point}, labels)
         if witness is not None:
-            reason = f"fails {witness.text()}; where it may hold is not determined"
-            method = "balls at an exact point"
-            return Outcome("refuted", "", reason, method, witness, {}, tried)
+            return refuted(witness, "balls at an exact point", tried)
     return None
 
 
@@ -101,10 +108,7 @@ def _equal_for_several(
         for rel in statement.relations:
             witness = _equal_at(rel, point, labels, proves)
             if witness is not None:
-                reason = f"fails {witness.text()}; where it may hold is not determined"
-                return Outcome(
-                    "refuted", "", reason, "both sides at an exact point", witness, {}, 1
-                )
+                return refuted(witness, "both sides at an exact point")
     return None
 
 
@@ -115,7 +119,7 @@ def _takes_out_a_number(rel: Rel) -> bool:
 def _equal_at(
     rel: Rel, point: Mapping[str, Fraction], labels: Mapping[str, str], proves: Proves
 ) -> Witness | None:
-    if rel.operator not in ("<", ">", "!="):
+    if rel.operator not in STRICT:
         return None
     here = {name: number(value) for name, value in point.items()}
     left, right = (folded(substituted(side, here)) for side in (rel.left, rel.right))
@@ -127,8 +131,7 @@ def _equal_at(
     except (NoValue, Unresolved):
         return None
     where = {labels.get(name, name): str(value) for name, value in point.items()}
-    note = "both sides are equal, exactly"
-    return Witness(where, rel.operator, ball, ball, exact=True, note=note)
+    return Witness(where, rel.operator, ball, ball, exact=True, note=BOTH_EQUAL)
 
 
 def _but_there(
@@ -148,8 +151,7 @@ def _but_there(
         for side in beside:
             by_slopes(statement, {name: side}, proves)
     except Undecided:
-        reason = f"fails {witness.text()}; where it may hold is not determined"
-        return Outcome("refuted", "", reason, "both sides at an exact point", witness, {}, 1)
+        return refuted(witness, "both sides at an exact point")
     held = " or ".join(side.text(labels.get(name, name)) for side in reversed(beside))
     reason = f"fails {witness.text()}; holds exactly for {held}"
     return Outcome("conditional", f"for {held}", reason, SIDES, witness, {}, 1)

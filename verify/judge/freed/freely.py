@@ -26,6 +26,7 @@ from gainproof.verify.judge.freed.rewriting import (
     has_functions,
 )
 from gainproof.verify.judge.freed.scaled import scaled
+from gainproof.verify.judge.freed.separate import by_sums
 from gainproof.verify.judge.hypothesis import settle
 
 FREED = "function values as free variables"
@@ -115,7 +116,7 @@ def _settled(
     def proved(opened: Freed) -> Outcome:
         where = {n: replace(b, stated=stated or b.stated) for n, b in opened.boxes.items()}
         names = {**labels, **opened.labels}
-        found = settle(opened.statement, where, parameter, names, only_proof=True)
+        found = _by_sums_or_cells(opened.statement, where, parameter, names)
         if found.verdict != "proved":
             raise Undecided(f"not true of {FREED}, which refutes nothing")
         return found
@@ -158,7 +159,15 @@ def _holds(rel: Rel, statement: Statement, boxes: Mapping[str, Box], parameter: 
     try:
         if has_functions(part):
             return _settled(part, boxes, parameter, {}, stated=True)[1].verdict == "proved"
-        outcome = settle(part, boxes, parameter, {}, only_proof=True)
+        outcome = _by_sums_or_cells(part, boxes, parameter, {})
     except Undecided:
         return False
     return outcome.verdict == "proved"
+
+
+def _by_sums_or_cells(
+    statement: Statement, boxes: Mapping[str, Box], parameter: str | None, labels: Mapping[str, str]
+) -> Outcome:
+    """What is proved, or anything else; of what is not proved no witness is asked for."""
+    found = by_sums(statement, boxes, parameter, labels)
+    return found or settle(statement, boxes, parameter, labels, only_proof=True)

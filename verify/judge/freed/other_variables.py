@@ -6,18 +6,17 @@ x and y have a degree, f(t y, y) = y^d f(t, 1), they hold for all x and y if the
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Iterator
 from fractions import Fraction
 from itertools import permutations
 
-from gainproof.verify.judge.exact.box import Box
+from gainproof.verify.judge.exact.box import Box, Boxes
 from gainproof.verify.judge.exact.calculus import substituted
 from gainproof.verify.judge.exact.enclose import NoValue, Unresolved, enclosed
 from gainproof.verify.judge.exact.expression import Expr, mul, number, power, symbol, walk
 from gainproof.verify.judge.exact.poly import rational
 from gainproof.verify.judge.exact.statement import Rel, Statement
 
-Boxes = Mapping[str, Box]
 Proves = Callable[[Statement, Boxes], bool]
 
 POSITIVE = Box(lower=Fraction(0))

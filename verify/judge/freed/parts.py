@@ -8,7 +8,7 @@ from collections.abc import Iterator
 from dataclasses import replace
 from fractions import Fraction
 
-from gainproof.verify.judge.exact.box import Box
+from gainproof.verify.judge.exact.box import Box, Boxes
 from gainproof.verify.judge.exact.calculus import substituted
 from gainproof.verify.judge.exact.expression import Expr, number, symbols_of
 from gainproof.verify.judge.exact.statement import Rel
@@ -16,7 +16,7 @@ from gainproof.verify.judge.exact.witness import inside
 from gainproof.verify.judge.freed.away import ZERO, From, Rising, opened
 from gainproof.verify.judge.freed.folding import folded
 from gainproof.verify.judge.freed.pieces import Pieces, seen_above
-from gainproof.verify.judge.freed.smooth import Boxes, Proves
+from gainproof.verify.judge.freed.smooth import Proves
 
 SHARES = (Fraction(1, 2), Fraction(1, 16), Fraction(1, 256))
 """Of the way from an end to the middle, on which slopes are asked for."""

@@ -14,16 +14,15 @@ from functools import partial
 from typing import NamedTuple
 
 from gainproof.verify.judge.domain import bounded, box_conditions
-from gainproof.verify.judge.exact.box import Box
+from gainproof.verify.judge.exact.box import Box, Boxes
 from gainproof.verify.judge.exact.calculus import substituted
 from gainproof.verify.judge.exact.expression import Expr, number, symbols_of, walk
 from gainproof.verify.judge.exact.statement import NEGATED, Rel, Statement
+from gainproof.verify.judge.exact.total import is_total
 from gainproof.verify.judge.freed.unwrapped import unwrapped
 
 MOST_UNWRAPPED = 2
 """Functions in one another."""
-
-Boxes = Mapping[str, Box]
 
 
 def restated(statement: Statement, boxes: Boxes) -> Iterator[tuple[Statement, Boxes]]:
@@ -149,7 +148,7 @@ def _turned_round(statement: Statement) -> Statement | None:
     if len(statement.relations) != 1 or len(statement.conditions) != 1:
         return None
     ((then,), (first,)) = statement.relations, statement.conditions
-    if not {then.operator, first.operator} <= NEGATED.keys() or not _is_polynomial(then):
+    if not {then.operator, first.operator} <= NEGATED.keys() or not is_total(then.left, then.right):
         return None
     if not any(node.kind == "call" for node in walk(first.left, first.right)):
         return None
@@ -158,11 +157,3 @@ def _turned_round(statement: Statement) -> Statement | None:
 
 def _negated(rel: Rel) -> Rel:
     return Rel(NEGATED[rel.operator], rel.left, rel.right)
-
-
-def _is_polynomial(rel: Rel) -> bool:
-    return all(
-        node.kind in ("number", "symbol", "add", "mul", "neg")
-        or (node.kind == "pow" and node.fraction.denominator == 1 and node.fraction > 0)
-        for node in walk(rel.left, rel.right)
-    )

@@ -9,12 +9,12 @@ from gainproof.verify.judge.exact.box import Box
 from gainproof.verify.judge.exact.calculus import rebuilt
 from gainproof.verify.judge.exact.expression import Expr, mul, number, power, symbols_of, walk
 from gainproof.verify.judge.exact.limits import Undecided
-from gainproof.verify.judge.exact.statement import Statement
+from gainproof.verify.judge.exact.statement import STRICT, Statement
+from gainproof.verify.judge.exact.total import is_total
 from gainproof.verify.judge.freed.atoms import MINUS, Atoms, Key, angle_terms, is_opaque
 from gainproof.verify.judge.freed.circle import VARIABLE
 from gainproof.verify.judge.freed.flattening import flattened
 from gainproof.verify.judge.freed.ranges import Positive
-from gainproof.verify.judge.freed.total import is_total
 
 MOST_MULTIPLE = 12
 MOST_POWER = 1000
@@ -75,7 +75,7 @@ def freed(
     moved = replace(moved, given=(*moved.given, *atoms.signs()))
     # what holds at all other angles holds at this one by continuity, but for strict relations, and
     # where conditions may come to hold there
-    strict = any(r.operator in ("<", ">", "!=") for r in statement.relations)
+    strict = any(r.operator in STRICT for r in statement.relations)
     strict = strict or has_functions(Statement(statement.domain))
     exclusions, turns = tuple(atoms.exclusions.values()), tuple(atoms.whole_turns(unstated=strict))
     if strict and len(turns) > MOST_STRICT:

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping, Sequence
 from functools import partial
 
+from gainproof.verify.judge.exact.box import Boxes
 from gainproof.verify.judge.exact.limits import Undecided
 from gainproof.verify.judge.exact.points import is_seen, try_points
 from gainproof.verify.judge.exact.statement import Outcome, Rel, Statement
@@ -17,7 +18,7 @@ from gainproof.verify.judge.freed.rewriting import has_functions
 from gainproof.verify.judge.freed.scaled import scaled
 from gainproof.verify.judge.freed.slope_words import slope_lines
 from gainproof.verify.judge.freed.slopes import by_slopes
-from gainproof.verify.judge.freed.smooth import Boxes, Proves
+from gainproof.verify.judge.freed.smooth import Proves
 from gainproof.verify.judge.hypothesis import settle
 
 MOST_SLOPES = 5

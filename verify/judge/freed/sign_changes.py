@@ -7,33 +7,33 @@ intermediate value theorem it is 0 somewhere between.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from fractions import Fraction
 from itertools import chain, islice, pairwise, product
 
 import flint
 
-from gainproof.verify.judge.exact.box import Box
-from gainproof.verify.judge.exact.enclose import Balls, NoValue, Unresolved
-from gainproof.verify.judge.exact.enclosure import enclosure
+from gainproof.verify.judge.exact.box import Box, Boxes
+from gainproof.verify.judge.exact.enclose import Balls, NoValue, Unresolved, compared, sign_at
+from gainproof.verify.judge.exact.enclosure import value_shown
 from gainproof.verify.judge.exact.expression import Expr, number, symbols_of
 from gainproof.verify.judge.exact.expression_text import labelled
-from gainproof.verify.judge.exact.limits import Undecided
 from gainproof.verify.judge.exact.points import failure_at
 from gainproof.verify.judge.exact.poly import Ball, rational
 from gainproof.verify.judge.exact.simple_points import simple_points
-from gainproof.verify.judge.exact.statement import Enclosure, Outcome, Rel, Statement, Witness
-from gainproof.verify.judge.freed.rewriting import bound_names
-from gainproof.verify.judge.freed.smooth import Boxes
-from gainproof.verify.judge.freed.special_points import (
+from gainproof.verify.judge.exact.statement import (
     STRICT,
-    UNKNOWN,
-    factors,
-    lacking,
-    lacks,
+    Enclosure,
+    Outcome,
+    Statement,
+    Witness,
     refuted,
 )
+from gainproof.verify.judge.freed.lacks import factors, lacks
+from gainproof.verify.judge.freed.rewriting import bound_names
+from gainproof.verify.judge.freed.special_points import lacking
+from gainproof.verify.judge.verdict_words import LACKS_VALUE
 
 PRECISION = 128
 HALVINGS = 60
@@ -75,11 +75,13 @@ def without_value(statement: Statement, boxes: Boxes, labels: Mapping[str, str])
         if found is None:
             continue
         left, right = (
-            Enclosure("", "", lack.reason) if lack in lacks(side) else _told(side, found)
+            Enclosure("", "", lack.reason)
+            if lack in lacks(side)
+            else value_shown(side, Balls(found.values(), PRECISION))
             for side in (rel.left, rel.right)
         )
         point = found.point(lack.zero, labels)
-        witness = Witness(point, rel.operator, left, right, note="a side has no value")
+        witness = Witness(point, rel.operator, left, right, note=LACKS_VALUE)
         return refuted(witness, "a change of sign of what must not be 0")
     return None
 
@@ -97,7 +99,8 @@ def equal_sides(statement: Statement, boxes: Boxes, labels: Mapping[str, str]) -
         found = crossing(difference, statement, boxes)
         if found is None:
             continue
-        both = _told(rel.right if rel.right.kind == "number" else rel.left, found)
+        side = rel.right if rel.right.kind == "number" else rel.left
+        both = value_shown(side, Balls(found.values(), PRECISION))
         note = "both sides are equal, by a change of sign"
         point = found.point(difference, labels)
         witness = Witness(point, rel.operator, both, both, exact=True, note=note)
@@ -144,7 +147,7 @@ def _opposite(
     zero: Expr, name: str, others: Mapping[str, Fraction], box: Box
 ) -> Iterator[tuple[Fraction, Fraction]]:
     """Neighbouring points at which it has opposite signs."""
-    signs = [(at, _sign(zero, {**others, name: at})) for at in _spread(box)]
+    signs = [(at, sign_at(zero, {**others, name: at}, PRECISION)) for at in _spread(box)]
     known = [(at, sign) for at, sign in signs if sign]
     for (low, first), (high, second) in pairwise(known):
         if first != second:
@@ -153,53 +156,43 @@ def _opposite(
 
 def _narrowed(zero: Expr, found: Crossing) -> Crossing | None:
     """With ends closer together; None where no sign is seen."""
-    low, high = found.lower, found.upper
-    first = _sign(zero, {**found.others, found.name: low})
-    for _ in range(HALVINGS):
+    ends = halved(
+        lambda at: sign_at(zero, {**found.others, found.name: at}, PRECISION),
+        found.lower,
+        found.upper,
+        HALVINGS,
+    )
+    return None if ends[0] == ends[1] else replace(found, lower=ends[0], upper=ends[1])
+
+
+def halved(
+    sign: Callable[[Fraction], int], low: Fraction, high: Fraction, times: int
+) -> tuple[Fraction, Fraction]:
+    """Points of opposite signs between two such, as close together as so many halvings bring them;
+    twice one point where the sign is 0, or not seen.
+    """
+    first = sign(low)
+    for _ in range(times):
         middle = (low + high) / 2
-        sign = _sign(zero, {**found.others, found.name: middle})
-        if not sign:
-            return None
-        low, high = (middle, high) if sign == first else (low, middle)
-    return replace(found, lower=low, upper=high)
+        now = sign(middle)
+        if not now:
+            return middle, middle
+        low, high = (middle, high) if now == first else (low, middle)
+    return low, high
 
 
 def _has_values(found: Crossing, zero: Expr, statement: Statement) -> bool:
-    """Whether balls over all that lies between show values there, and that all conditions hold."""
+    """Whether balls over all that lies between show values, and that all conditions hold."""
     balls = Balls(found.values(), PRECISION)
     try:
         if not balls.round(zero).is_finite():
             return False
         for needed in statement.needed:
             balls.round(needed)
-        return all(_is_certain(rel, balls) for rel in statement.domain)
+        sides = ((r.operator, balls.round(r.left), balls.round(r.right)) for r in statement.domain)
+        return all(compared(*each) for each in sides)
     except (NoValue, Unresolved):
         return False
-
-
-def _is_certain(rel: Rel, balls: Balls) -> bool:
-    a, b = balls.round(rel.left), balls.round(rel.right)
-    if rel.operator == "!=":
-        return not a.overlaps(b)
-    if rel.operator in ("<", "<="):
-        return bool(a < b)
-    return rel.operator in (">", ">=") and bool(a > b)
-
-
-def _sign(zero: Expr, point: Mapping[str, Fraction]) -> int:
-    """0 where balls do not tell."""
-    try:
-        ball = Balls(point, PRECISION).round(zero)
-    except (NoValue, Unresolved):
-        return 0
-    return 1 if ball > 0 else -1 if ball < 0 else 0
-
-
-def _told(side: Expr, found: Crossing) -> Enclosure:
-    try:
-        return enclosure(Balls(found.values(), PRECISION).round(side), 12)
-    except (NoValue, Unresolved, Undecided):
-        return Enclosure("", "", UNKNOWN)
 
 
 def _spread(box: Box) -> list[Fraction]:

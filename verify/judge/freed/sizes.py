@@ -13,7 +13,7 @@ from fractions import Fraction
 from functools import partial
 from itertools import product
 
-from gainproof.verify.judge.exact.box import Box
+from gainproof.verify.judge.exact.box import Box, Boxes
 from gainproof.verify.judge.exact.calculus import rebuilt
 from gainproof.verify.judge.exact.expression import Expr, neg, power, walk
 from gainproof.verify.judge.exact.limits import Undecided
@@ -22,7 +22,6 @@ from gainproof.verify.judge.freed.certificate import Decides, certificate_of
 from gainproof.verify.judge.freed.domain_words import domain_text
 from gainproof.verify.judge.freed.freely import where_valued
 from gainproof.verify.judge.freed.rewriting import bound_names
-from gainproof.verify.judge.freed.smooth import Boxes
 
 MOST_SYMBOLS = 3
 """Of either sign: of more there are too many parts."""

@@ -15,7 +15,7 @@ from contextlib import suppress
 from dataclasses import replace
 from fractions import Fraction
 
-from gainproof.verify.judge.exact.box import Box
+from gainproof.verify.judge.exact.box import Box, Boxes
 from gainproof.verify.judge.exact.calculus import differentiated, substituted
 from gainproof.verify.judge.exact.constant_value import constant_value
 from gainproof.verify.judge.exact.expression import (
@@ -34,7 +34,7 @@ from gainproof.verify.judge.freed.away import ZERO, From, Rising, opened, sides
 from gainproof.verify.judge.freed.folding import folded, fraction, plain, without_common
 from gainproof.verify.judge.freed.parts import INNER, Part, in_parts
 from gainproof.verify.judge.freed.pieces import Pieces
-from gainproof.verify.judge.freed.smooth import Boxes, Proves, is_smooth
+from gainproof.verify.judge.freed.smooth import Proves, is_smooth
 
 MOST_NODES = 80
 """Of g: slopes grow, and each is asked for several times."""

@@ -2,16 +2,15 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable
 
-from gainproof.verify.judge.exact.box import Box
+from gainproof.verify.judge.exact.box import Boxes
 from gainproof.verify.judge.exact.expression import Expr, number, walk
 from gainproof.verify.judge.exact.statement import Rel
 
 EVERYWHERE = ("exp", "sin", "cos", "atan", "erf", "pi")
 """Functions that are analytic on the whole line."""
 
-Boxes = Mapping[str, Box]
 Proves = Callable[[Rel, Boxes], bool]
 """Whether a relation is proved on a domain, every part of it having a value there."""
 

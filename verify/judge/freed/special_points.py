@@ -6,16 +6,15 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from contextlib import suppress
-from dataclasses import dataclass
 from fractions import Fraction
 from functools import partial
 from itertools import islice, product
 from math import inf, prod
 
-from gainproof.verify.judge.exact.box import Box
+from gainproof.verify.judge.exact.box import Box, Boxes
 from gainproof.verify.judge.exact.calculus import substituted
-from gainproof.verify.judge.exact.enclose import Balls, NoValue, Unresolved, enclosed
-from gainproof.verify.judge.exact.enclosure import enclosure
+from gainproof.verify.judge.exact.enclose import Balls, NoValue, Unresolved, compared, enclosed
+from gainproof.verify.judge.exact.enclosure import value_shown
 from gainproof.verify.judge.exact.expression import (
     Expr,
     add,
@@ -31,16 +30,26 @@ from gainproof.verify.judge.exact.expression_text import written
 from gainproof.verify.judge.exact.limits import Undecided
 from gainproof.verify.judge.exact.poly import Ball, rational
 from gainproof.verify.judge.exact.simple_points import simple_points
-from gainproof.verify.judge.exact.statement import Enclosure, Outcome, Rel, Statement, Witness
+from gainproof.verify.judge.exact.statement import (
+    NOT_EVALUATED,
+    STRICT,
+    Enclosure,
+    Outcome,
+    Rel,
+    Statement,
+    Witness,
+    refuted,
+)
 from gainproof.verify.judge.exact.witness import inside
 from gainproof.verify.judge.freed.atoms import ANGLES
 from gainproof.verify.judge.freed.circle import LABEL, PI, TURN
 from gainproof.verify.judge.freed.folding import folded
 from gainproof.verify.judge.freed.freely import freely
+from gainproof.verify.judge.freed.lacks import Lack, lacks
 from gainproof.verify.judge.freed.monomials import UNIT, monomials
 from gainproof.verify.judge.freed.rewriting import bound_names
 from gainproof.verify.judge.freed.scaled import scaled
-from gainproof.verify.judge.freed.smooth import Boxes
+from gainproof.verify.judge.verdict_words import BOTH_EQUAL, LACKS_VALUE
 
 TWELFTHS = (0, 6, -6, 12, -12, 3, -3, 9, -9, 4, -4, 8, -8, 2, -2, 10, -10, 1, -1, 18, -18, 24, -24)
 """Multiples of pi/12, those where functions of angles are 0 or have no value first."""
@@ -51,51 +60,10 @@ MOST_POINTS = 400
 MOST_NUMBERS = 12
 MOST_BESIDE = 12
 """Simple values of the symbols that take no part."""
-UNKNOWN = "not evaluated"
-STRICT = ("<", ">", "!=")
 
 Point = Mapping[str, Expr]
 Choice = tuple[Expr, Ball | None]
 At = Callable[[Iterable[Choice]], Ball | None]
-
-
-@dataclass(frozen=True)
-class Lack:
-    """What leaves a part without a value where it is 0."""
-
-    zero: Expr
-    reason: str
-
-
-def lacks(expr: Expr) -> Iterator[Lack]:
-    """Divisors, arguments of logarithms and cosines below tangents, factor by factor."""
-    for node in walk(expr):
-        match node.kind:
-            case "div":
-                zeros, reason = factors(node.parts[1]), "a divisor is zero"
-            case "pow" if node.fraction < 0:
-                zeros, reason = factors(node.parts[0]), "a divisor is zero"
-            case "call" if node.name == "log":
-                zeros = factors(node.parts[0])
-                reason = "a logarithm of a number that is not positive"
-            case "call" if node.name == "tan":
-                zeros, reason = [Expr("call", "cos", node.parts)], "the tangent of a right angle"
-            case _:
-                continue
-        yield from (Lack(zero, reason) for zero in zeros)
-
-
-def factors(expr: Expr) -> list[Expr]:
-    """Parts of each of which a zero is one of the whole, or leaves it without a value."""
-    match expr.kind:
-        case "mul":
-            return [each for part in expr.parts for each in factors(part)]
-        case "neg" | "div":
-            return factors(expr.parts[0])
-        case "pow" if expr.fraction > 0:
-            return factors(expr.parts[0])
-        case _:
-            return [expr]
 
 
 def lacking(statement: Statement, boxes: Boxes) -> Iterator[tuple[Rel, Lack]]:
@@ -123,11 +91,9 @@ def without_value(statement: Statement, boxes: Boxes, labels: Mapping[str, str])
     for rel, lack in lacking(statement, boxes):
         for point in _zeros(lack.zero, statement, boxes):
             left, right = (_told(side, point) for side in (rel.left, rel.right))
-            if {left.undefined, right.undefined} <= {None, UNKNOWN}:
+            if {left.undefined, right.undefined} <= {None, NOT_EVALUATED}:
                 continue
-            found = Witness(
-                _text(point, labels), rel.operator, left, right, note="a side has no value"
-            )
+            found = Witness(_text(point, labels), rel.operator, left, right, note=LACKS_VALUE)
             return refuted(found, "no value at an exact point")
     return None
 
@@ -146,16 +112,11 @@ def equal_sides(statement: Statement, boxes: Boxes, labels: Mapping[str, str]) -
             needed = [_told(each, point) for each in statement.needed]
             if any(each.undefined for each in (left, right, *needed)):
                 continue
-            note = "both sides are equal, exactly"
-            found = Witness(_text(point, labels), rel.operator, left, left, exact=True, note=note)
+            found = Witness(
+                _text(point, labels), rel.operator, left, left, exact=True, note=BOTH_EQUAL
+            )
             return refuted(found, "both sides at an exact point")
     return None
-
-
-def refuted(witness: Witness, method: str) -> Outcome:
-    """Of what fails at a point, whatever it is elsewhere."""
-    reason = f"fails {witness.text()}; where it may hold is not determined"
-    return Outcome("refuted", "", reason, method, witness, {}, 1)
 
 
 def _zeros(expr: Expr, statement: Statement, boxes: Boxes) -> Iterator[Point]:
@@ -307,11 +268,9 @@ def _is_certain(rel: Rel, point: Point) -> bool:
     a, b = _ball(left), _ball(right)
     if a is None or b is None:
         return False
-    if not a.overlaps(b):
-        less = bool(a < b)
-        return {"!=": True, "<": less, "<=": less}.get(
-            rel.operator, rel.operator != "=" and not less
-        )
+    known = compared(rel.operator, a, b)
+    if known is not None:
+        return known
     return rel.operator in ("=", "<=", ">=") and is_zero(left - right)
 
 
@@ -320,13 +279,7 @@ def _told(side: Expr, point: Point) -> Enclosure:
     for lack in lacks(here):
         if is_zero(lack.zero):
             return Enclosure("", "", lack.reason)
-    try:
-        ball = enclosed(here, {}, PRECISION)
-        return enclosure(ball, 12) if ball.is_finite() else Enclosure("", "", UNKNOWN)
-    except NoValue as reason:
-        return Enclosure("", "", str(reason))
-    except (Unresolved, Undecided):
-        return Enclosure("", "", UNKNOWN)
+    return value_shown(here, Balls({}, PRECISION))
 
 
 def _text(point: Point, labels: Mapping[str, str]) -> dict[str, str]:

@@ -7,14 +7,18 @@ from contextlib import suppress
 from dataclasses import replace
 from fractions import Fraction
 
-from gainproof.verify.judge.exact.box import Box
+from gainproof.verify.judge.exact.box import Box, Boxes
+from gainproof.verify.judge.exact.calculus import substituted
+from gainproof.verify.judge.exact.constant_value import constant_value
+from gainproof.verify.judge.exact.expression import Expr, number, symbol, walk
 from gainproof.verify.judge.exact.limits import Undecided
 from gainproof.verify.judge.exact.statement import Outcome, Rel, Statement
+from gainproof.verify.judge.exact.tidy import tidied
 from gainproof.verify.judge.freed.away import sides
 from gainproof.verify.judge.freed.certificate import Decides
 from gainproof.verify.judge.freed.freely import where_valued
 from gainproof.verify.judge.freed.scaled import Scaled, scaled
-from gainproof.verify.judge.freed.smooth import Boxes
+from gainproof.verify.judge.verdict_words import DECIDES
 
 
 def but_where_it_has(
@@ -32,6 +36,11 @@ def but_where_it_has(
     if not statement.symbols():
         return nowhere
     turned = scaled(statement, boxes, labels)
+    if (outside := _without_slices(turned, nowhere)) is not None:
+        with suppress(Undecided):
+            found = as_it_stands(*outside, parameter, turned.labels)
+            if found.verdict == "proved":
+                return _on_a_part(nowhere, found, found.domain, turned.words)
     loose = {name: replace(box, stated=False) for name, box in turned.boxes.items()}
     with suppress(Undecided):
         found = decides(turned.statement, loose, parameter, turned.labels)
@@ -59,8 +68,50 @@ def _on_a_part(nowhere: Outcome, found: Outcome, held: str, words: Sequence[str]
         domain=held,
         reason=f"fails {nowhere.witness.text() if nowhere.witness else ''}; holds {held}",
         witness=nowhere.witness,
-        certificate={**found.certificate, "decides": found.verdict},
+        certificate={**found.certificate, DECIDES: found.verdict},
     )
+
+
+def _without_slices(turned: Scaled, nowhere: Outcome) -> tuple[Statement, Boxes] | None:
+    """The domain without those values of single symbols at the point that was found with which
+    nothing has a value, whatever the others are; None if there are none.
+    """
+    statement, boxes = turned.statement, dict(turned.boxes)
+    point = nowhere.witness.point if nowhere.witness else {}
+    given = list(statement.given)
+    for name in sorted(statement.symbols()):
+        try:
+            at = Fraction(point[turned.labels.get(name, name)])
+        except (KeyError, ValueError):
+            continue
+        box = boxes.get(name, Box())
+        if not box.stated or not any(_never(node, name, at) for node in walk(*statement.exprs())):
+            continue
+        if at in (box.lower, box.upper):
+            low, high = box.lower_open or at == box.lower, box.upper_open or at == box.upper
+            boxes[name] = replace(box, lower_open=low, upper_open=high)
+        else:
+            given.append(Rel("!=", symbol(name), number(at)))
+    statement = replace(statement, given=tuple(given))
+    changed = (statement, boxes) != (turned.statement, dict(turned.boxes))
+    return (statement, boxes) if changed else None
+
+
+def _never(node: Expr, name: str, at: Fraction) -> bool:
+    """Whether a quotient or a logarithm has no value with this one of a symbol, whatever the others
+    are.
+    """
+    match node.kind:
+        case "div":
+            part = node.parts[1]
+        case "pow" if node.fraction < 0:
+            part = node.parts[0]
+        case "call" if node.name == "log":
+            part = node.parts[0]
+        case _:
+            return False
+    value = constant_value(tidied(substituted(part, {name: number(at)})))
+    return value is not None and (value <= 0 if node.kind == "call" else value == 0)
 
 
 Parts = list[tuple[Statement, Boxes, Mapping[str, str]]]

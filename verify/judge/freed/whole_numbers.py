@@ -14,6 +14,7 @@ from gainproof.verify.judge.freed.induction import induction
 from gainproof.verify.judge.freed.numbers import at_number, first_numbers
 from gainproof.verify.judge.freed.rewriting import has_functions
 from gainproof.verify.judge.hypothesis import settle
+from gainproof.verify.judge.verdict_words import DECIDES
 
 
 def inductively(
@@ -54,7 +55,7 @@ def for_numbers(
             point = {labels.get(name, name): str(value), **found.witness.point}
             witness: Witness = replace(found.witness, point=point)
             reason = f"fails {witness.text()}; where it may hold is not determined"
-            certificate = {**found.certificate, "decides": found.verdict}
+            certificate = {**found.certificate, DECIDES: found.verdict}
             refuted = replace(found, verdict="refuted", certificate=certificate, witness=witness)
             return replace(refuted, domain="", reason=reason)
     raise Undecided("")

@@ -8,10 +8,10 @@ from gainproof.verify.judge.exact.box import Box
 from gainproof.verify.judge.exact.calculus import rebuilt
 from gainproof.verify.judge.exact.expression import Expr, mul, number
 from gainproof.verify.judge.exact.limits import Undecided
+from gainproof.verify.judge.exact.total import is_total
 from gainproof.verify.judge.freed.atoms import ANGLES, MINUS
 from gainproof.verify.judge.freed.circle import PI
 from gainproof.verify.judge.freed.monomials import Monomial, monomial_expr, monomials, terms_expr
-from gainproof.verify.judge.freed.total import is_total
 from gainproof.verify.judge.meaning.domains import is_whole
 
 

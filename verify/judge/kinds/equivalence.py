@@ -7,7 +7,7 @@ from dataclasses import replace
 from gainproof.verify.judge.claim.record import Claim
 from gainproof.verify.judge.exact.limits import Undecided
 from gainproof.verify.judge.exact.statement import Statement
-from gainproof.verify.judge.exact.witness import SIDES_OF
+from gainproof.verify.judge.exact.witness import truth_of_sides
 from gainproof.verify.judge.formula import Reading
 from gainproof.verify.judge.freed.freely import where_valued
 from gainproof.verify.judge.freed.rewriting import has_functions
@@ -21,6 +21,7 @@ from gainproof.verify.judge.kinds.framing import (
 from gainproof.verify.judge.kinds.identity import resolved
 from gainproof.verify.judge.scope import Scope
 from gainproof.verify.judge.verdict import Finding, finding_of, of_parts
+from gainproof.verify.judge.verdict_words import Shown
 
 
 def judge_equivalence(claim: Claim, reading: Reading, scope: Scope) -> Finding:
@@ -86,7 +87,7 @@ def _told(finding: Finding, supposed: str) -> Finding:
         lacks = witness.left.undefined is not None or witness.right.undefined is not None
         said = ("holds", "has no value" if lacks else "does not hold")
         first, second = said if supposed == "left" else said[::-1]
-        note = f"{SIDES_OF} equivalence {first}, the right {second}"
-    told = replace(witness, note=note)
+        note = truth_of_sides("equivalence", first, second)
+    told = replace(witness, note=note, shows=Shown.TRUTH)
     reason = finding.reason.replace(witness.text(), told.text())
     return replace(finding, reason=reason, witness=told)

@@ -14,16 +14,10 @@ from gainproof.verify.judge.exact.constant_value import constant_value
 from gainproof.verify.judge.exact.expression import number, symbols_of
 from gainproof.verify.judge.exact.free_names import free_name
 from gainproof.verify.judge.exact.limits import Undecided
-from gainproof.verify.judge.exact.statement import (
-    NOT_COMPARED,
-    Enclosure,
-    Outcome,
-    Rel,
-    Statement,
-)
+from gainproof.verify.judge.exact.statement import Enclosure, Outcome, Rel, Statement
+from gainproof.verify.judge.exact.total import is_total
 from gainproof.verify.judge.freed.certificate import certificate_of
 from gainproof.verify.judge.freed.deciding import decided
-from gainproof.verify.judge.freed.total import is_total
 from gainproof.verify.judge.hypothesis import without_equations
 from gainproof.verify.judge.kinds.slopes import with_slopes
 from gainproof.verify.judge.meaning.derivatives import Slope
@@ -31,6 +25,7 @@ from gainproof.verify.judge.meaning.domains import refuse_fractions
 from gainproof.verify.judge.scope import Scope
 from gainproof.verify.judge.setting.environment import SAMPLE, Environment
 from gainproof.verify.judge.verdict import Finding, finding_of
+from gainproof.verify.judge.verdict_words import NOT_COMPARED
 
 PLAIN = ("=", "!=", "<", "<=", ">", ">=")
 OTHER = {"=": "!=", "!=": "=", "<": ">=", "<=": ">", ">": "<=", ">=": "<"}

@@ -15,6 +15,7 @@ from gainproof.verify.judge.kinds.framing import framed, only_plain
 from gainproof.verify.judge.meaning.value import shape
 from gainproof.verify.judge.scope import Scope
 from gainproof.verify.judge.verdict import Finding, finding_of
+from gainproof.verify.judge.verdict_words import Shown
 
 BITS = 128
 
@@ -28,7 +29,9 @@ def judge_identity(claim: Claim, reading: Reading, scope: Scope) -> Finding:
     if found.witness is None or len(relations) == len(reading.relations):
         return found
     note = _entry(found.witness, reading.relations, scope, frame.labels)
-    return replace(found, witness=replace(found.witness, note=found.witness.note or note))
+    if found.witness.note or not note:
+        return found
+    return replace(found, witness=replace(found.witness, note=note, shows=Shown.ENTRY))
 
 
 def _entry(

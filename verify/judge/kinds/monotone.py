@@ -23,6 +23,7 @@ from gainproof.verify.judge.meaning.expansion import coefficients
 from gainproof.verify.judge.scope import Scope
 from gainproof.verify.judge.setting.environment import DEVIATION, SAMPLE
 from gainproof.verify.judge.verdict import Finding, finding_of
+from gainproof.verify.judge.verdict_words import Shown
 
 SIGNS = {"increasing": ">", "decreasing": "<", "nondecreasing": ">=", "nonincreasing": "<="}
 
@@ -75,7 +76,8 @@ def judge_monotone(claim: Claim, reading: Reading, scope: Scope) -> Finding:
     elif _nearly(operator, slope, names, inside):
         weak = Rel(f"{operator}=", slope, number(0))
         finding = finding_of(inside.decide(replace(rises, relations=(weak,))))
-    return replace(finding, method=f"sign of the derivative; {finding.method}")
+    witness = finding.witness and replace(finding.witness, shows=Shown.SLOPE)
+    return replace(finding, method=f"sign of the derivative; {finding.method}", witness=witness)
 
 
 def _is_one_way(token: str, variable: Expr, names: set[str], frame: Frame, scope: Scope) -> bool:

@@ -12,22 +12,13 @@ from gainproof.verify.judge.exact.calculus import differentiated, substituted
 from gainproof.verify.judge.exact.constant_value import constant_value
 from gainproof.verify.judge.exact.expression import Expr, number, symbols_of, walk
 from gainproof.verify.judge.exact.limits import Undecided
-from gainproof.verify.judge.exact.statement import Rel, Statement
+from gainproof.verify.judge.exact.statement import ALLOWED, Rel, Statement
 from gainproof.verify.judge.kinds.approach import SMALL, Approach
 from gainproof.verify.judge.kinds.framing import Frame
 from gainproof.verify.judge.kinds.valued import where_valued
 from gainproof.verify.judge.series.of_expression import expanded
-from gainproof.verify.judge.series.series import leading, neat
+from gainproof.verify.judge.series.series import ProvingOracle, leading, neat
 
-SIGNS: Mapping[str, tuple[int, ...]] = {
-    ">": (1,),
-    ">=": (1, 0),
-    "=": (0,),
-    "<=": (-1, 0),
-    "<": (-1,),
-    "!=": (1, -1),
-}
-"""For each relation the signs that the difference of its sides may have."""
 TRIED = tuple(Fraction(n) for n in ("1", "2", "-1", "1/2", "0", "-1/2", "3", "-2"))
 MOST_TRIED = 100
 
@@ -154,7 +145,7 @@ def _near(rel: Rel, approach: Approach, around: Frame) -> dict[int, bool | None]
 def _holds(rel: Rel, approach: Approach, side: int, around: Frame) -> bool | None:
     difference = neat(approach.moved(rel.left - rel.right, side))
     if difference == number(0):
-        return 0 in SIGNS[rel.operator]
+        return 0 in ALLOWED[rel.operator]
     oracle = Coefficients(around)
     try:
         first = leading(expanded(difference, SMALL, oracle, Fraction(4)), oracle)
@@ -162,7 +153,7 @@ def _holds(rel: Rel, approach: Approach, side: int, around: Frame) -> bool | Non
         return None
     for sign in (1, -1):
         if first is not None and oracle.is_positive(first[1] if sign > 0 else -first[1]):
-            return sign in SIGNS[rel.operator]
+            return sign in ALLOWED[rel.operator]
     return None
 
 
@@ -192,37 +183,18 @@ def _samples(approach: Approach, frame: Frame) -> Iterator[dict[str, Expr]]:
         yield dict(zip(names, values, strict=True))
 
 
-class Coefficients:
+class Coefficients(ProvingOracle):
     """What a frame knows of coefficients: the oracle of expansions. `valued` are constant parts of
     the formula that is expanded: nothing is asked about where these have no values.
     """
-
-    logarithm: Expr | None = None
 
     def __init__(self, frame: Frame, valued: tuple[Expr, ...] = ()) -> None:
         self.frame = frame
         self._valued = where_valued(*valued)
         self._known: dict[tuple[str, Expr], bool] = {}
 
-    def is_zero(self, coefficient: Expr) -> bool:
-        """Zero always, or never. Raises Undecided."""
-        value = constant_value(coefficient)
-        if value is not None:
-            return value == 0
-        if self._holds("=", coefficient):
-            return True
-        if self._holds("!=", coefficient):
-            return False
-        raise Undecided(
-            "a coefficient of the expansion may be zero for some values of the other symbols"
-        )
-
-    def is_positive(self, coefficient: Expr) -> bool:
-        """Positive always; False also where that is not known."""
-        value = constant_value(coefficient)
-        return self._holds(">", coefficient) if value is None else value > 0
-
-    def _holds(self, operator: str, coefficient: Expr) -> bool:
+    def holds(self, operator: str, coefficient: Expr) -> bool:
+        """Whether it is proved, which is asked once."""
         key = (operator, coefficient)
         if key not in self._known:
             self._known[key] = self._follows(operator, coefficient) or self.frame.holds(
@@ -232,5 +204,7 @@ class Coefficients:
 
     def _follows(self, operator: str, coefficient: Expr) -> bool:
         """Whether it is that of an expression of which a value asks as much."""
-        stronger = [r.left for r in self._valued if set(SIGNS[r.operator]) <= set(SIGNS[operator])]
+        stronger = [
+            r.left for r in self._valued if set(ALLOWED[r.operator]) <= set(ALLOWED[operator])
+        ]
         return any(self.frame.holds(Rel("=", coefficient, other)) for other in stronger)

@@ -17,6 +17,7 @@ from gainproof.verify.judge.reader.printed import with_decimals
 from gainproof.verify.judge.scope import Scope, UndefinedSymbol
 from gainproof.verify.judge.setting.environment import Environment, NotEstablished
 from gainproof.verify.judge.verdict import Finding
+from gainproof.verify.judge.verdict_words import ROUNDED
 
 HOW = {"value": "rounded to its digits", "identity": "an exact number"}
 """How a decimal after `=` is read, by the kind of the claim."""
@@ -53,7 +54,7 @@ def with_rounded(
         return finding
     what = "the other side " if value is None else f"{value} "
     note = f"{what}rounded to these digits: a claim of kind value has it"
-    return replace(finding, certificate={**finding.certificate, "as a rounded number": note})
+    return replace(finding, certificate={**finding.certificate, ROUNDED: note})
 
 
 def _exact(finding: Finding, reading: Reading, scope: Scope) -> Fraction | None:

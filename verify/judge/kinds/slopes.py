@@ -13,7 +13,7 @@ from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import dataclass, replace
 from fractions import Fraction
 
-from gainproof.verify.judge.exact.box import Box
+from gainproof.verify.judge.exact.box import Boxes
 from gainproof.verify.judge.exact.calculus import (
     differentiated,
     rebuilt,
@@ -21,8 +21,8 @@ from gainproof.verify.judge.exact.calculus import (
     substituted,
 )
 from gainproof.verify.judge.exact.constant_value import constant_value
-from gainproof.verify.judge.exact.enclose import Balls, NoValue, Unresolved
-from gainproof.verify.judge.exact.enclosure import enclosure
+from gainproof.verify.judge.exact.enclose import Balls
+from gainproof.verify.judge.exact.enclosure import value_shown
 from gainproof.verify.judge.exact.expression import (
     Expr,
     add,
@@ -34,8 +34,9 @@ from gainproof.verify.judge.exact.expression import (
     whole_power,
 )
 from gainproof.verify.judge.exact.limits import DEFAULT_LIMITS, Undecided
-from gainproof.verify.judge.exact.points import NOT_RESOLVED as UNKNOWN
 from gainproof.verify.judge.exact.statement import (
+    NOT_EVALUATED,
+    STRICT,
     Enclosure,
     Outcome,
     Rel,
@@ -44,17 +45,18 @@ from gainproof.verify.judge.exact.statement import (
     unstated,
 )
 from gainproof.verify.judge.exact.survey import Work, survey
+from gainproof.verify.judge.exact.total import divisors
 from gainproof.verify.judge.exact.truth import NO_VALUE
 from gainproof.verify.judge.meaning.derivatives import VARIABLE, Slope
 from gainproof.verify.judge.meaning.sums import powers_put_in
+from gainproof.verify.judge.series.series import ProvingOracle
 from gainproof.verify.judge.series.slope import slope_at, without_roots_of_zero
+from gainproof.verify.judge.verdict_words import DECIDES, LACKS_VALUE
 
-Boxes = Mapping[str, Box]
 Decide = Callable[[Statement, Boxes], Outcome]
 MOST_PLACES = 4
 BITS = 128
 NO_SLOPE = "there is no derivative"
-STRICT = ("<", ">", "!=")
 
 
 def with_slopes(
@@ -71,29 +73,13 @@ def with_slopes(
 
 
 @dataclass(frozen=True)
-class _Known:
+class _Known(ProvingOracle):
     """What the domain says of coefficients: the oracle of expansions."""
 
     statement: Statement
     boxes: Boxes
     decide: Decide
-    logarithm: Expr | None = None
-
-    def is_zero(self, coefficient: Expr) -> bool:
-        """Zero always, or never. Raises Undecided."""
-        value = constant_value(coefficient)
-        if value is not None:
-            return value == 0
-        if self.holds("=", coefficient):
-            return True
-        if self.holds("!=", coefficient):
-            return False
-        raise Undecided("a derivative that may exist for some values of the other symbols only")
-
-    def is_positive(self, coefficient: Expr) -> bool:
-        """Positive always; False also where that is not known."""
-        value = constant_value(coefficient)
-        return self.holds(">", coefficient) if value is None else value > 0
+    unknown = "a derivative that may exist for some values of the other symbols only"
 
     def holds(self, operator: str, coefficient: Expr) -> bool:
         rel = Rel(operator, coefficient, number(0))
@@ -286,8 +272,10 @@ class _Derivatives:
         if at is None or apart.verdict == "refuted":
             return apart
         if apart.verdict == "conditional":
-            kept = at.verdict == "proved"
-            return apart if kept else replace(apart, domain=_but(apart.domain, statement, place))
+            if at.verdict == "proved":
+                return apart
+            left_out = self._left_out(statement, boxes, place, at, places)
+            return replace(apart, domain=_but(apart.domain, statement, *left_out))
         if at.verdict == "proved":
             # what is told of the one place and of all others, each with its own certificate
             return replace(
@@ -298,7 +286,7 @@ class _Derivatives:
                 certificate={
                     **_parts(apart, "elsewhere"),
                     **_parts(at, f"at {place.text}"),
-                    "decides": "proved",
+                    DECIDES: "proved",
                 },
             )
         if at.witness is None:
@@ -308,7 +296,8 @@ class _Derivatives:
             reason = f"fails {witness.text()}; where it may hold is not determined"
             told = replace(at, verdict="refuted", domain="", certificate=_decided_as(at))
             return replace(told, reason=reason, witness=witness)
-        domain = _but(apart.domain, statement, place)
+        left_out = self._left_out(statement, boxes, place, at, places)
+        domain = _but(apart.domain, statement, *left_out)
         return replace(
             apart,
             verdict="conditional",
@@ -317,6 +306,27 @@ class _Derivatives:
             witness=witness,
             certificate=_decided_as(apart),
         )
+
+    def _left_out(
+        self, statement: Statement, boxes: Boxes, place: _Place, at: Outcome, places: int
+    ) -> tuple[_Place, ...]:
+        """The place, and the point of it that was found where all else of it is kept."""
+        point = {} if at.witness is None or at.verdict != "conditional" else at.witness.point
+        names = sorted(statement.symbols() - set(place.put_in))
+        labels = [self.labels.get(name, name) for name in names]
+        if not names or not place.put_in or not set(labels) <= set(point):
+            return (place,)
+        shown = {label: point[label] for label in labels}
+        try:
+            put_in = {n: number(point[label]) for n, label in zip(names, labels, strict=True)}
+            away = add(*[power(symbol(n) - value, 2) for n, value in put_in.items()])
+            given = (*statement.given, Rel("!=", away, number(0)))
+            rest = self._there(replace(statement, given=given), boxes, place, places)
+        except (ValueError, Undecided):
+            return (place,)
+        if rest is None or rest.verdict != "proved":
+            return (place,)
+        return place, _Place(away, put_in, shown)
 
     def _there(
         self, statement: Statement, boxes: Boxes, place: _Place, places: int
@@ -374,13 +384,19 @@ class _Derivatives:
         return found.domain if found.verdict == "proved" else ""
 
 
-def _but(domain: str, statement: Statement, place: _Place) -> str:
-    """A domain in words without a place, which conditions keep out of it. Of one symbol it tells
-    places one by one; otherwise conditions are not repeated in it.
+def _but(domain: str, statement: Statement, *places: _Place) -> str:
+    """A domain in words without what is on all of these places, which conditions keep out of it. Of
+    one symbol it tells places one by one; otherwise conditions are not repeated in it.
     """
     if len(statement.symbols()) < 2:
         return domain
-    but = f"except where {place.text}"
+    parts = [part for place in places for part in place.text.split(", ")]
+    told = {f"{name} != {value}" for place in places for name, value in place.point.items()}
+    if " or " not in domain and told & set(domain.removeprefix("for ").split(", ")):
+        return domain  # one of the values is left out already
+    if len(told) == 1 and " or " not in domain and domain != "everywhere":
+        return f"{domain}, {told.pop()}"
+    but = f"except where {' and '.join(parts)}"
     return f"everywhere {but}" if domain == "everywhere" else f"{domain}, {but}"
 
 
@@ -392,10 +408,12 @@ def _without_slope(
     rels = statement.all_relations()
     rel = next((r for r in rels if any(_holds((r,), s) for s in lost)), rels[0])
     left, right = (
-        Enclosure("", "", NO_SLOPE) if _standing(lost, side) else _side(side, values)
+        Enclosure("", "", NO_SLOPE)
+        if _standing(lost, side)
+        else value_shown(side, Balls(values, BITS))
         for side in (rel.left, rel.right)
     )
-    witness = Witness(point.point, rel.operator, left, right, note="a side has no value")
+    witness = Witness(point.point, rel.operator, left, right, note=LACKS_VALUE)
     old = None if found.witness is None else found.witness.text()
     reason = found.reason if old is None else found.reason.replace(old, witness.text())
     return replace(found, witness=witness, reason=reason)
@@ -424,14 +442,8 @@ def _may_lack(slope: Slope) -> bool:
 
 def _divisors(expr: Expr) -> set[Expr]:
     """The factors that must not be zero, at a glance; numbers are left out."""
-    pending: list[Expr] = []
-    for node in walk(expr):
-        if node.kind == "div":
-            pending.append(node.parts[1])
-        elif (node.kind == "pow" and node.fraction < 0) or (
-            node.kind == "call" and node.name == "log"
-        ):
-            pending.append(node.parts[0])
+    logarithms = (n.parts[0] for n in walk(expr) if n.kind == "call" and n.name == "log")
+    pending = [*divisors(expr), *logarithms]
     found = set()
     while pending:
         node = pending.pop()
@@ -458,21 +470,12 @@ def _exchanged(expr: Expr, values: Mapping[Expr, Expr]) -> Expr:
 
 
 def _has_no_value(expr: Expr, point: Mapping[str, Fraction]) -> bool:
-    return _side(expr, point).undefined not in (None, UNKNOWN)
-
-
-def _side(expr: Expr, point: Mapping[str, Fraction]) -> Enclosure:
-    try:
-        return enclosure(Balls(point, BITS).round(expr), 12)
-    except NoValue as reason:
-        return Enclosure("", "", str(reason))
-    except Unresolved:
-        return Enclosure("", "", UNKNOWN)
+    return value_shown(expr, Balls(point, BITS)).undefined not in (None, NOT_EVALUATED)
 
 
 def _decided_as(found: Outcome) -> dict[str, object]:
     """The certificate of what is told as another verdict; it may be told so already."""
-    return {"decides": found.verdict, **found.certificate}
+    return {DECIDES: found.verdict, **found.certificate}
 
 
 def _parts(found: Outcome, title: str) -> dict[str, object]:

@@ -24,9 +24,8 @@ from gainproof.verify.judge.kinds.identity import resolved
 from gainproof.verify.judge.reader.latex import relations_to_latex
 from gainproof.verify.judge.scope import Scope
 from gainproof.verify.judge.verdict import Finding, finding_of
+from gainproof.verify.judge.verdict_words import Shown
 
-FILTER = "the filter is"
-"""How the note of a witness begins that says whether the filter is stable there."""
 AT_MOST = "at most "
 COEFFICIENT = "closed_loop_coefficient."
 CRITERION = "all poles inside the unit circle, by the Hurwitz criterion"
@@ -84,10 +83,11 @@ def _in_words(witness: Witness, printed: Mapping[Rel, str], frame: Frame) -> Wit
         ]
         poles = f"poles of modulus {modulus}"
         though = f"though {', '.join(failing)} fails" if failing else "though it is said not to be"
-        return replace(witness, note=f"{FILTER} stable ({poles}), {though}")
+        note = f"the filter is stable ({poles}), {though}"
+        return replace(witness, note=note, shows=Shown.STABILITY)
     pole = f"a pole of modulus {modulus.removeprefix(AT_MOST)}"
-    note = f"{FILTER} not stable ({pole}), though all that is stated holds"
-    return replace(witness, note=note)
+    note = f"the filter is not stable ({pole}), though all that is stated holds"
+    return replace(witness, note=note, shows=Shown.STABILITY)
 
 
 def _is_stable(point: Mapping[str, Fraction], frame: Frame) -> bool:

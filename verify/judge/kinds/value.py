@@ -105,7 +105,9 @@ def _against_printed(found: Finding, shown: PrintedNumber) -> Finding:
     # what fails is low <= value or value <= high: the left side is below the number in the first
     is_low = Fraction(witness.left.midpoint) < shown.value
     value = witness.right if is_low else witness.left
-    told = replace(witness, operator="approx", left=value, right=shown.ball(), note=shown.note())
+    # at a tie the value is an end of the interval, not the number as printed
+    right, note = shown.ball(), shown.note()
+    told = replace(witness, operator="approx", left=value, right=right, exact=False, note=note)
     return replace(found, witness=told)
 
 

@@ -8,25 +8,19 @@ from collections.abc import Iterator
 
 from gainproof.verify.judge.exact.expression import Expr, number, walk
 from gainproof.verify.judge.exact.statement import Rel
+from gainproof.verify.judge.exact.total import divisors
 
 ZERO = number(0)
 
 
 def where_valued(*exprs: Expr) -> tuple[Rel, ...]:
     """Relations !=, >= and > to zero that hold wherever all the expressions have values."""
-    divisors: dict[bytes, Expr] = {}
-    radicands: dict[bytes, Expr] = {}
-    for node in walk(*exprs):
-        if node.kind == "div":
-            divisors |= {part.key: part for part in _factors(node.parts[1])}
-        if node.kind == "pow":
-            base = node.parts[0]
-            if node.fraction < 0:
-                divisors |= {part.key: part for part in _factors(base)}
-            if node.fraction.denominator % 2 == 0:
-                radicands[base.key] = base
-    nonzero = [Rel("!=", part, ZERO) for part in divisors.values()]
-    least = [Rel(">" if key in divisors else ">=", e, ZERO) for key, e in radicands.items()]
+    nodes = [node for node in walk(*exprs) if node.kind == "pow"]
+    roots = [node.parts[0] for node in nodes if node.fraction.denominator % 2 == 0]
+    below = {part.key: part for each in divisors(*exprs) for part in _factors(each)}
+    radicands = {base.key: base for base in roots}
+    nonzero = [Rel("!=", part, ZERO) for part in below.values()]
+    least = [Rel(">" if key in below else ">=", e, ZERO) for key, e in radicands.items()]
     return (*nonzero, *least)
 
 

@@ -7,16 +7,13 @@ from decimal import Context, Decimal
 from flint import fmpq, fmpq_mat
 
 from gainproof.verify.judge.exact.statement import Enclosure, Witness
-from gainproof.verify.judge.matrices.definite_values import (
-    bad_direction,
-    compared,
-    is_symmetric,
-)
+from gainproof.verify.judge.matrices.definite_values import bad_direction, compared, is_symmetric
 from gainproof.verify.judge.matrices.instance import Instance, NoValueError
 from gainproof.verify.judge.matrices.letter import MatrixSetting
 from gainproof.verify.judge.matrices.opened import names_in, outside_means
 from gainproof.verify.judge.matrices.prove import Question, links
 from gainproof.verify.judge.matrices.tree import Node
+from gainproof.verify.judge.verdict_words import LACKS_VALUE, Shown
 
 DIGITS = 30
 
@@ -29,7 +26,7 @@ def witness_of(question: Question, setting: MatrixSetting, instance: Instance) -
             one, other = instance.of(left), instance.of(right)
         except NoValueError:
             first, second = _side(instance, left), _side(instance, right)
-            return Witness(point, operator, first, second, note="a side has no value")
+            return Witness(point, operator, first, second, note=LACKS_VALUE)
         if not compared(one, operator, other):
             return _difference(point, operator, one, other)
     number = Enclosure("0", "0")
@@ -77,9 +74,9 @@ def _difference(point: dict[str, str], operator: str, left: fmpq_mat, right: fmp
             for j in range(left.ncols())
             if left[i, j] != right[i, j]
         )
-        return Witness(
-            point, "=", _number(left[i, j]), _number(right[i, j]), note=f"entry ({i + 1}, {j + 1})"
-        )
+        one, other = _number(left[i, j]), _number(right[i, j])
+        note = f"entry ({i + 1}, {j + 1})"
+        return Witness(point, "=", one, other, note=note, shows=Shown.ENTRY)
     gap = left - right
     if not is_symmetric(gap):
         i, j = next((i, j) for i in range(gap.nrows()) for j in range(i) if gap[i, j] != gap[j, i])

@@ -17,6 +17,7 @@ from gainproof.verify.judge.exact.expression import (
     walk,
 )
 from gainproof.verify.judge.exact.limits import Undecided
+from gainproof.verify.judge.exact.total import is_total
 
 MOST_DEGREE = 32
 MOST_PRODUCTS = 2_000
@@ -58,7 +59,7 @@ def _combined(node: Expr, parts: list[Polynomial], wanted: int) -> Polynomial | 
         case "div" if set(parts[1]) <= {0}:
             bottom = node.parts[1]
             return {k: div(c, bottom) for k, c in parts[0].items()}
-        case "pow" if node.fraction == 0 and not always_defined(node.parts[0]):
+        case "pow" if node.fraction == 0 and not is_total(node.parts[0]):
             return None  # the number 1 would hide where the base has no value
         case "pow" if node.fraction.denominator == 1 and 0 <= node.fraction <= MOST_DEGREE:
             product = {0: number(1)}
@@ -67,15 +68,6 @@ def _combined(node: Expr, parts: list[Polynomial], wanted: int) -> Polynomial | 
             return product
         case _:
             return None
-
-
-def always_defined(expr: Expr) -> bool:
-    """Whether an expression has a value wherever its symbols have."""
-    return all(
-        n.kind in ("number", "symbol", "add", "mul", "neg")
-        or (n.kind == "pow" and n.fraction.denominator == 1 and n.fraction > 0)
-        for n in walk(expr)
-    )
 
 
 def _plus(a: Polynomial, b: Polynomial) -> Polynomial:

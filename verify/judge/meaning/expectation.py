@@ -9,7 +9,8 @@ from dataclasses import dataclass
 
 from gainproof.verify.judge.exact.expression import Expr, add, mul, number, symbols_of
 from gainproof.verify.judge.exact.limits import Undecided
-from gainproof.verify.judge.meaning.expansion import always_defined, products
+from gainproof.verify.judge.exact.total import is_total
+from gainproof.verify.judge.meaning.expansion import products
 from gainproof.verify.judge.meaning.normal_moments import Turn, linear_parts, moments
 
 TURNS = ("cos", "sin")
@@ -48,7 +49,7 @@ class _Product:
             *self.rest,
             *(p for _, angle in self.turns for p in linear_parts(angle, variances)),
         ]
-        return [part for part in parts if not always_defined(part)]
+        return [part for part in parts if not is_total(part)]
 
     def expectation(self, variances: Mapping[str, Expr], normal: Set[str]) -> list[Expr]:
         """Its terms; none if it is zero."""

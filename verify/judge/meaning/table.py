@@ -17,6 +17,7 @@ from gainproof.verify.judge.exact.free_names import free_name, is_free
 from gainproof.verify.judge.exact.limits import Undecided
 from gainproof.verify.judge.exact.statement import Rel
 from gainproof.verify.judge.exact.tidy import tidied
+from gainproof.verify.judge.exact.total import is_total
 from gainproof.verify.judge.exact.tree import read_tree
 from gainproof.verify.judge.formula import Graph
 from gainproof.verify.judge.meaning.bindings import Bindings
@@ -27,7 +28,6 @@ from gainproof.verify.judge.meaning.derivatives import (
     total_derivative,
 )
 from gainproof.verify.judge.meaning.evaluation import evaluated, number_of
-from gainproof.verify.judge.meaning.expansion import always_defined
 from gainproof.verify.judge.meaning.expectation import expectation_of
 from gainproof.verify.judge.meaning.integrals import integral_of
 from gainproof.verify.judge.meaning.names import Marks
@@ -36,13 +36,7 @@ from gainproof.verify.judge.meaning.reach import names_in
 from gainproof.verify.judge.meaning.sequences import indexed
 from gainproof.verify.judge.meaning.sums import INFINITE, range_of, sum_of
 from gainproof.verify.judge.meaning.symbols import Symbols
-from gainproof.verify.judge.meaning.value import (
-    Value,
-    entries,
-    mapped,
-    multiplied,
-    put_in,
-)
+from gainproof.verify.judge.meaning.value import Value, entries, mapped, multiplied, put_in
 from gainproof.verify.judge.setting.environment import SAMPLE
 
 MOST_CALLS = 500
@@ -295,7 +289,7 @@ class Table(Symbols):
             self.supposed.append(at_least_0)
         elif at_least_0 not in self.required:
             self.required.append(at_least_0)
-        if not always_defined(variance):
+        if not is_total(variance):
             self.needed.append(variance)
         return variance
 

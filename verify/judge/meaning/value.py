@@ -12,6 +12,7 @@ from gainproof.verify.judge.exact.calculus import substituted
 from gainproof.verify.judge.exact.expression import Expr, add, div, mul, neg, number
 from gainproof.verify.judge.exact.grid import Grid
 from gainproof.verify.judge.exact.limits import Undecided
+from gainproof.verify.judge.exact.total import is_total
 
 Value = Expr | Grid
 
@@ -114,20 +115,13 @@ def _times(x: Expr, y: Expr) -> Expr | None:
         return None if _is(y, 0) else y
     if _is(y, 1):
         return None if _is(x, 0) else x
-    if (_is(x, 0) and _always(y)) or (_is(y, 0) and _always(x)):
+    if (_is(x, 0) and is_total(y)) or (_is(y, 0) and is_total(x)):
         return None
     return mul(x, y)
 
 
 def _is(x: Expr, value: int) -> bool:
     return x.kind == "number" and x.value == value
-
-
-def _always(x: Expr) -> bool:
-    """Whether it has a value whatever its symbols are, at a glance."""
-    return x.kind in ("number", "symbol") or (
-        x.kind in ("add", "mul", "neg") and all(_always(p) for p in x.parts)
-    )
 
 
 def divided(a: Value, b: Value) -> Value:

@@ -18,9 +18,8 @@ from gainproof.verify.judge.reader.printed import (
     SUM,
     Printed,
     decimal,
-    is_continued,
     print_graph,
-    with_decimals,
+    relation_texts,
 )
 
 _OPERATORS = {
@@ -51,22 +50,8 @@ def reading_to_latex(reading: Reading) -> str:
 
 def relations_to_latex(relations: Sequence[Relation]) -> str:
     """Relations joined by commas; `a = b` before `b = c` becomes a chain again."""
-    pieces: list[str] = []
-    for number, relation in enumerate(relations):
-        operator = _OPERATORS[relation.operator]
-        right = with_decimals(
-            relation.right, graph_to_latex(relation.right), relation.right_decimals
-        )
-        if right == "-0" and relation.operator == "->":
-            right = "\\left( -0 \\right)"  # else it would say from which side
-        if number and is_continued(relations[number - 1], relation):
-            pieces[-1] += f" {operator} {right}"
-        else:
-            left = with_decimals(
-                relation.left, graph_to_latex(relation.left), relation.left_decimals
-            )
-            pieces.append(f"{left} {operator} {right}")
-    return ", \\quad ".join(pieces)
+    zero = "\\left( -0 \\right)"
+    return ", \\quad ".join(relation_texts(relations, _OPERATORS, graph_to_latex, zero))
 
 
 def graph_to_latex(graph: Graph, output: str = "value") -> str:

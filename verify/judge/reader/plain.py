@@ -14,9 +14,8 @@ from gainproof.verify.judge.reader.printed import (
     SUM,
     Printed,
     decimal,
-    is_continued,
     print_graph,
-    with_decimals,
+    relation_texts,
 )
 from gainproof.verify.judge.reader.words import BASED
 
@@ -44,22 +43,7 @@ def reading_to_plain(reading: Reading) -> str:
 
 def relations_to_plain(relations: Sequence[Relation]) -> str:
     """Relations joined by `and`; `a = b` before `b = c` becomes a chain again."""
-    pieces: list[str] = []
-    for number, relation in enumerate(relations):
-        operator = _OPERATORS.get(relation.operator, relation.operator)
-        right = with_decimals(
-            relation.right, graph_to_plain(relation.right), relation.right_decimals
-        )
-        if right == "-0" and relation.operator == "->":
-            right = "(-0)"  # else it would say from which side
-        if number and is_continued(relations[number - 1], relation):
-            pieces[-1] += f" {operator} {right}"
-        else:
-            left = with_decimals(
-                relation.left, graph_to_plain(relation.left), relation.left_decimals
-            )
-            pieces.append(f"{left} {operator} {right}")
-    return " and ".join(pieces)
+    return " and ".join(relation_texts(relations, _OPERATORS, graph_to_plain, "(-0)"))
 
 
 def graph_to_plain(graph: Graph, output: str = "value") -> str:

@@ -4,7 +4,7 @@ of nodes.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from fractions import Fraction
 from itertools import takewhile
 from typing import NamedTuple
@@ -72,3 +72,24 @@ def with_decimals(graph: Graph, text: str, decimals: int | None) -> str:
 def is_continued(before: Relation, relation: Relation) -> bool:
     """Whether `a = b` and then `b = c` may be printed as one chain."""
     return before.right == relation.left and "->" not in (relation.operator, before.operator)
+
+
+def relation_texts(
+    relations: Sequence[Relation],
+    operators: Mapping[str, str],
+    text: Callable[[Graph], str],
+    minus_zero: str,
+) -> list[str]:
+    """Relations one by one; `a = b` before `b = c` becomes a chain again."""
+    pieces: list[str] = []
+    for number, relation in enumerate(relations):
+        operator = operators.get(relation.operator, relation.operator)
+        right = with_decimals(relation.right, text(relation.right), relation.right_decimals)
+        if right == "-0" and relation.operator == "->":
+            right = minus_zero  # else it would say from which side
+        if number and is_continued(relations[number - 1], relation):
+            pieces[-1] += f" {operator} {right}"
+        else:
+            left = with_decimals(relation.left, text(relation.left), relation.left_decimals)
+            pieces.append(f"{left} {operator} {right}")
+    return pieces

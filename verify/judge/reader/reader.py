@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import itertools
 from collections.abc import Iterator, Mapping
+from dataclasses import replace
 from math import prod
 
 from gainproof.verify.judge.formula import Formula, Graph, Relation
@@ -12,6 +13,7 @@ from gainproof.verify.judge.reader.errors import ReaderError
 from gainproof.verify.judge.reader.grammar import parse_tokens
 from gainproof.verify.judge.reader.limits import MOST_AMBIGUOUS_SLASHES, MOST_READINGS
 from gainproof.verify.judge.reader.reading_tokens import read_tokens
+from gainproof.verify.judge.reader.readings import chains, readings_taken
 from gainproof.verify.judge.reader.slash import extent_text, extents_of
 from gainproof.verify.judge.reader.statements import read_relations, read_statements
 from gainproof.verify.judge.reader.tree import Branch, children
@@ -43,8 +45,13 @@ def read_plain(text: str, symbols: Mapping[str, Declared], logarithm: int | None
 
 def _formula(text: str, vocabulary: Vocabulary, plain: bool) -> Formula:
     tree, names = _parse(text, vocabulary, "formula", plain)
+    taken, long = readings_taken(tree, text), chains(tree, text)
     readings = tuple(
-        read_statements(tree, text, extents, vocabulary, _named(words, vocabulary.branch))
+        replace(
+            read_statements(tree, text, extents, vocabulary, _named(words, vocabulary.branch)),
+            taken=taken,
+            chains=long,
+        )
         for extents, words in _choices(tree, text)
     )
     return Formula(text, readings, names)

@@ -14,11 +14,11 @@ from gainproof.verify.judge.repair.task import RepairTask
 from gainproof.verify.judge.task import Task
 from gainproof.verify.judge.trial import Trial
 from gainproof.verify.judge.verdict import ClaimVerdict
+from gainproof.verify.judge.verdict_words import NO_REPAIR
 
 NOT_TRUE = ("refuted", "conditional")
 UNCHANGED = ("definition", "dimension", "invertible")
 """Kinds of claims on matrices that no change of a formula makes true."""
-NONE_FOUND = "no misprint-like repair found"
 
 
 def repair_tasks(
@@ -62,7 +62,7 @@ def with_repair(verdict: ClaimVerdict, trial: Trial) -> ClaimVerdict:
             for offer in offers
         )
         return replace(verdict, repairs=repairs, seconds=seconds)
-    why = NONE_FOUND if trial.failure is None else f"no repair: {trial.failure}"
+    why = NO_REPAIR if trial.failure is None else f"no repair: {trial.failure}"
     truth = (trial.repair or {}).get("truth")
     if truth:
         why += f"; what is true is {truth}"

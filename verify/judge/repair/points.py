@@ -11,11 +11,12 @@ from gainproof.verify.judge.claim.record import Claim
 from gainproof.verify.judge.domain import bounded
 from gainproof.verify.judge.exact.box import Box
 from gainproof.verify.judge.exact.calculus import substituted
-from gainproof.verify.judge.exact.enclose import NoValue, Unresolved, enclosed
+from gainproof.verify.judge.exact.enclose import NoValue, Unresolved, compared, enclosed, sign_at
 from gainproof.verify.judge.exact.expression import Expr, number, symbols_of
 from gainproof.verify.judge.exact.limits import Undecided
 from gainproof.verify.judge.exact.statement import Rel
 from gainproof.verify.judge.formula import Relation
+from gainproof.verify.judge.freed.sign_changes import halved
 from gainproof.verify.judge.hypothesis import solved
 from gainproof.verify.judge.scope import Scope
 
@@ -126,24 +127,17 @@ def _only_root(expr: Expr, name: str, box: Box) -> Expr:
             return (2 * share - 1) / (share * (1 - share))
         return low + share / (1 - share) if low is not None else (high or 0) - share / (1 - share)
 
-    def sign(share: Fraction) -> int | None:
-        try:
-            value = enclosed(expr, {name: inside(share)}, ROOT_BITS + PRECISION)
-        except (NoValue, Unresolved):
-            return None
-        return 0 if value.contains(0) else 1 if value > 0 else -1
+    def sign(share: Fraction) -> int:
+        return sign_at(expr, {name: inside(share)}, ROOT_BITS + PRECISION)
 
     # a prime number of parts: roots at nice places lie between
     grid = [Fraction(n, GRID) for n in range(1, GRID)]
     signs = [sign(share) for share in grid]
     steps = list(zip(grid, signs, grid[1:], signs[1:], strict=False))
-    changes = [(a, b, s) for a, s, b, t in steps if s and t and s != t]
+    changes = [(a, b) for a, s, b, t in steps if s and t and s != t]
     if len(changes) != 1:
         raise Undecided("a hypothesis with one root on the domain is wanted")
-    ((low, high, start),) = changes
-    while high - low > Fraction(1, 2**ROOT_BITS):
-        middle = (low + high) / 2
-        low, high = (middle, high) if sign(middle) == start else (low, middle)
+    low, _ = halved(sign, *changes[0], ROOT_BITS)
     near = inside(low).limit_denominator(10**6)
     try:
         exact = enclosed(expr, {name: near}, ROOT_BITS + PRECISION).contains(0)
@@ -185,9 +179,4 @@ def _holds(rel: Rel, point: Point) -> bool:
         a, b = (enclosed(side, point, PRECISION) for side in (rel.left, rel.right))
     except (NoValue, Unresolved, Undecided):
         return False
-    if a.overlaps(b):
-        return False
-    less = bool(a < b)
-    return {"<": less, "<=": less, ">": not less, ">=": not less, "!=": True}.get(
-        rel.operator, False
-    )
+    return bool(compared(rel.operator, a, b))

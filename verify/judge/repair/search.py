@@ -12,6 +12,7 @@ from gainproof.verify.judge.claim.record import Claim, Setting
 from gainproof.verify.judge.dimensions.formula import reading_fault
 from gainproof.verify.judge.exact.expression import symbols_of
 from gainproof.verify.judge.exact.limits import Malformed, Undecided
+from gainproof.verify.judge.exact.statement import ALLOWED
 from gainproof.verify.judge.formula import Reading
 from gainproof.verify.judge.repair.catalogue import changes, changes_of_bound
 from gainproof.verify.judge.repair.closings import closings
@@ -30,7 +31,7 @@ from gainproof.verify.judge.repair.sharp import is_sharp, is_weaker
 from gainproof.verify.judge.repair.table import sample_numbers, table_of
 from gainproof.verify.judge.repair.trivial import OffTheModel
 from gainproof.verify.judge.repair.two import two_changes
-from gainproof.verify.judge.repair.values import COMPARED, Values, truth, values_at
+from gainproof.verify.judge.repair.values import Values, truth, values_at
 from gainproof.verify.judge.repair.whole import Change
 from gainproof.verify.judge.scope import Scope, UndefinedSymbol
 from gainproof.verify.judge.setting.environment import Environment
@@ -81,7 +82,7 @@ class Search:
         self.empty = Empty(self.claim, self.formula, self.off)
 
     def _by_values(self) -> bool:
-        plain = all(link.operator in COMPARED for link in self.formula.links)
+        plain = all(link.operator in ALLOWED for link in self.formula.links)
         return plain and self.claim.kind in BY_VALUES and self.formula.connective == "if"
 
     @property

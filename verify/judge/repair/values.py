@@ -8,7 +8,7 @@ from fractions import Fraction
 import flint
 
 from gainproof.verify.judge.exact.calculus import substituted
-from gainproof.verify.judge.exact.enclose import Balls, NoValue, Unresolved
+from gainproof.verify.judge.exact.enclose import Balls, NoValue, Unresolved, compared
 from gainproof.verify.judge.exact.expression import Expr
 from gainproof.verify.judge.exact.graph_writing import graph_of
 from gainproof.verify.judge.exact.limits import Malformed, Undecided
@@ -20,8 +20,6 @@ from gainproof.verify.judge.scope import Scope, UndefinedSymbol
 MOST_KEPT = 200_000
 AGREED_BITS = 60
 PRECISION = 128
-COMPARED = frozenset(("=", "!=", "<", "<=", ">", ">="))
-"""Relations that balls can decide."""
 
 
 class Values:
@@ -176,10 +174,7 @@ def truth(values: Values, formula: Printed, links: tuple[Link, ...] | None = Non
 
 def _compared(operator: str, a: Ball, b: Ball) -> bool | None:
     if not a.overlaps(b):
-        if operator in ("=", "!="):
-            return operator == "!="
-        less = bool(a < b)
-        return {"<": less, "<=": less, ">": not less, ">=": not less}.get(operator)
+        return compared(operator, a, b)
     # beside zero there is no relative measure; proof decides about what passes
     gap, size = (a - b).abs_upper(), max(a.abs_upper(), b.abs_upper(), flint.arb(1))
     if gap * 2**AGREED_BITS > size:

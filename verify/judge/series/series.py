@@ -38,6 +38,33 @@ class Oracle(Protocol):
         ...
 
 
+class ProvingOracle:
+    """An oracle by proofs of what `holds` of a coefficient beside zero."""
+
+    logarithm: Expr | None = None
+    unknown = "a coefficient of the expansion may be zero for some values of the other symbols"
+
+    def holds(self, operator: str, coefficient: Expr) -> bool:
+        """Whether it is proved."""
+        raise NotImplementedError
+
+    def is_zero(self, coefficient: Expr) -> bool:
+        """Zero always, or never. Raises Undecided."""
+        value = constant_value(coefficient)
+        if value is not None:
+            return value == 0
+        if self.holds("=", coefficient):
+            return True
+        if self.holds("!=", coefficient):
+            return False
+        raise Undecided(self.unknown)
+
+    def is_positive(self, coefficient: Expr) -> bool:
+        """Positive always; False also where that is not known."""
+        value = constant_value(coefficient)
+        return self.holds(">", coefficient) if value is None else value > 0
+
+
 @dataclass(frozen=True)
 class Series:
     """Terms by exponent, and the order of the error."""

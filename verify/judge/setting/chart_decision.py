@@ -10,29 +10,14 @@ from gainproof.verify.judge.exact.box import Box
 from gainproof.verify.judge.exact.certificate import statement_data
 from gainproof.verify.judge.exact.limits import Undecided
 from gainproof.verify.judge.exact.poly import text
-from gainproof.verify.judge.exact.statement import ORDERS, Outcome, Rel, Statement
-from gainproof.verify.judge.setting.chart_field import (
-    HIGH,
-    LOW,
-    ChartField,
-    SignInside,
-    field_over,
-)
+from gainproof.verify.judge.exact.statement import ALLOWED, ORDERS, Outcome, Rel, Statement
+from gainproof.verify.judge.setting.chart_field import HIGH, LOW, ChartField, SignInside, field_over
 from gainproof.verify.judge.setting.quadrant_chart import sign_on_quadrant
 from gainproof.verify.judge.setting.triangle import sign_on_triangle
 
 METHOD = "zero in a field of functions on a chart of all values of the two parameters"
 SIGNS = "signs of polynomials on a chart of all values of the two parameters"
 EQUAL = "the sides are equal everywhere"
-ALLOWED: Mapping[str, tuple[int, ...]] = {
-    ">": (1,),
-    ">=": (1, 0),
-    "=": (0,),
-    "<=": (-1, 0),
-    "<": (-1,),
-    "!=": (1, -1),
-}
-"""For each relation the signs that the difference of its sides may have."""
 INSIDE: Mapping[str, SignInside] = MappingProxyType(
     {"triangle": sign_on_triangle, "quadrant": sign_on_quadrant}
 )

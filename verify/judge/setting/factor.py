@@ -9,7 +9,6 @@ from math import isqrt
 
 from gainproof.verify.judge.exact.box import Box
 from gainproof.verify.judge.exact.calculus import substituted
-from gainproof.verify.judge.exact.constant_value import constant_value
 from gainproof.verify.judge.exact.expression import Expr, number, power, sqrt, symbol
 from gainproof.verify.judge.exact.statement import Rel
 from gainproof.verify.judge.exact.tidy import tidied
@@ -57,12 +56,6 @@ class Factor:
             squared_index=self.placed(self.squared_index),
             put_in={},
         )
-
-
-def folded(expr: Expr) -> Expr:
-    """A rational number instead of an expression of numbers that is one."""
-    value = constant_value(expr)
-    return expr if value is None else number(value)
 
 
 def number_root(value: Fraction) -> Expr:

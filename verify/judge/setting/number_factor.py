@@ -20,7 +20,8 @@ from gainproof.verify.judge.exact.expression import Expr, number, symbol, weight
 from gainproof.verify.judge.exact.limits import Undecided
 from gainproof.verify.judge.exact.poly import Ball, rational
 from gainproof.verify.judge.exact.statement import Rel
-from gainproof.verify.judge.setting.factor import Factor, folded, number_root
+from gainproof.verify.judge.freed.folding import folded
+from gainproof.verify.judge.setting.factor import Factor, number_root
 from gainproof.verify.judge.setting.spectrum import Laurent
 
 ROOT = "root of the spectrum"

@@ -9,8 +9,9 @@ from fractions import Fraction
 
 from gainproof.verify.judge.exact.expression import Expr, number, power, sqrt, symbol, weighted
 from gainproof.verify.judge.exact.limits import Undecided
+from gainproof.verify.judge.freed.folding import folded
 from gainproof.verify.judge.setting.environment import INDEX
-from gainproof.verify.judge.setting.factor import Factor, folded, number_root
+from gainproof.verify.judge.setting.factor import Factor, number_root
 from gainproof.verify.judge.setting.matrix import Numbers
 from gainproof.verify.judge.setting.number_factor import NO_STEADY_STATE, number_factor
 from gainproof.verify.judge.setting.spectrum import Laurent, at_point, spectrum

@@ -11,7 +11,7 @@ and, where the parameter is not the tracking index, that it runs through all pos
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from fractions import Fraction
 from operator import mul
@@ -19,9 +19,10 @@ from typing import Any
 
 from gainproof.verify.judge.exact.expression import Expr, number
 from gainproof.verify.judge.exact.limits import Undecided
+from gainproof.verify.judge.freed.folding import folded
 from gainproof.verify.judge.setting.environment import Fact
 from gainproof.verify.judge.setting.established import established
-from gainproof.verify.judge.setting.factor import Factor, folded
+from gainproof.verify.judge.setting.factor import Factor
 from gainproof.verify.judge.setting.matrix import (
     Exprs,
     Numbers,
@@ -65,8 +66,12 @@ def solve(model: Mapping[str, Any], squared_index: Fraction | None = None) -> St
     f, q, h, r = model_matrices(model)
     if len(h) != 1:
         raise Undecided(f"a steady state with {len(h)} measurements is not covered")
+    d, rows = _observed(f, h)
+    # looked at first: what is not seen would be told as a mode that is not driven
+    if solve_rows(rows, [number(0) for _ in rows]) is None:
+        raise Undecided("the state is not observable")
     factor = stable_factor(f, q, h, r[0][0], squared_index)
-    predictor = _predictor_gain(f, h, factor)
+    predictor = _predictor_gain(d, rows, factor)
     gain = solve_rows(f, predictor)
     predicted = _predicted(f, q, h, r[0][0], gain, predictor, factor)
     big, seen = exprs(f), exprs(h)
@@ -88,17 +93,23 @@ def solve(model: Mapping[str, Any], squared_index: Fraction | None = None) -> St
     )
 
 
-def _predictor_gain(f: Numbers, h: Numbers, factor: Factor) -> list[Expr]:
-    """L with det(zI - F + L H) = c(z), linear because it is det(zI - F) + H adj(zI - F) L."""
+def _observed(f: Numbers, h: Numbers) -> tuple[Sequence[Fraction], Numbers]:
+    """det(zI - F) and H adj(zI - F), by powers of z; the rows are independent where the state is
+    observable.
+    """
     d, parts = resolvent(f)
-    rows = [
-        [sum((x * part[i][j] for i, x in enumerate(h[0])), Fraction(0)) for j in range(len(f))]
+    rows = tuple(
+        tuple(sum((x * part[i][j] for i, x in enumerate(h[0])), Fraction(0)) for j in range(len(f)))
         for part in parts
-    ]
+    )
+    return d, rows
+
+
+def _predictor_gain(d: Sequence[Fraction], rows: Numbers, factor: Factor) -> list[Expr]:
+    """L with det(zI - F + L H) = c(z), linear because it is det(zI - F) + H adj(zI - F) L."""
     right = [c - number(before) for c, before in zip(factor.coefficients, d, strict=False)]
     solved = solve_rows(rows, right)
-    if solved is None:
-        raise Undecided("the state is not observable")
+    assert solved is not None, "an observable state"
     return [folded(x) for x in solved]
 
 

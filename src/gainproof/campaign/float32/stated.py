@@ -8,7 +8,8 @@ from dataclasses import dataclass
 import numpy as np
 
 PROMISE = re.compile(
-    r"(?:Relative error|Error over (\w+)) at most (\S+) \* 2\^-52 \(float64\), "
+    r"(\w+): [^:]*?(?:Relative error|Error over (?:the (sum of its terms' sizes)|(\w+))) "
+    r"at most (\S+) \* 2\^-52 \(float64\), "
     r"(\S+) \* 2\^-23 \(float32\), proved for (\S+) <= \w+ <= (\S+) \(float64\) "
     r"and (\S+) <= \w+ <= (\S+) \(float32\)"
 )
@@ -47,10 +48,11 @@ def stated(docstring: str | None) -> tuple[Stated, ...]:
     Raises ValueError where bounds in float64 do not hold for the inputs of those in float32.
     """
     found = []
-    for scale, *texts in PROMISE.findall(" ".join(str(docstring).split())):
+    for output, own, scale, *texts in PROMISE.findall(" ".join(str(docstring).split())):
         double, bound, low, high = (float(text) for text in texts[:4])
         lowest, highest = (float(np.float32(text)) for text in texts[4:])
         if not low <= lowest <= highest <= high:
             raise ValueError(f"bounds hold for {low} to {high}, in float32 {lowest} to {highest}")
-        found.append(Stated(scale or None, bound, double, lowest, highest))
+        measure = f"{output}_scale" if own else scale or None
+        found.append(Stated(measure, bound, double, lowest, highest))
     return tuple(found)

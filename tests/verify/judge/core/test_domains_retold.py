@@ -107,3 +107,28 @@ def test_a_symbol_in_units_is_told_with_every_power_up_to_twelve(k: int) -> None
     name = INTERVAL
     words = f"q/{name}{size}" if k > 0 else f"q {name}{size}"
     assert found.domain == f"for {words} > 0"
+
+
+@pytest.mark.parametrize(
+    ("value", "end", "wanted"),
+    [
+        # by hand: p/(1 - p) goes from 0 to infinity, (1 - p)/p back, and so do their squares
+        (HALF_OPEN, "0", "0"),
+        (HALF_OPEN, "1", "infinity"),
+        (1 / HALF_OPEN, "0", "infinity"),
+        (1 / HALF_OPEN, "1", "0"),
+        (power(HALF_OPEN, 2), "1", "infinity"),
+    ],
+)
+@pytest.mark.parametrize("rest", ["", ", T > 0", ", where every part has a value"])
+def test_where_it_goes_is_retold(value: Expr, end: str, wanted: str, rest: str) -> None:
+    found = retold(f"as p -> {end}{rest}", "0", "1", value)
+    assert found.domain == rf"as \Lambda -> {wanted}{rest}"
+    assert found.reason == f"true {found.domain}; not everywhere"
+
+
+def test_so_is_it_without_an_upper_bound() -> None:
+    assert retold("as p -> infinity", "0", None, power(p, 2)).domain == r"as \Lambda -> infinity"
+    # 1 is no end
+    kept = retold("as p -> 1", "0", None, power(p, 2)).domain
+    assert kept == r"as p -> 1, where \Lambda = p^2"

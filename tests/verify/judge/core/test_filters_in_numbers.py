@@ -253,3 +253,22 @@ def test_noises_that_are_not_covered_say_why(
     found = judged("identity", "a = 0", SYMBOLS, model([["1"]], noise, [["1"]], variance))
     assert found.verdict == "undecided"
     assert wanted in found.reason
+
+
+@pytest.mark.parametrize(
+    ("transition", "noise", "measured"),
+    [
+        (LINE, NINTH, [["0", "0"]]),
+        (LINE, NINTH, [["0", "1"]]),
+        ([["1", "0"], ["0", "1"]], NINTH, FIRST),
+        (PARABOLA, [["0"] * 3, ["0"] * 3, ["0", "0", "1"]], [["0", "0", "0"]]),
+        ([["1"]], [["1"]], [["0"]]),
+    ],
+)
+def test_a_state_that_is_not_seen_is_told_so(
+    transition: list[list[str]], noise: list[list[str]], measured: list[list[str]]
+) -> None:
+    """The rows H, H F, H F^2 are dependent, by hand."""
+    found = judged("inequality", "a > 0", SYMBOLS, model(transition, noise, measured, "1"))
+    assert found.verdict == "undecided"
+    assert "not observable" in found.reason

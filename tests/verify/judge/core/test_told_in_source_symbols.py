@@ -260,3 +260,48 @@ def test_images_of_sets(expr: Expr, kept: list[Place], wanted: str | None) -> No
         return
     found = images(expr, "x", POSITIVE, kept)
     assert (None if found is None else region_text(found, "y")) == wanted
+
+
+TWO_RATIOS = r"""
+[settings.s]
+title = 's'
+kind = 'steady_state'
+transition = [["1", "T"], ["0", "1"]]
+process_noise = [['q^2 T^4/3', 'q^2 T^3/2'], ['q^2 T^3/2', 'q^2 T^2']]
+measurement = [["1", "0"], ["0", "1"]]
+measurement_noise = [['p^2', "0"], ["0", 'd^2']]
+[settings.s.symbols]
+'p' = { quantity = "measurement_noise_deviation", meaning = "deviation" }
+'q' = { unit = "m s^-2", domain = 'q > 0', meaning = "deviation" }
+'d' = { unit = "m s^-1", domain = 'd > 0', meaning = "deviation" }
+'S' = { quantity = "velocity_deviation_ratio", meaning = "ratio" }
+'T' = { quantity = "sampling_interval", meaning = "interval" }
+'K' = { quantity = "gain_matrix.1.1", meaning = "gain" }
+'r' = { definition = '\frac{p}{q T^2}', meaning = "ratio" }
+"""
+
+
+@pytest.mark.parametrize(
+    ("declared", "claimed", "wanted"),
+    [
+        ("'B' = { definition = 'S^2/r^2 - 3/r^2 + 3S^4', meaning = 'no name' }", "B", "B"),
+        ("'B' = { definition = '(S^2 - 3 + 3 r^2 S^4)^2', meaning = 'no name' }", "B", "B"),
+        (
+            "'B' = { definition = 'S^2/r^2 - 2/r^2 + 3S^4', meaning = 'other' }",
+            "(S^2/r^2 - 3/r^2 + 3S^4)",
+            None,
+        ),
+    ],
+)
+def test_an_exception_is_named_by_the_symbol_that_is_zero_there(
+    declared: str, claimed: str, wanted: str | None
+) -> None:
+    latex = rf"\frac{{K ({claimed})}}{{{claimed}}} = K"
+    file = claim_file(f"{TWO_RATIOS}{declared}\n", [("identity", latex)])
+    (found,) = judge_file(file, MODELS, solved=SOLVED)
+    assert found.verdict == "conditional", found.reason
+    assert found.domain is not None
+    assert "tracking_index" not in found.domain
+    index = "(q T^2/p)^2"
+    where = wanted or f"{index} S^2 - 3 {index} + 3 S^4"
+    assert found.domain.endswith(f", where {where} is not zero")

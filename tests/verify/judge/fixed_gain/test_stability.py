@@ -49,6 +49,7 @@ def test_false_neighbours(latex: str, states: int, stable: bool) -> None:
     gains = [float(Fraction(found.witness["point"].get(name, "1"))) for name in GAINS[:states]]
     assert (radius(gains) < 1 - 1e-9) is stable, (gains, found.reason)
     # what is told of the filter there, with the modulus of its poles as NumPy has it
+    assert found.witness["shows"] == "stability"
     note = found.witness["note"]
     assert note.startswith(f"the filter is {'stable (poles' if stable else 'not stable (a pole'}")
     modulus = re.search(r"modulus (?:at most )?([\d.e+-]+)\)", note)

@@ -10,7 +10,7 @@ from fractions import Fraction
 
 import pytest
 
-from gainproof.verify.judge.exact.box import Box
+from gainproof.verify.judge.exact.box import Box, Boxes
 from gainproof.verify.judge.exact.expression import Expr, number, power, symbol
 from gainproof.verify.judge.exact.limits import Undecided
 from gainproof.verify.judge.exact.statement import Rel, Statement
@@ -19,7 +19,6 @@ from gainproof.verify.judge.freed.equal_sides import equal_somewhere
 from gainproof.verify.judge.freed.folding import plain
 from gainproof.verify.judge.freed.lowest import lowest
 from gainproof.verify.judge.freed.pieces import Pieces, by_pieces, seen_above
-from gainproof.verify.judge.freed.smooth import Boxes
 
 X, ZERO = symbol("x"), number(0)
 

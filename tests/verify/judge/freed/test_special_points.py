@@ -177,15 +177,14 @@ def test_the_terms_vanish_where_it_is_said() -> None:
 @pytest.mark.sampled
 def test_none_without_a_value_somewhere_is_proved() -> None:
     for each in claims(3, samples(14), has_value=False, most=3):
-        found = judged(each.kind, each.fields, each.symbols, each.setting)
+        found = each.judged()
         assert found.verdict != "proved", (each.fields, each.symbols)
 
 
 @pytest.mark.sampled
 def test_most_with_a_value_everywhere_are_proved() -> None:
     verdicts = Counter(
-        judged(each.kind, each.fields, each.symbols, each.setting).verdict
-        for each in claims(4, samples(12), has_value=True, most=3)
+        each.judged().verdict for each in claims(4, samples(12), has_value=True, most=3)
     )
     assert set(verdicts) <= {"proved", "held", "undecided"}
     assert verdicts["proved"] >= 0.9 * verdicts.total()

@@ -226,3 +226,27 @@ def test_a_place_where_something_else_has_no_value_is_left_out(
     if found.verdict == "conditional":
         assert "!= 0" in (found.domain or "") or "except where" in (found.domain or "")
     assert replay_json(found.to_json()) is None
+
+
+OPEN_UNIT = "{ unit = '1', domain = '-1 < %s < 1', meaning = 'a number' }"
+
+
+@pytest.mark.parametrize(
+    ("latex", "but"),
+    [
+        # at z = 0 both sides are 2 y^3/y^2 = 2 y, but for y = 0; elsewhere there are no divisors 0
+        (r"\sqrt{y^4 + z^4}}{\partial y} = \frac{2 y^3}{\sqrt{y^4 + z^4}}",
+         "except where z = 0 and y = 0"),
+        (r"(y^2 \sqrt{y^2 + z^2})}{\partial y} = \frac{3 y^3 + 2 y z^2}{\sqrt{y^2 + z^2}}",
+         "except where z = 0 and y = 0"),
+        # at z = 0 the slope is 0 for every y, and 0/y is 0 for y != 0: no other point is left out
+        (r"(\lvert y \rvert z)}{\partial y} = \frac{\lvert y \rvert z}{y}", "y != 0"),
+        # the right side is 0/0 on both axes
+        (r"\sqrt{y^2 z^2}}{\partial y} = \frac{y z^2}{\sqrt{y^2 z^2}}", "y != 0, z != 0"),
+    ],
+)  # fmt: skip
+def test_no_more_is_left_out_than_has_no_value(latex: str, but: str) -> None:
+    symbols = {name: OPEN_UNIT % name for name in ("y", "z")}
+    found = judged("identity", rf"\frac{{\partial {latex}", symbols)
+    check(found, "conditional")
+    assert found.domain == f"for -1 < y < 1, -1 < z < 1, {but}"

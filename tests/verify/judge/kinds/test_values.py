@@ -96,3 +96,26 @@ def test_no_rounded_number_where_there_is_none(
     found = judged(kind, latex)
     assert (found.verdict, found.reading) == (verdict, reading)
     assert "as a rounded number" not in found.certificate
+
+
+@pytest.mark.parametrize(
+    ("latex", "value", "printed"),
+    [
+        (r"\frac{3}{4} \approx 0.7", 0.75, 0.7),
+        (r"0.7 \approx \frac{3}{4}", 0.75, 0.7),
+        (r"-\frac{3}{4} \approx -0.7", -0.75, -0.7),
+        (r"\frac{3 x}{4 x} \approx 0.7", 0.75, 0.7),
+        (r"\frac{3}{2} \approx 1", 1.5, 1),
+    ],
+)
+def test_at_a_tie_the_sides_are_the_value_and_the_number_as_printed(
+    latex: str, value: float, printed: float
+) -> None:
+    found = judged("value", latex)
+    check(found, "refuted")
+    assert found.witness is not None
+    sides = [float(found.witness[side]["midpoint"]) for side in ("left", "right")]
+    assert sides == [value, printed]
+    # said of sides only that are one number
+    assert "exact" not in found.witness
+    assert not any("both sides" in text for text in reasons(found.to_json()))
