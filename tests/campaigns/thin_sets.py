@@ -12,10 +12,11 @@ is proved where it has no value.
 from __future__ import annotations
 
 import argparse
+import signal
 import sys
 import time
 from collections import Counter
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from pathlib import Path
 from typing import Any
 
@@ -29,6 +30,8 @@ import gainproof.verify.judge
 from gainproof.campaign.campaign import Campaign, Done, Report
 from gainproof.campaign.carrying_out import carry_out
 from gainproof.campaign.options import add_options
+from gainproof.commands.time_limit import DEFAULT
+from gainproof.verify.judge.verdict import ClaimVerdict
 
 HELP = "random claims that have no value on a thin set of their domain: none may be proved"
 AT_ONCE = 50
@@ -63,18 +66,37 @@ def judge(kind: str, has_value: bool, seed: int, count: int, _code: str) -> list
     found = []
     for claim in MADE[kind](seed, count, has_value=has_value):
         start = time.process_time()
-        verdict = claim.judged()
+        verdict, reason = _in_time(claim.judged)
         found.append(
             {
                 "name": claim.name,
                 "fields": claim.fields,
                 "domains": dict(claim.symbols),
-                "verdict": verdict.verdict,
-                "reason": verdict.reason,
+                "verdict": verdict,
+                "reason": reason,
                 "seconds": time.process_time() - start,
             }
         )
     return found
+
+
+def _in_time(judged: Callable[[], ClaimVerdict]) -> tuple[str, str | None]:
+    """Verdict and reason; a claim has the processor time that users give it, and is undecided after
+    that (where the system has such a clock).
+    """
+    signal.signal(signal.SIGPROF, _stop)
+    signal.setitimer(signal.ITIMER_PROF, DEFAULT)
+    try:
+        found = judged()
+    except TimeoutError:
+        return "undecided", "out of time"
+    finally:
+        signal.setitimer(signal.ITIMER_PROF, 0)
+    return found.verdict, found.reason
+
+
+def _stop(*_: object) -> None:
+    raise TimeoutError
 
 
 def report(done: Sequence[Done]) -> Report:
