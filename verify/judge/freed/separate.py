@@ -47,9 +47,11 @@ class Least:
 
 @dataclass(frozen=True)
 class Sum:
-    """Terms without their constant, which have values everywhere, and the least value."""
+    """Terms without their constant, which have values everywhere, each once with its factor, and
+    the least value.
+    """
 
-    terms: frozenset[tuple[Fraction, Expr]]
+    terms: frozenset[tuple[Expr, Fraction]]
     names: frozenset[str]
     least: Least
 
@@ -131,7 +133,10 @@ def _sum(node: Expr, boxes: Boxes) -> tuple[Sum, Fraction] | None:
             attained = False
         elif least.attained is None:
             attained = None
-    return Sum(frozenset(terms), frozenset(names), Least(total, attained)), constant
+    together: dict[Expr, Fraction] = {}
+    for factor, term in terms:
+        together[term] = together.get(term, Fraction(0)) + factor
+    return Sum(frozenset(together.items()), frozenset(names), Least(total, attained)), constant
 
 
 def _terms(expr: Expr, factor: Fraction) -> tuple[Fraction, Terms]:

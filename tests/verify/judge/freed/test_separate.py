@@ -113,3 +113,12 @@ def test_terms_without_a_value_somewhere_are_left() -> None:
     assert proved(quotient(X**2, Y**2), unstated) is True
     assert proved(quotient(X**2, Y**2), {**unstated, "x": ANY}) is False
     assert proved(quotient(1 / X**2, Y**2), {**unstated, "y": ANY}) is None
+
+
+@pytest.mark.parametrize("term", [r"x^2", r"e^x", r"(\ln(1 + x^2))^2", r"\frac{1}{1 + x^2}"])
+@pytest.mark.parametrize("factor", [r"e^z", r"z", r"(1 + \cos z)"])
+def test_terms_that_repeat_count_each_time(term: str, factor: str) -> None:
+    # D + D + y^2 is D + y^2 only where D or the factor is 0
+    twice = rf"{factor} ({term} + {term} + e^y)"
+    assert judged("identity", rf"{twice} = {factor} ({term} + e^y)").verdict == "refuted"
+    assert judged("identity", rf"{twice} = {factor} (2 {term} + e^y)").verdict == "proved"
