@@ -86,11 +86,16 @@ def by_sums(
     found = settle(moved, where, parameter, labels, only_proof=True)
     if found.verdict == "proved":
         return replace(found, method=f"sums of terms in symbols of their own; {found.method}")
-    for each, name in names.items():
-        if each.names & (taken | moved.symbols()) or not each.least.attained:
-            continue
-        point = replace(where[name], lower_open=False, upper=each.least.value, upper_open=False)
-        there = settle(moved, {**where, name: point}, parameter, labels, only_proof=True)
+    own = [name for each in names for name in each.names]
+    # sums in common symbols need not have their least values at one point
+    if len(set(own)) < len(own) or (taken | moved.symbols()) & set(own):
+        return None
+    if all(each.least.attained for each in names):
+        point = {
+            name: replace(where[name], lower_open=False, upper=each.least.value, upper_open=False)
+            for each, name in names.items()
+        }
+        there = settle(moved, {**where, **point}, parameter, labels, only_proof=True)
         if there.verdict in ("refuted", "conditional"):
             raise Undecided("it fails where each term of a sum is least")
     return None

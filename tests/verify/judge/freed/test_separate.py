@@ -122,3 +122,19 @@ def test_terms_that_repeat_count_each_time(term: str, factor: str) -> None:
     twice = rf"{factor} ({term} + {term} + e^y)"
     assert judged("identity", rf"{twice} = {factor} ({term} + e^y)").verdict == "refuted"
     assert judged("identity", rf"{twice} = {factor} (2 {term} + e^y)").verdict == "proved"
+
+
+@pytest.mark.parametrize(
+    ("kind", "claim"),
+    [
+        ("identity", r"e^z (-x^2 - y^2) = -e^z (x^2 + y^2)"),
+        ("identity", r"2 e^z (x^2 + y^2) = e^z (2 x^2 + 2 y^2)"),
+        ("identity", r"z \cos w (x^2 + y^2) + z \cos w (x^2 - y^2) = 2 z x^2 \cos w"),
+        ("inequality", r"e^z (a^2 + b^2 + 1) (x^2 + y^2) < 8 e^z (a^2 + b^2 + 1)"),
+    ],
+)
+def test_sums_in_common_symbols_are_not_free_of_each_other(kind: str, claim: str) -> None:
+    # each is an identity of polynomials, or rests on x^2 + y^2 < 8: with u and v for the sums it
+    # fails where u is least
+    stated = {n: f"{{ unit = '1', domain = '-2 < {n} < 2', meaning = 'n' }}" for n in "abwxyz"}
+    assert judged(kind, claim, stated).verdict == "proved"
