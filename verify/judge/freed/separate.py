@@ -9,7 +9,7 @@ symbol at a time, where cells of all of them take long.
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from fractions import Fraction
 from functools import lru_cache
 
@@ -17,6 +17,7 @@ from gainproof.verify.judge.exact.box import Box, Boxes
 from gainproof.verify.judge.exact.calculus import rebuilt
 from gainproof.verify.judge.exact.enclose import NoValue, Unresolved, enclosed
 from gainproof.verify.judge.exact.expression import Expr, add, mul, number, symbol, symbols_of
+from gainproof.verify.judge.exact.expression_text import labelled
 from gainproof.verify.judge.exact.limits import Undecided
 from gainproof.verify.judge.exact.statement import Outcome, Rel, Statement
 from gainproof.verify.judge.freed.lacks import lacks
@@ -54,6 +55,7 @@ class Sum:
     terms: frozenset[tuple[Expr, Fraction]]
     names: frozenset[str]
     least: Least
+    whole: Expr = field(compare=False)
 
 
 def by_sums(
@@ -81,6 +83,7 @@ def by_sums(
         found, constant = sums[node]
         return add(symbol(names[found]), number(constant))
 
+    labels = {**labels, **{name: f"({labelled(s.whole, labels)})" for s, name in names.items()}}
     moved = statement.mapped(lambda e: rebuilt(e, change))
     where = {**boxes, **{name: _box(found, boxes) for found, name in names.items()}}
     found = settle(moved, where, parameter, labels, only_proof=True)
@@ -141,7 +144,9 @@ def _sum(node: Expr, boxes: Boxes) -> tuple[Sum, Fraction] | None:
     together: dict[Expr, Fraction] = {}
     for factor, term in terms:
         together[term] = together.get(term, Fraction(0)) + factor
-    return Sum(frozenset(together.items()), frozenset(names), Least(total, attained)), constant
+    whole = add(*[t if factor == 1 else mul(number(factor), t) for t, factor in together.items()])
+    least = Least(total, attained)
+    return Sum(frozenset(together.items()), frozenset(names), least, whole), constant
 
 
 def _terms(expr: Expr, factor: Fraction) -> tuple[Fraction, Terms]:

@@ -138,3 +138,11 @@ def test_sums_in_common_symbols_are_not_free_of_each_other(kind: str, claim: str
     # fails where u is least
     stated = {n: f"{{ unit = '1', domain = '-2 < {n} < 2', meaning = 'n' }}" for n in "abwxyz"}
     assert judged(kind, claim, stated).verdict == "proved"
+
+
+def test_a_proof_names_its_sums_in_words() -> None:
+    found = judged("inequality", r"e^z (x^2 + 2 \left|y\right| + w^2 + 1) > 0")
+    assert found.verdict == "proved"
+    assert found.certificate is not None
+    assert "(x^2 + 2 sqrt(y^2) + w^2)" in found.certificate["statement"]["labels"].values()
+    assert found.certificate["places"][0]["place"] == "(x^2 + 2 sqrt(y^2) + w^2) = 0"
