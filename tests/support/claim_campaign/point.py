@@ -164,7 +164,7 @@ class Point:
 
 def _joined(rows: list[list[Any]]) -> list[list[Any]]:
     """A matrix whose entries may be matrices, such as a covariance of blocks."""
-    found = []
+    found: list[list[Any]] = []
     for row in rows:
         blocks = [part if isinstance(part, list) else [[part]] for part in row]
         if len({len(block) for block in blocks}) != 1:
