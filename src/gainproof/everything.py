@@ -8,6 +8,7 @@ from pathlib import Path
 from typing import Any
 
 from gainproof import (
+    bounds_ledger,
     code_digest,
     derivations,
     drift,
@@ -37,6 +38,7 @@ def find(shop: Workshop, *, accept: bool = False) -> Findings:
     shop.ahead([derivations.CATALOGUE], following(shop, folder, claim_files), DONE)
     subjects = derivations.derive(derivations.catalogue(shop), shop)
     files = generated_files.fresh((), shop)
+    worse = bounds_ledger.worse(folder, files.get(bounds_ledger.NAME, b"{}"))
     pairs = [(committed(folder, subject.name), subject) for subject in subjects]
     reports = derivations.recheck(pairs, shop)
     judged = judgements.judge(claim_files, shop)
@@ -53,6 +55,7 @@ def find(shop: Workshop, *, accept: bool = False) -> Findings:
         versions=code_digest.versions(),
         files=len(files),
         differences=tuple(drift.compare(files, folder)),
+        worse=tuple(worse),
         certificates=tuple(reports),
         judgements=tuple(judged),
         proofs=tuple(proofs),
@@ -70,6 +73,7 @@ def following(
     models, and then the check of their proofs.
     """
     missing: set[str] = set()
+    bounds = bounds_ledger.usable(folder, shop.cache.fresh)
 
     def after(job: Job) -> list[Job]:
         if job.task == "catalogue":
@@ -77,7 +81,7 @@ def following(
             missing.update(names)
             # the shortest first: what follows from the last comes first, and so the longest checks
             names.sort(key=lambda name: _size(_path(folder, name)))
-            return [derivations.everything_job(name) for name in names]
+            return [derivations.everything_job(name, bounds) for name in names]
         if job.task == "judge":
             judged = shop.answered(job)
             checking = None if judged is None else judgements.proofs_job(judged)
@@ -101,7 +105,7 @@ def committed(folder: Path, name: str) -> Any:
 
 
 def _path(folder: Path, name: str) -> Path:
-    return folder / f"{name.replace('-', '_')}.json"
+    return folder / f"{derivations.module_of(name)}.json"
 
 
 def _size(path: Path) -> int:

@@ -6,7 +6,7 @@ from collections.abc import Iterable, Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
-from gainproof import atomic_file, derivations, workers
+from gainproof import atomic_file, bounds_ledger, derivations, places
 from gainproof.derive.printer.package import LIST, shared_files
 from gainproof.drift import Difference
 from gainproof.workshop import Workshop
@@ -20,8 +20,13 @@ def fresh(names: Sequence[str], shop: Workshop) -> dict[str, bytes]:
     """
     derivations.require_names(names, shop)
     chosen = names or derivations.catalogue(shop)
-    jobs = [workers.Job(name, "print_one", {"name": name}) for name in chosen]
-    files = together(shop.results("printed", jobs))
+    folder = places.generated_folder()
+    known = bounds_ledger.usable(folder, shop.cache.fresh)
+    jobs = [derivations.print_job(name, known) for name in chosen]
+    parts = shop.results("printed", jobs)
+    files = together(parts)
+    ledger = bounds_ledger.joined(parts, folder, whole=not names)
+    files[bounds_ledger.NAME] = ledger.encode("utf-8")
     return {name: files[name] for name in files if name != LIST or not names}
 
 

@@ -21,14 +21,16 @@ Plain = Mapping[str, Any]
 class Findings:
     """Everything that one run looked at.
 
-    `certificates`: reports of `rechecking.recheck`; `proofs`: those of `claim_proofs.recheck`;
-    `words`: those of claims without a formula, for each judgement; `changes`: differences from the
-    snapshot of each claim file, by name; `accepted`: they have been taken over.
+    `worse`: what proved bounds have lost beside those committed; `certificates`: reports of
+    `rechecking.recheck`; `proofs`: those of `claim_proofs.recheck`; `words`: those of claims
+    without a formula, for each judgement; `changes`: differences from the snapshot of each claim
+    file, by name; `accepted`: they have been taken over.
     """
 
     versions: Mapping[str, str]
     files: int
     differences: tuple[Difference, ...]
+    worse: tuple[str, ...]
     certificates: tuple[Plain, ...]
     judgements: tuple[Judgement, ...]
     proofs: tuple[Plain, ...]
@@ -63,6 +65,7 @@ def as_json(findings: Findings) -> str:
         "generated": {
             "files": findings.files,
             "differences": [asdict(difference) for difference in findings.differences],
+            "worse": list(findings.worse),
         },
         "certificates": list(findings.certificates),
         "claims": list(findings.judgements),
@@ -112,6 +115,7 @@ def summary(findings: Findings) -> str:
         _line("derivations", f"{len(findings.certificates)} derived"),
         _line("generated files", _files(findings)),
         *(f"{'':18}{difference.text()}" for difference in findings.differences),
+        *(f"{'':18}{sentence}" for sentence in findings.worse),
         _line("certificates", _certificates(findings)),
         *(f"{'':18}{report['subject']}: {report['reason']}" for report in findings.rejected),
         _line("claims", verdict_text.counts(list(findings.judgements))),
