@@ -59,8 +59,8 @@ def test_a_condition_is_decided_exactly_and_in_the_format(first: bool) -> None:
     """Of x < 1/10 and 1/10 < x; the format's number beside 1/10 stands for it."""
     builder = GraphBuilder()
     x, limit = builder.symbol("x"), Fraction(1, 10)
-    pair = (x, limit) if first else (limit, x)
-    steps = program(builder.graph({"y": builder.select(*pair, x, 2 * x)}))
+    less, than = (x, limit) if first else (limit, x)
+    steps = program(builder.graph({"y": builder.select(less, than, x, 2 * x)}))
     for form in FORMATS:
         place = form.at_least(limit) if first else form.at_most(limit)
         inside = form.before(place) if first else form.after(place)
