@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
@@ -58,11 +58,32 @@ def derive(names: Sequence[str], shop: Workshop) -> list[Derived]:
     return [derived_from(data) for data in shop.results("derived", jobs)]
 
 
-def everything_job(name: str) -> workers.Job:
-    """All that is to be known of one subject, made in one go."""
-    arguments = {"name": name}
-    parts = tuple(workers.Job(name, task, arguments) for task in ("outline", "derive", "print_one"))
-    return workers.Job(name, "everything", arguments, answers=parts)
+def everything_job(name: str, bounds: Mapping[str, Any]) -> workers.Job:
+    """All that is to be known of one subject, made in one go; `bounds` as for `print_job`."""
+    deriving = workers.Job(name, "derive", {"name": name})
+    printing = print_job(name, bounds)
+    answers = (outline_job(name), deriving, printing)
+    return workers.Job(name, "everything", printing.arguments, answers=answers)
+
+
+def outline_job(name: str) -> workers.Job:
+    """One subject without its certificate."""
+    return workers.Job(name, "outline", {"name": name})
+
+
+def print_job(name: str, bounds: Mapping[str, Any]) -> workers.Job:
+    """The files of one subject; `bounds` are entries of the ledger by module, which may be taken.
+
+    What a subject's own entries say is part of the job, so that a result that was made with others
+    is not found for it.
+    """
+    arguments = {"name": name, "bounds": bounds.get(module_of(name), {})}
+    return workers.Job(name, "print_one", arguments)
+
+
+def module_of(name: str) -> str:
+    """The module that holds a subject's kernels."""
+    return name.replace("-", "_")
 
 
 def known(name: str, shop: Workshop) -> Derived:

@@ -9,6 +9,7 @@ from pathlib import Path
 from typing import Any
 
 from gainproof import (
+    bounds_ledger,
     code_digest,
     derivations,
     drift,
@@ -39,6 +40,7 @@ def find(shop: Workshop, *, accept: bool = False) -> Findings:
     ahead(shop, folder, claim_files)
     subjects = derivations.derive(names, shop)
     files = generated_files.fresh((), shop)
+    worse = bounds_ledger.worse(folder, files.get(bounds_ledger.NAME, b"{}"))
     pairs = [(committed(folder, subject.name), subject) for subject in subjects]
     reports = derivations.recheck(pairs, shop)
     judged = judgements.judge(claim_files, shop)
@@ -55,12 +57,14 @@ def find(shop: Workshop, *, accept: bool = False) -> Findings:
         versions=code_digest.versions(),
         files=len(files),
         differences=tuple(drift.compare(files, folder)),
+        worse=tuple(worse),
         certificates=tuple(reports),
         judgements=tuple(judged),
         proofs=tuple(proofs),
         words=tuple(claim_words(judgements.read(file)) for file in claim_files),
         changes=changes,
         accepted=accept,
+        bounds=_bounds(shop, folder),
         taken=Counter(shop.taken.values()),
         done=Counter(shop.done.values()),
     )
@@ -70,6 +74,7 @@ def ahead(shop: Workshop, folder: Path, claim_files: Sequence[Path]) -> None:
     """Have all done that `find` asks for: every subject of the catalogue, after each the check of
     its committed certificate; and the claim files, after each the check of its proofs.
     """
+    bounds = bounds_ledger.usable(folder, shop.cache.fresh)
 
     def after(job: Job) -> list[Job]:
         if job.task == "judge":
@@ -83,8 +88,21 @@ def ahead(shop: Workshop, folder: Path, claim_files: Sequence[Path]) -> None:
 
     # the longest last among the subjects: its check ends among the short ones of claim files
     names = sorted(derivations.catalogue(), key=lambda name: _size(_path(folder, name)))
-    jobs = [derivations.everything_job(name) for name in names]
+    jobs = [derivations.everything_job(name, bounds) for name in names]
     shop.ahead([*jobs, *judgements.jobs(claim_files).values()], after, DONE)
+
+
+def _bounds(shop: Workshop, folder: Path) -> tuple[int, int]:
+    """How many kernels have bounds that were known, and how many were proved now."""
+    known = bounds_ledger.usable(folder, shop.cache.fresh)
+    taken = proved = 0
+    for name in derivations.catalogue():
+        job = derivations.print_job(name, known)
+        counts = (shop.answered(job) or {})["counts"]
+        now = counts["proved"] if shop.was_done(job) else 0
+        proved += now
+        taken += counts["taken"] + counts["proved"] - now
+    return taken, proved
 
 
 def committed(folder: Path, name: str) -> Any:
@@ -96,7 +114,7 @@ def committed(folder: Path, name: str) -> Any:
 
 
 def _path(folder: Path, name: str) -> Path:
-    return folder / f"{name.replace('-', '_')}.json"
+    return folder / f"{derivations.module_of(name)}.json"
 
 
 def _size(path: Path) -> int:

@@ -21,21 +21,25 @@ Plain = Mapping[str, Any]
 class Findings:
     """Everything that one run looked at.
 
-    `certificates`: reports of `rechecking.recheck`; `proofs`: those of `claim_proofs.recheck`;
-    `taken`, `done`: how many answers of each task came from the cache, and were worked for;
-    `words`: those of claims without a formula, for each judgement; `changes`: differences from the
-    snapshot of each claim file, by name; `accepted`: they have been taken over.
+    `worse`: what proved bounds have lost beside those committed; `certificates`: reports of
+    `rechecking.recheck`; `proofs`: those of `claim_proofs.recheck`; `words`: those of claims
+    without a formula, for each judgement; `changes`: differences from the snapshot of each claim
+    file, by name; `accepted`: they have been taken over; `bounds`: of how many kernels they were
+    known, and of how many proved now; `taken`, `done`: how many answers of each task came from the
+    cache, and were worked for.
     """
 
     versions: Mapping[str, str]
     files: int
     differences: tuple[Difference, ...]
+    worse: tuple[str, ...]
     certificates: tuple[Plain, ...]
     judgements: tuple[Judgement, ...]
     proofs: tuple[Plain, ...]
     words: tuple[Words, ...]
     changes: Mapping[str, tuple[str, ...]]
     accepted: bool
+    bounds: tuple[int, int]
     taken: Mapping[str, int]
     done: Mapping[str, int]
 
@@ -66,6 +70,7 @@ def as_json(findings: Findings) -> str:
         "generated": {
             "files": findings.files,
             "differences": [asdict(difference) for difference in findings.differences],
+            "worse": list(findings.worse),
         },
         "certificates": list(findings.certificates),
         "claims": list(findings.judgements),
@@ -95,6 +100,7 @@ def summary(findings: Findings) -> str:
         _line("derivations", f"{len(findings.certificates)} derived{_kept(findings, 'derive')}"),
         _line("generated files", _files(findings)),
         *(f"{'':18}{difference.text()}" for difference in findings.differences),
+        *(f"{'':18}{sentence}" for sentence in findings.worse),
         _line("certificates", _certificates(findings)),
         *(f"{'':18}{report['subject']}: {report['reason']}" for report in findings.rejected),
         _line("claims", verdict_text.counts(list(findings.judgements)) + _kept(findings, "judge")),
@@ -150,7 +156,9 @@ def _line(label: str, text: str) -> str:
 
 def _files(findings: Findings) -> str:
     if not findings.differences:
-        return f"{findings.files}, each byte as derived{_kept(findings, 'print_one')}"
+        taken, proved = findings.bounds
+        said = f"; bounds of {taken} kernels known, of {proved} proved now" if taken else ""
+        return f"{findings.files}, each byte as derived{said}"
     return f"{len(findings.differences)} of {findings.files} not as derived; {CURE}"
 
 

@@ -35,11 +35,11 @@ def derive(desk: Desk, name: str) -> Plain:
     return desk.kept(("derived", name), lambda: plain_subject(_subject(desk, name)).plain())
 
 
-def everything(desk: Desk, name: str) -> list[Plain]:
+def everything(desk: Desk, name: str, bounds: Plain) -> list[Plain]:
     """What the tasks on one subject of the catalogue answer, which share most of the work: its
     outline, itself derived, its files.
     """
-    return [outline(desk, name), derive(desk, name), print_one(desk, name)]
+    return [outline(desk, name), derive(desk, name), print_one(desk, name, bounds)]
 
 
 def derive_file(_: Desk, path: str) -> Plain:
@@ -55,21 +55,23 @@ def derive_file(_: Desk, path: str) -> Plain:
     return derived | {FILES_READ: read}
 
 
-def print_one(desk: Desk, name: str) -> Plain:
-    """The files of one subject of the catalogue: {"module", "title", "files"}."""
+def print_one(desk: Desk, name: str, bounds: Plain) -> Plain:
+    """The files of one subject of the catalogue, with its bounds, of which those known ones are
+    taken that still hold: {"module", "title", "files", "bounds", "counts"}.
+    """
     from gainproof.generating import printed
 
-    return printed(_subject(desk, name), derive(desk, name)["certificate"])
+    return printed(_subject(desk, name), derive(desk, name)["certificate"], bounds)
 
 
-def package_one(desk: Desk, name: str) -> Plain:
+def package_one(desk: Desk, name: str, bounds: Plain) -> Plain:
     """One subject of the catalogue for a package of its own: {"derived", "part"}, of which the
     first is what `derive` answers, the second like what `print_one` does.
     """
     from gainproof.generating import packaged
 
-    derived = derive(desk, name)
-    return {"derived": derived, "part": packaged(_subject(desk, name), derived["certificate"])}
+    derived, subject = derive(desk, name), _subject(desk, name)
+    return {"derived": derived, "part": packaged(subject, derived["certificate"], bounds)}
 
 
 def package_file(_: Desk, path: str) -> Plain:
@@ -82,7 +84,7 @@ def package_file(_: Desk, path: str) -> Plain:
     with recorded(Path(path).parent) as read:
         subject = build_own_file(path)
         derived = plain_subject(subject).plain()
-        part = packaged(subject, derived["certificate"], own=True)
+        part = packaged(subject, derived["certificate"], {}, own=True)
     return {"derived": derived, "part": part, FILES_READ: read}
 
 

@@ -72,6 +72,10 @@ class Workshop:
         """What the job answers, if that is known; None if it would have to be done."""
         return self._answer(job, self._key(job))
 
+    def was_done(self, job: workers.Job) -> bool:
+        """Whether the job was worked for, and its answer not taken from the cache."""
+        return self._key(job) in self.done
+
     def ahead(
         self, jobs: Sequence[workers.Job], then: Then, done: Mapping[str, str] | None = None
     ) -> None:

@@ -91,7 +91,7 @@ def test_what_follows_from_a_job_is_done_too_known_or_not(tmp_path: Path) -> Non
 
 def test_a_subject_is_the_same_derived_alone_or_with_its_files() -> None:
     shop = open_workshop(quiet=True)
-    asked = derivations.everything_job("least-squares-line")
+    asked = derivations.everything_job("least-squares-line", {})
     shop.ahead([asked], nothing)
     for job in asked.answers:
         assert shop.results("", [job]) == workers.run([job])

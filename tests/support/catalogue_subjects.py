@@ -13,7 +13,7 @@ from typing import Any
 
 import pytest
 
-from gainproof import derivations, workers
+from gainproof import bounds_ledger, derivations, places, workers
 from gainproof.bad_input import BadInputError
 from gainproof.cache import Cache, default_folder
 from gainproof.derive.catalogue import CATALOGUE
@@ -129,7 +129,8 @@ def derive_with_another_seed(shop: Workshop, names: Sequence[str]) -> None:
     with pytest.MonkeyPatch.context() as changed:
         changed.setitem(workers.REPRODUCIBLE, "PYTHONHASHSEED", OTHER_SEED)
         changed.setattr(workers, "processors", PROCESSORS)
-        shop.ahead([derivations.everything_job(name) for name in names], _nothing)
+        bounds = bounds_ledger.usable(places.generated_folder())
+        shop.ahead([derivations.everything_job(name, bounds) for name in names], _nothing)
 
 
 def _nothing(_: Job) -> list[Job]:

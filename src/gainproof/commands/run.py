@@ -15,7 +15,9 @@ certificate or on a verdict that changed; 2 where all is well and the report can
 
 def configure(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("--accept", action="store_true", help="renew the snapshots of verdicts")
-    parser.add_argument("--fresh", action="store_true", help="take nothing of what was found before")
+    parser.add_argument(
+        "--fresh", action="store_true", help="take nothing of what was found before"
+    )
     parser.add_argument("--report", metavar="DIR", default="report", help="default: report")
 
 
