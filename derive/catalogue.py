@@ -1,87 +1,63 @@
-"""The catalogue: every subject that can be derived, as a tuple written by hand."""
+"""The catalogue: every subject that can be derived, as a tuple written by hand.
+
+A subject's module is imported when it is derived, so that importing the catalogue costs nothing and
+the code of a subject is that of its module and of what this imports.
+"""
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from dataclasses import dataclass
+from importlib import import_module
+from typing import TYPE_CHECKING
 
-from gainproof.derive.estimation import multipath_location
-from gainproof.derive.families import (
-    acceleration_increments,
-    continuous_white_acceleration,
-    continuous_white_jerk,
-    fixed_gain_alpha_beta,
-    fixed_gain_alpha_beta_gamma,
-    interacting_gains,
-    least_squares,
-    position_velocity,
-    position_velocity_random_acceleration,
-    position_velocity_random_velocity,
-    random_acceleration,
-    random_jerk,
-    random_velocity,
-    wiener_acceleration,
-)
-from gainproof.derive.filter_step import subject as filter_step
-from gainproof.derive.recursion import three_states, two_states
-from gainproof.derive.sensors import converted_measurements, polar_coordinates, range_doppler
-from gainproof.derive.subject import Subject
-from gainproof.derive.updated_gains import subject as updated_gains
+if TYPE_CHECKING:  # importing it imports SymPy
+    from gainproof.derive.subject import Subject
 
 
 @dataclass(frozen=True)
 class Entry:
-    """A subject's name, title and how to derive it."""
+    """A subject's name, the module that derives it, and the name of the function there."""
 
     name: str
-    title: str
-    build: Callable[[], Subject]
+    module: str
+    function: str = "build"
 
+    def build(self) -> Subject:
+        """The subject, derived."""
+        subject: Subject = getattr(import_module(self.module), self.function)()
+        return subject
+
+
+_FAMILIES = "gainproof.derive.families"
+_LEAST_SQUARES = f"{_FAMILIES}.least_squares"
+_SENSORS = "gainproof.derive.sensors"
 
 CATALOGUE: tuple[Entry, ...] = (
-    Entry(random_velocity.NAME, random_velocity.TITLE, random_velocity.build),
-    Entry(random_acceleration.NAME, random_acceleration.TITLE, random_acceleration.build),
+    Entry("random-velocity", f"{_FAMILIES}.random_velocity"),
+    Entry("random-acceleration", f"{_FAMILIES}.random_acceleration"),
+    Entry("continuous-white-acceleration", f"{_FAMILIES}.continuous_white_acceleration"),
+    Entry("acceleration-increments", f"{_FAMILIES}.acceleration_increments"),
+    Entry("wiener-acceleration", f"{_FAMILIES}.wiener_acceleration"),
+    Entry("random-jerk", f"{_FAMILIES}.random_jerk"),
+    Entry("continuous-white-jerk", f"{_FAMILIES}.continuous_white_jerk"),
+    Entry("least-squares-mean", _LEAST_SQUARES, "mean"),
+    Entry("least-squares-line", _LEAST_SQUARES, "line"),
+    Entry("least-squares-parabola", _LEAST_SQUARES, "parabola"),
+    Entry("position-velocity", f"{_FAMILIES}.position_velocity"),
     Entry(
-        continuous_white_acceleration.NAME,
-        continuous_white_acceleration.TITLE,
-        continuous_white_acceleration.build,
+        "position-velocity-random-acceleration",
+        f"{_FAMILIES}.position_velocity_random_acceleration",
     ),
-    Entry(
-        acceleration_increments.NAME, acceleration_increments.TITLE, acceleration_increments.build
-    ),
-    Entry(wiener_acceleration.NAME, wiener_acceleration.TITLE, wiener_acceleration.build),
-    Entry(random_jerk.NAME, random_jerk.TITLE, random_jerk.build),
-    Entry(continuous_white_jerk.NAME, continuous_white_jerk.TITLE, continuous_white_jerk.build),
-    *(
-        Entry(
-            least_squares.NAMES[degree], least_squares.TITLES[degree], least_squares.builder(degree)
-        )
-        for degree in range(3)
-    ),
-    Entry(position_velocity.NAME, position_velocity.TITLE, position_velocity.build),
-    Entry(
-        position_velocity_random_acceleration.NAME,
-        position_velocity_random_acceleration.TITLE,
-        position_velocity_random_acceleration.build,
-    ),
-    Entry(
-        position_velocity_random_velocity.NAME,
-        position_velocity_random_velocity.TITLE,
-        position_velocity_random_velocity.build,
-    ),
-    Entry(two_states.NAME, two_states.TITLE, two_states.build),
-    Entry(three_states.NAME, three_states.TITLE, three_states.build),
-    Entry(fixed_gain_alpha_beta.NAME, fixed_gain_alpha_beta.TITLE, fixed_gain_alpha_beta.build),
-    Entry(
-        fixed_gain_alpha_beta_gamma.NAME,
-        fixed_gain_alpha_beta_gamma.TITLE,
-        fixed_gain_alpha_beta_gamma.build,
-    ),
-    Entry(interacting_gains.NAME, interacting_gains.TITLE, interacting_gains.build),
-    Entry(polar_coordinates.NAME, polar_coordinates.TITLE, polar_coordinates.build),
-    Entry(converted_measurements.NAME, converted_measurements.TITLE, converted_measurements.build),
-    Entry(range_doppler.NAME, range_doppler.TITLE, range_doppler.build),
-    Entry(multipath_location.NAME, multipath_location.TITLE, multipath_location.build),
-    Entry(filter_step.NAME, filter_step.TITLE, filter_step.build),
-    Entry(updated_gains.NAME, updated_gains.TITLE, updated_gains.build),
+    Entry("position-velocity-random-velocity", f"{_FAMILIES}.position_velocity_random_velocity"),
+    Entry("recursion-two-states", "gainproof.derive.recursion.two_states"),
+    Entry("recursion-three-states", "gainproof.derive.recursion.three_states"),
+    Entry("alpha-beta", f"{_FAMILIES}.fixed_gain_alpha_beta"),
+    Entry("alpha-beta-gamma", f"{_FAMILIES}.fixed_gain_alpha_beta_gamma"),
+    Entry("interacting-gains", f"{_FAMILIES}.interacting_gains"),
+    Entry("polar-coordinates", f"{_SENSORS}.polar_coordinates"),
+    Entry("converted-measurements", f"{_SENSORS}.converted_measurements"),
+    Entry("range-doppler", f"{_SENSORS}.range_doppler"),
+    Entry("multipath-location", "gainproof.derive.estimation.multipath_location"),
+    Entry("filter-step", "gainproof.derive.filter_step.subject"),
+    Entry("updated-gains", "gainproof.derive.updated_gains.subject"),
 )

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
-
 from gainproof.derive.derivation import Derivation, Step
 from gainproof.derive.expression import real
 from gainproof.derive.growing_memory import module, steps, steps_use
@@ -36,13 +34,19 @@ LATEX = {
 }
 
 
-def builder(degree: int) -> Callable[[], Subject]:
-    """How the fit of one degree is derived."""
+def mean() -> Subject:
+    """The fit of a constant."""
+    return _build(0)
 
-    def build() -> Subject:
-        return _build(degree)
 
-    return build
+def line() -> Subject:
+    """The fit of a position and a velocity."""
+    return _build(1)
+
+
+def parabola() -> Subject:
+    """The fit of a position, a velocity and an acceleration."""
+    return _build(2)
 
 
 def _build(degree: int) -> Subject:

@@ -76,6 +76,10 @@ class KernelBound:
         return self.inputs[0][1]
 
 
+Bounds = tuple[KernelBound, ...]
+"""Of one kernel in every format."""
+
+
 def prove(kernel: Kernel, form: Format) -> KernelBound:
     """Bounds every output of a kernel in one format.
 

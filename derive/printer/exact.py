@@ -3,8 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections import ChainMap
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Sequence
 from fractions import Fraction
 
 import flint
@@ -20,6 +19,11 @@ GREATEST_PRECISION = 2048
 
 Point = tuple[Fraction, ...]
 """An exact number for each input."""
+
+Balls = Sequence[flint.arb]
+Numbers = Sequence[flint.fmpq]
+BallOf = Callable[[Balls, Numbers], flint.arb]
+"""The ball of a step from those of earlier steps and the exact inputs."""
 
 
 def enclosures(
@@ -37,76 +41,94 @@ def enclosures_at(
 ) -> list[flint.arb]:
     """The same at numbers of the format for any number of inputs, in their order."""
     with flint.ctx.workprec(precision):
+        numbers = [flint.fmpq(x.numerator, x.denominator) for x in point]
         balls: list[flint.arb] = []
-        roots = {cycle.iterates[-1]: cycle for cycle in program.cycles}
-        for number, step in enumerate(program.steps[: None if last is None else last + 1]):
-            if number in roots:
-                balls.append(_root(program, roots[number], balls, point, form, precision))
-                continue
-            balls.append(_ball(program, step, balls, point, form, precision))
+        for ball_of in _straight(program, form, precision, last):
+            balls.append(ball_of(balls, numbers))
         return balls
 
 
-def _ball(
-    program: Program,
-    step: Step,
-    balls: Mapping[int, flint.arb] | Sequence[flint.arb],
-    point: Point,
-    form: Format,
-    precision: int,
-) -> flint.arb:
+def _straight(
+    program: Program, form: Format, precision: int, last: int | None = None
+) -> Sequence[BallOf]:
+    """What computes the balls of the steps up to one, each from those before it; made once, since
+    the same program is asked for at thousands of points.
+    """
+    key = f"balls {form.name} {precision}"
+    known: list[BallOf] = program.kept.setdefault(key, [])
+    count = len(program.steps) if last is None else last + 1
+    roots = {cycle.iterates[-1]: cycle for cycle in program.cycles}
+    for number in range(len(known), count):
+        if number in roots:
+            known.append(_root(program, roots[number], form, precision))
+        else:
+            known.append(_ball_of(program, program.steps[number], form, precision))
+    return known if len(known) == count else known[:count]
+
+
+def _ball_of(program: Program, step: Step, form: Format, precision: int) -> BallOf:
     """The ball of one step, but for the root of a fixed point."""
-    parts = [balls[part] for part in step.operands]
+    first, second = (*step.operands, -1, -1)[:2]
     if step.scale is not None:
-        return parts[0] * flint.arb(step.scale)
+        scale = flint.arb(step.scale)
+        return lambda balls, _: balls[first] * scale
     match step.operation:
         case "input":
-            x = point[program.inputs.index(step.label)]
-            return flint.arb(flint.fmpq(x.numerator, x.denominator))
+            axis = program.inputs.index(step.label)
+            return lambda _, point: flint.arb(point[axis])
         case "constant":
             assert step.constant is not None
-            return step.constant.ball(precision)
+            constant = step.constant.ball(precision)
+            return lambda *_: constant
         case "add":
-            return parts[0] + parts[1]
+            return lambda balls, _: balls[first] + balls[second]
         case "sub" | "less":
-            return parts[0] - parts[1]
+            return lambda balls, _: balls[first] - balls[second]
         case "mul":
-            return parts[0] * parts[1]
+            return lambda balls, _: balls[first] * balls[second]
         case "div":
-            return parts[0] / parts[1]
+            return lambda balls, _: balls[first] / balls[second]
         case "sqrt":
-            return parts[0].sqrt()
+            return lambda balls, _: balls[first].sqrt()
         case "neg":
-            return -parts[0]
+            return lambda balls, _: -balls[first]
         case "abs":
-            return abs(parts[0])
+            return lambda balls, _: abs(balls[first])
         case "near_cbrt":
-            return parts[0].root(3)
+            return lambda balls, _: balls[first].root(3)
         case "start" | "iterate":
-            return parts[0]
-        case "select" if len(point) > 1:
-            if parts[0] < parts[1]:
-                return parts[2]
-            return parts[3] if parts[0] >= parts[1] else flint.arb("nan")
+            return lambda balls, _: balls[first]
         case "select":
-            limit = threshold(program, step, form)
-            (only,) = list(point)
-            scaled, value = only * Fraction(limit.factor), Fraction(limit.value)
-            holds = scaled < value if limit.input_first else value < scaled
-            return parts[2] if holds else parts[3]
+            return _choice(program, step, form)
     if step.operation in FUNCTIONS:
-        return ball(step.operation, parts)
+        return lambda balls, _: ball(step.operation, [balls[part] for part in step.operands])
     raise ValueError(f"unknown operation {step.operation}")
 
 
-def _root(
-    program: Program,
-    cycle: Cycle,
-    balls: Sequence[flint.arb],
-    point: Point,
-    form: Format,
-    precision: int,
-) -> flint.arb:
+def _choice(program: Program, step: Step, form: Format) -> BallOf:
+    """One of two, by a condition on the one input, which is decided exactly; of several inputs by
+    balls, and no number where these do not tell.
+    """
+    less, than, chosen, other = step.operands
+    if len(program.inputs) > 1:
+
+        def by_balls(balls: Balls, _: Numbers) -> flint.arb:
+            if balls[less] < balls[than]:
+                return balls[chosen]
+            return balls[other] if balls[less] >= balls[than] else flint.arb("nan")
+
+        return by_balls
+    limit = threshold(program, step, form)
+    place = flint.fmpq(limit.place.numerator, limit.place.denominator)
+
+    def by_input(balls: Balls, point: Numbers) -> flint.arb:
+        holds = point[0] < place if limit.input_first else place < point[0]
+        return balls[chosen if holds else other]
+
+    return by_input
+
+
+def _root(program: Program, cycle: Cycle, form: Format, precision: int) -> BallOf:
     """A ball that holds the fixed point, and no number if it is not found at this precision.
 
     From the last Newton step on the map is repeated. A number that the map makes greater lies below
@@ -114,23 +136,33 @@ def _root(
     """
     root = cycle.iterates[-1]
     image = chain(program, root, cycle.map_value)
+    newton = program.steps[root].operands[0]
+    steps = [
+        (number, _ball_of(program, program.steps[number], form, precision))
+        for number in image.numbers
+    ]
 
-    def mapped(x: flint.arb) -> flint.arb:
-        known = ChainMap({root: x}, dict(enumerate(balls)))
-        for number in image.numbers:
-            known[number] = _ball(program, program.steps[number], known, point, form, precision)
-        return known[cycle.map_value]
+    def found(balls: Balls, point: Numbers) -> flint.arb:
+        known = [*balls, *[flint.arb(0)] * (cycle.map_value + 1 - len(balls))]
 
-    x = flint.arb(balls[program.steps[root].operands[0]].mid())
-    for _ in range(precision):
-        x, before = flint.arb(mapped(x).mid()), x
-        if abs(x - before) <= abs(x) * flint.arb(2) ** (8 - precision):
-            break
-    room = flint.arb(2) ** (16 - precision)
-    low, high = x * (1 - room), x * (1 + room)
-    if mapped(low) > low and mapped(high) < high:
-        return low.union(high)
-    return flint.arb("nan")
+        def mapped(x: flint.arb) -> flint.arb:
+            known[root] = x
+            for number, ball_of in steps:
+                known[number] = ball_of(known, point)
+            return known[cycle.map_value]
+
+        x = flint.arb(balls[newton].mid())
+        for _ in range(precision):
+            x, before = flint.arb(mapped(x).mid()), x
+            if abs(x - before) <= abs(x) * flint.arb(2) ** (8 - precision):
+                break
+        room = flint.arb(2) ** (16 - precision)
+        low, high = x * (1 - room), x * (1 + room)
+        if mapped(low) > low and mapped(high) < high:
+            return low.union(high)
+        return flint.arb("nan")
+
+    return found
 
 
 def is_normal(program: Program, number: int, x: float, form: Format, top: float) -> bool:

@@ -5,7 +5,9 @@ from __future__ import annotations
 import math
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
+from fractions import Fraction
 
+import flint
 import numpy as np
 
 from gainproof.derive.printer.formats import Format
@@ -129,6 +131,15 @@ class Loss:
         return 2 * self.digits >= self.form.decimals
 
 
+def power(base: float, exponent: Fraction) -> float:
+    """A power as a float, the same one whatever library of mathematics Python was built with:
+    what is said of digits is compared byte for byte. Infinity beyond the largest float.
+    """
+    with flint.ctx.workprec(128):
+        found = flint.arb(base) ** flint.arb(flint.fmpq(exponent.numerator, exponent.denominator))
+        return float(found.mid())
+
+
 def lost(rate: float, form: Format) -> float:
     """Digits that are lost where an error is up to `rate` of the value: tenths, rounded up."""
     found = math.log10(max(rate / form.unit_roundoff, 1.0))
@@ -137,7 +148,7 @@ def lost(rate: float, form: Format) -> float:
 
 def least_rate(form: Format, part: float) -> float:
     """An error over the value from which on `lost` may be this part of all digits or more."""
-    return form.unit_roundoff * math.pow(10.0, part * form.decimals - 0.1)
+    return form.unit_roundoff * power(10.0, Fraction(part * form.decimals - 0.1))
 
 
 def loss_text(found: Sequence[Loss]) -> str:

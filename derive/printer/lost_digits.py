@@ -27,7 +27,7 @@ from gainproof.derive.printer.formats import Format
 from gainproof.derive.printer.forward import Forward
 from gainproof.derive.printer.kernel import Kernel, Output, explained
 from gainproof.derive.printer.known_values import admitted, scales
-from gainproof.derive.printer.loss import Axis, Loss, Part, least_rate, lost
+from gainproof.derive.printer.loss import Axis, Loss, Part, least_rate, lost, power
 from gainproof.derive.printer.program import Program
 from gainproof.derive.printer.reference import Reference
 from gainproof.derive.printer.scaling import Group, groups
@@ -142,8 +142,8 @@ class Asked:
         given = self.kernel.inputs[group.axis]
         low, high = self.ranges[group.axis]
         low = low or self.form.least
-        for number, power in group.powers:
-            ends = [_power(end, power) for end in self.ranges[number]]
+        for number, exponent in group.powers:
+            ends = [power(end, exponent) for end in self.ranges[number]]
             low, high = low * min(ends) / MORE, high * max(ends) * MORE
         text = group.text([each.name for each in self.kernel.inputs], given.signed)
         return Axis(text, low, high, given.signed, given.zero)
@@ -158,9 +158,9 @@ class Asked:
         for group, first, last, sign in zip(self.groups, box.low, box.high, box.signs, strict=True):
             if not group.powers or sign == 0:
                 continue
-            power = float(group.powers[0][1])
+            exponent = float(group.powers[0][1])
             least, most = (math.log(end or self.form.least) for end in self.ranges[group.axis])
-            ends = ((math.log(first) - most) / power, (math.log(last) - least) / power)
+            ends = ((math.log(first) - most) / exponent, (math.log(last) - least) / exponent)
             low, high = max(low, min(ends) - room), min(high, max(ends) + room)
         return low <= high
 
@@ -248,13 +248,6 @@ class ByScale:
     def least(self, box: Box) -> float:
         """See `Ratio`."""
         return _least(self.asked, box)
-
-
-def _power(base: float, power: Fraction) -> float:
-    try:
-        return float(base ** float(power))
-    except OverflowError:
-        return math.inf
 
 
 def _ball(low: float, high: float) -> flint.arb:
@@ -349,12 +342,10 @@ def _asked(kernel: Kernel, output: Output, bound: KernelBound, stated: OutputBou
     part = _needed(used, ends)
     if output.by_terms:
         every = references(kernel, bound.format)[1]
-        used, known = _only(used, part), [every[number] for number in part]
-        sizes = used
-    else:
-        sizes = replace(_only(used, part), cycles=())
-    occurring = {sizes.axis(n) for n, step in enumerate(sizes.steps) if step.operation == "input"}
-    free, ones = groups(sizes, [not (each.signed or each.zero) for each in kernel.inputs])
+        known = [every[number] for number in part]
+    used = _only(used, part)
+    occurring = {used.axis(n) for n, step in enumerate(used.steps) if step.operation == "input"}
+    free, ones = groups(used, [not (each.signed or each.zero) for each in kernel.inputs])
     asked = Asked(
         kernel,
         output,
@@ -387,7 +378,8 @@ def _only(program: Program, part: Sequence[int]) -> Program:
         for step in (program.steps[number] for number in part)
     )
     outputs = {name: place[end] for name, end in program.outputs.items() if end in place}
-    return replace(program, steps=steps, outputs=outputs)
+    cycles = tuple(cycle.at(place) for cycle in program.cycles)
+    return replace(program, steps=steps, outputs=outputs, cycles=cycles)
 
 
 class _Tried:

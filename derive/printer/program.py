@@ -7,8 +7,9 @@ difference, and each largest part without symbols one constant. Nothing else cha
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from fractions import Fraction
+from typing import Any
 
 from gainproof.derive.printer.constant import Constant, constant_of_node, exact_values
 from gainproof.derive.printer.graph import Graph, GraphNode, operands
@@ -47,6 +48,8 @@ class Program:
     outputs: dict[str, int]
     inputs: tuple[str, ...]
     cycles: tuple[Cycle, ...] = ()
+    kept: dict[str, Any] = field(default_factory=dict, init=False, repr=False, compare=False)
+    """What others have made of it, by what that is: the same few things are wanted everywhere."""
 
     def axis(self, number: int) -> int:
         """Which of the inputs a step of operation input is."""

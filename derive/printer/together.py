@@ -1,21 +1,18 @@
 """The bounds of a module's kernels, those of one input proved together.
 
-They compute much in common and their outputs have bounds of their own, whatever stands beside them:
-one program with the outputs of all is walked once for all, and its finer boxes serve each.
+They compute much in common: one program with the outputs of all is walked once for all. Its finer
+boxes serve each, so that a bound may be a little better for what stands beside its kernel.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
 from dataclasses import replace
 
-from gainproof.derive.printer.bound import KernelBound, prove
+from gainproof.derive.printer.bound import Bounds, KernelBound, prove
 from gainproof.derive.printer.formats import FORMATS
 from gainproof.derive.printer.graph import GraphBuilder, Node, operands
 from gainproof.derive.printer.kernel import Kernel, Output
-
-Bounds = tuple[KernelBound, ...]
-"""In every format."""
 
 
 def prove_all(kernels: Sequence[Kernel]) -> list[Bounds]:
@@ -24,26 +21,32 @@ def prove_all(kernels: Sequence[Kernel]) -> list[Bounds]:
     PrintingError, naming the kernel and the node, where one cannot be proved.
     """
     found: dict[int, Bounds] = {}
-    for places in _groups(kernels):
-        group = [kernels[place] for place in places]
-        try:
-            bounds = _together(group)
-        except ValueError:
-            # which kernel it is, and at which of its nodes, is said when each is proved by itself
-            bounds = [_alone(kernel) for kernel in group]
-        found |= dict(zip(places, bounds, strict=True))
+    for places in groups(kernels):
+        found |= dict(zip(places, proved([kernels[place] for place in places]), strict=True))
     return [found[place] for place in range(len(kernels))]
 
 
-def _groups(kernels: Sequence[Kernel]) -> Iterator[list[int]]:
-    """Places of kernels of the same one input; others, and those with differences, alone."""
-    groups: dict[str, list[int]] = {}
+def groups(kernels: Sequence[Kernel]) -> list[list[int]]:
+    """Places of the kernels that are proved together: those of the same one input; others, and
+    those with differences, alone.
+    """
+    alone: list[list[int]] = []
+    joined: dict[str, list[int]] = {}
     for place, kernel in enumerate(kernels):
         if len(kernel.inputs) > 1 or kernel.cancellations:
-            yield [place]
+            alone.append([place])
         else:
-            groups.setdefault(repr(kernel.inputs), []).append(place)
-    yield from groups.values()
+            joined.setdefault(repr(kernel.inputs), []).append(place)
+    return [*alone, *joined.values()]
+
+
+def proved(group: Sequence[Kernel]) -> list[Bounds]:
+    """The bounds of kernels of one of the `groups`. PrintingError as of `prove_all`."""
+    try:
+        return _together(group)
+    except ValueError:
+        # which kernel it is, and at which of its nodes, is said when each is proved by itself
+        return [_alone(kernel) for kernel in group]
 
 
 def _alone(kernel: Kernel) -> Bounds:

@@ -15,16 +15,15 @@ from gainproof.verify.judge.claim.file import (
     ClaimFileError,
     read_claim_text,
 )
-from gainproof.workshop import Workshop
 
 Subject = Mapping[str, Any]
 
 
-def listing(shop: Workshop, columns: int = WIDTH) -> str:
+def listing(columns: int = WIDTH) -> str:
     """Derivations with their kernels, works, claim files with their claims, in lines of at most
     `columns`.
     """
-    subjects = derivations.overview(shop)
+    subjects = derivations.outlines()
     parts = ["Derivations (gainproof derive NAME --steps) and their kernels", ""]
     for subject in subjects:
         parts += filled(f"{subject['name']}: {subject['title']}", "  ", "    ", columns=columns)
@@ -46,13 +45,13 @@ def listing(shop: Workshop, columns: int = WIDTH) -> str:
     return "\n".join(parts) + "\n"
 
 
-def citation(name: str, shop: Workshop, columns: int = WIDTH) -> str:
+def citation(name: str, columns: int = WIDTH) -> str:
     """What `name` rests on; a name that ends in .toml or has a folder before it is a claim file.
     Lines are of at most `columns`. Raises BadInputError with the nearest names.
     """
     if name.endswith(".toml") or Path(name).name != name:
         return _file_citation(_claim_file(Path(name)), columns)
-    subjects = derivations.overview(shop)
+    subjects = derivations.outlines()
     works, files = _works(subjects), {file.source.key: file for file in _claim_files()}
     resting = {subject["name"]: [subject] for subject in subjects}
     for subject in subjects:

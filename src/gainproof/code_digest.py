@@ -9,7 +9,7 @@ from __future__ import annotations
 import hashlib
 import platform
 import re
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from functools import cache
 from importlib import metadata
 from pathlib import Path
@@ -27,18 +27,7 @@ _FOR_TYPES = re.compile(r"^if TYPE_CHECKING:.*\n(?:(?:[ \t]+.*)?\n)+", re.MULTIL
 _FOLDERS = ("derive", "verify", "generated")
 
 
-def of_everything() -> str:
-    """Digest of the code of derive, verify and the front door, and of all versions."""
-    front = Path(__file__).resolve().parent
-    parts = [
-        of_files(package_folder("derive"), package_folder("derive").rglob("*.py")),
-        of_files(package_folder("verify"), package_folder("verify").rglob("*.py")),
-        of_files(front, front.glob("*.py")),
-        *(f"{name} {version}" for name, version in versions().items()),
-    ]
-    return hashlib.sha256("\n".join(parts).encode()).hexdigest()
-
-
+@cache
 def of_modules(*names: str) -> str:
     """Digest of the files of modules and of all modules of ours that these import, also within
     functions, with the files of data beside them.
@@ -55,6 +44,14 @@ def of_modules(*names: str) -> str:
             content = _content(each)
             digest.update(f"{name} {each.name} {len(content)}\n".encode() + content)
     return digest.hexdigest()
+
+
+def modules_in(folder: str) -> Iterator[str]:
+    """The full names of all modules in a folder of ours, such as derive."""
+    home = package_folder(folder)
+    for path in home.rglob("*.py"):
+        inner = path.relative_to(home).with_suffix("").as_posix().replace("/", ".")
+        yield f"{_NAME}.{folder}.{inner}".removesuffix(".__init__")
 
 
 def modules_below(*names: str) -> Mapping[str, Path]:

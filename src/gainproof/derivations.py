@@ -2,45 +2,88 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+import json
+from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
-from gainproof import given_file, workers
+from gainproof import given_file, places, workers
 from gainproof.bad_input import BadInputError, unknown_name
+from gainproof.derive.catalogue import CATALOGUE
 from gainproof.derived import Derived, derived_from
+from gainproof.drift import CURE
+from gainproof.json_lines import in_lines
 from gainproof.rechecking import expected_of
 from gainproof.workshop import Workshop
 
 MOST_BYTES = 2**20
 """Of a model file."""
-CATALOGUE = workers.Job("the catalogue", "catalogue", {})
+OUTLINES = "catalogue.json"
+"""The shipped file on all subjects, beside the kernels."""
+_FIELDS = frozenset({"name", "title", "model", "sources", "kernels", "cited"})
 
 
-def catalogue(shop: Workshop) -> list[str]:
+def catalogue() -> list[str]:
     """Names of all subjects, in the order of the catalogue."""
-    (found,) = shop.results("", [CATALOGUE])
-    return list(found)
+    return [entry.name for entry in CATALOGUE]
 
 
-def overview(shop: Workshop) -> list[dict[str, Any]]:
-    """{"name", "title", "model", "sources", "kernels", "cited"} of every subject."""
-    jobs = [workers.Job(name, "outline", {"name": name}) for name in catalogue(shop)]
-    return shop.results("", jobs)
+def outlines() -> list[dict[str, Any]]:
+    """{"name", "title", "model", "sources", "kernels", "cited"} of every subject, as shipped: data
+    that `gainproof run` compares with what is derived.
+
+    Raises BadInputError where the file is missing or damaged.
+    """
+    path = places.generated_folder() / OUTLINES
+    try:
+        found = json.loads(path.read_text(encoding="utf-8"))["subjects"]
+        if [entry["name"] for entry in found] == catalogue() and all(
+            set(entry) >= _FIELDS for entry in found
+        ):
+            return list(found)
+    except (OSError, ValueError, KeyError, TypeError, RecursionError):
+        pass
+    raise BadInputError(f"{places.shown(path)}: missing or damaged; {CURE}")
+
+
+def outlines_file(subjects: Sequence[dict[str, Any]]) -> bytes:
+    """The text of the shipped file, a line for each entry of a subject."""
+    return (in_lines({"subjects": list(subjects)}, 3) + "\n").encode("utf-8")
 
 
 def derive(names: Sequence[str], shop: Workshop) -> list[Derived]:
     """The subjects of these names. Raises BadInputError for a name the catalogue does not have."""
-    require_names(names, shop)
+    require_names(names)
     jobs = [workers.Job(name, "derive", {"name": name}) for name in names]
     return [derived_from(data) for data in shop.results("derived", jobs)]
 
 
-def everything_job(name: str) -> workers.Job:
-    """All that is to be known of one subject, made in one go."""
-    arguments = {"name": name}
-    parts = tuple(workers.Job(name, task, arguments) for task in ("outline", "derive", "print_one"))
-    return workers.Job(name, "everything", arguments, answers=parts)
+def everything_job(name: str, bounds: Mapping[str, Any]) -> workers.Job:
+    """All that is to be known of one subject, made in one go; `bounds` as for `print_job`."""
+    deriving = workers.Job(name, "derive", {"name": name})
+    printing = print_job(name, bounds)
+    answers = (outline_job(name), deriving, printing)
+    return workers.Job(name, "everything", printing.arguments, answers=answers)
+
+
+def outline_job(name: str) -> workers.Job:
+    """One subject without its certificate."""
+    return workers.Job(name, "outline", {"name": name})
+
+
+def print_job(name: str, bounds: Mapping[str, Any]) -> workers.Job:
+    """The files of one subject; `bounds` are entries of the ledger by module, which may be taken.
+
+    What a subject's own entries say is part of the job, so that a result that was made with others
+    is not found for it.
+    """
+    arguments = {"name": name, "bounds": bounds.get(module_of(name), {})}
+    return workers.Job(name, "print_one", arguments)
+
+
+def module_of(name: str) -> str:
+    """The module that holds a subject's kernels."""
+    return name.replace("-", "_")
 
 
 def known(name: str, shop: Workshop) -> Derived:
@@ -49,9 +92,9 @@ def known(name: str, shop: Workshop) -> Derived:
     return derived_from(found)
 
 
-def require_names(names: Sequence[str], shop: Workshop) -> None:
+def require_names(names: Sequence[str]) -> None:
     """Raises BadInputError, with the nearest names, for a name the catalogue does not have."""
-    known = catalogue(shop)
+    known = catalogue()
     for name in names:
         _refuse_claims(name)
         if name not in known:

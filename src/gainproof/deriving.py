@@ -16,11 +16,6 @@ GRAPH_FIELDS: tuple[Literal["nodes"], Literal["outputs"]] = ("nodes", "outputs")
 _SHARED_SYMBOLS = {q.name: q.latex for q in (SAMPLING_INTERVAL, MEASUREMENT_DEVIATION)}
 
 
-def catalogue_names() -> list[str]:
-    """Every subject that can be derived, in the order of the catalogue."""
-    return [entry.name for entry in CATALOGUE]
-
-
 def overview_of(subject: Subject) -> dict[str, Any]:
     """A subject without its certificate: name, title, model, sources, kernels, cited."""
     derivation = subject.derivation
@@ -66,7 +61,7 @@ def build(name: str) -> Subject:
     for entry in CATALOGUE:
         if entry.name == name:
             return entry.build()
-    raise unknown_name("derivation", name, catalogue_names())
+    raise unknown_name("derivation", name, [entry.name for entry in CATALOGUE])
 
 
 def plain_subject(subject: Subject) -> Derived:

@@ -7,7 +7,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from pathlib import Path
 
-from gainproof import places
+from gainproof import bounds_ledger, places
 from gainproof.bad_input import BadInputError
 
 CURE = "run `gainproof generate` and commit what it writes"
@@ -26,22 +26,33 @@ class Difference:
         return f"{self.name}: {self.kind}{', ' + self.detail if self.detail else ''}"
 
 
-def compare(fresh: Mapping[str, bytes], folder: Path, *, only: bool = False) -> list[Difference]:
+def compare(
+    fresh: Mapping[str, bytes], folder: Path, *, only: bool = False, exactly: bool = False
+) -> list[Difference]:
     """How `folder` differs from the files it should hold (names relative to it).
 
-    `only`: other files in the folder are none of our business.
+    `only`: other files in the folder are none of our business. With which versions bounds were
+    proved is a difference only if that is asked `exactly`.
     """
     found = []
     for name, wanted in sorted(fresh.items()):
         content = _content(folder / name)
         if content is None:
             found.append(Difference(name, "missing", ""))
-        elif content != wanted:
+        elif content != wanted and (exactly or not _alike(name, content, wanted)):
             found.append(Difference(name, "different", first_difference(content, wanted)))
     if not only:
         stale = sorted(set(files_in(folder)) - set(fresh))
         found += [Difference(name, "stale", "no derivation makes this file") for name in stale]
     return found
+
+
+def _alike(name: str, content: bytes, wanted: bytes) -> bool:
+    """Whether two files of this name differ in nothing that two machines must agree on."""
+    if name != bounds_ledger.NAME:
+        return False
+    first, second = map(bounds_ledger.without_versions, (content, wanted))
+    return first == second
 
 
 def _content(path: Path) -> bytes | None:

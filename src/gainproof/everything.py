@@ -3,11 +3,13 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Callable, Sequence
+from collections import Counter
+from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
 
 from gainproof import (
+    bounds_ledger,
     code_digest,
     derivations,
     drift,
@@ -34,9 +36,11 @@ def find(shop: Workshop, *, accept: bool = False) -> Findings:
     """Look at everything. `accept`: verdicts that changed are written to the snapshots."""
     folder = places.generated_folder()
     claim_files = places.claim_files()
-    shop.ahead([derivations.CATALOGUE], following(shop, folder, claim_files), DONE)
-    subjects = derivations.derive(derivations.catalogue(shop), shop)
+    names = derivations.catalogue()
+    ahead(shop, folder, claim_files)
+    subjects = derivations.derive(names, shop)
     files = generated_files.fresh((), shop)
+    worse = bounds_ledger.worse(folder, files.get(bounds_ledger.NAME, b"{}"))
     pairs = [(committed(folder, subject.name), subject) for subject in subjects]
     reports = derivations.recheck(pairs, shop)
     judged = judgements.judge(claim_files, shop)
@@ -53,31 +57,27 @@ def find(shop: Workshop, *, accept: bool = False) -> Findings:
         versions=code_digest.versions(),
         files=len(files),
         differences=tuple(drift.compare(files, folder)),
+        worse=tuple(worse),
         certificates=tuple(reports),
         judgements=tuple(judged),
         proofs=tuple(proofs),
         words=tuple(claim_words(judgements.read(file)) for file in claim_files),
         changes=changes,
         accepted=accept,
+        bounds=_bounds(shop, folder),
+        taken=Counter(shop.taken.values()),
+        done=Counter(shop.done.values()),
+        trials=judgements.trials(claim_files, shop),
     )
 
 
-def following(
-    shop: Workshop, folder: Path, claim_files: Sequence[Path]
-) -> Callable[[Job], list[Job]]:
-    """What can be done once a job is known: after the catalogue every subject, after a subject the
-    check of its committed certificate, and after the last one the claim files, since these need all
-    models, and then the check of their proofs.
+def ahead(shop: Workshop, folder: Path, claim_files: Sequence[Path]) -> None:
+    """Have all done that `find` asks for: every subject of the catalogue, after each the check of
+    its committed certificate; and the claim files, after each the check of its proofs.
     """
-    missing: set[str] = set()
+    bounds = bounds_ledger.usable(folder, shop.cache.fresh)
 
     def after(job: Job) -> list[Job]:
-        if job.task == "catalogue":
-            names = derivations.catalogue(shop)
-            missing.update(names)
-            # the shortest first: what follows from the last comes first, and so the longest checks
-            names.sort(key=lambda name: _size(_path(folder, name)))
-            return [derivations.everything_job(name) for name in names]
         if job.task == "judge":
             judged = shop.answered(job)
             checking = None if judged is None else judgements.proofs_job(judged)
@@ -85,11 +85,25 @@ def following(
         if job.task != "everything":
             return []
         name = job.arguments["name"]
-        missing.discard(name)
-        jobs = [derivations.recheck_job(committed(folder, name), derivations.known(name, shop))]
-        return jobs if missing else [*jobs, *judgements.jobs(claim_files, shop).values()]
+        return [derivations.recheck_job(committed(folder, name), derivations.known(name, shop))]
 
-    return after
+    # the longest last among the subjects: its check ends among the short ones of claim files
+    names = sorted(derivations.catalogue(), key=lambda name: _size(_path(folder, name)))
+    jobs = [derivations.everything_job(name, bounds) for name in names]
+    shop.ahead([*jobs, *judgements.jobs(claim_files, shop.cache).values()], after, DONE)
+
+
+def _bounds(shop: Workshop, folder: Path) -> tuple[int, int]:
+    """How many kernels have bounds that were known, and how many were proved now."""
+    known = bounds_ledger.usable(folder, shop.cache.fresh)
+    taken = proved = 0
+    for name in derivations.catalogue():
+        job = derivations.print_job(name, known)
+        counts = (shop.answered(job) or {})["counts"]
+        now = counts["proved"] if shop.was_done(job) else 0
+        proved += now
+        taken += counts["taken"] + counts["proved"] - now
+    return taken, proved
 
 
 def committed(folder: Path, name: str) -> Any:
@@ -101,7 +115,7 @@ def committed(folder: Path, name: str) -> Any:
 
 
 def _path(folder: Path, name: str) -> Path:
-    return folder / f"{name.replace('-', '_')}.json"
+    return folder / f"{derivations.module_of(name)}.json"
 
 
 def _size(path: Path) -> int:

@@ -6,7 +6,7 @@ from collections.abc import Iterable, Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
-from gainproof import atomic_file, derivations, workers
+from gainproof import atomic_file, bounds_ledger, derivations, places
 from gainproof.derive.printer.package import LIST, shared_files
 from gainproof.drift import Difference
 from gainproof.workshop import Workshop
@@ -18,11 +18,18 @@ def fresh(names: Sequence[str], shop: Workshop) -> dict[str, bytes]:
 
     Raises BadInputError.
     """
-    derivations.require_names(names, shop)
-    chosen = names or derivations.catalogue(shop)
-    jobs = [workers.Job(name, "print_one", {"name": name}) for name in chosen]
-    files = together(shop.results("printed", jobs))
-    return {name: files[name] for name in files if name != LIST or not names}
+    derivations.require_names(names)
+    chosen = names or derivations.catalogue()
+    folder = places.generated_folder()
+    known = bounds_ledger.usable(folder, shop.cache.fresh)
+    parts = shop.results("printed", [derivations.print_job(name, known) for name in chosen])
+    files = together(parts)
+    ledger = bounds_ledger.joined(parts, folder, whole=not names)
+    files[bounds_ledger.NAME] = ledger.encode("utf-8")
+    if names:
+        return {name: content for name, content in files.items() if name != LIST}
+    outlines = shop.results("", [derivations.outline_job(name) for name in chosen])
+    return files | {derivations.OUTLINES: derivations.outlines_file(outlines)}
 
 
 def together(parts: Sequence[Mapping[str, Any]]) -> dict[str, bytes]:

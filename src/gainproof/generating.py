@@ -3,46 +3,109 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass
 from typing import Any
 
+from gainproof import bounds_ledger
 from gainproof.bad_input import BadInputError
+from gainproof.code_digest import of_modules
 from gainproof.derive.formulas import formulas_source
 from gainproof.derive.formulas_tried import require_values
-from gainproof.derive.printer.bound import KernelBound
+from gainproof.derive.printer.bound import Bounds, KernelBound
+from gainproof.derive.printer.bound_data import bounds_from, identity, plain
 from gainproof.derive.printer.c_language.module import c_files
 from gainproof.derive.printer.c_language.trial import c_trial
 from gainproof.derive.printer.canonical_json import canonical_json
 from gainproof.derive.printer.docstring import losses_of
 from gainproof.derive.printer.fpcore import fpcore
 from gainproof.derive.printer.javascript.script import scripts
-from gainproof.derive.printer.kernel import Module
+from gainproof.derive.printer.kernel import Kernel, Module
 from gainproof.derive.printer.known_values import known_values
 from gainproof.derive.printer.loss import loss_text, place_text
 from gainproof.derive.printer.lost_digits import with_losses
-from gainproof.derive.printer.together import prove_all
+from gainproof.derive.printer.together import groups
+from gainproof.derive.printer.together import proved as prove_group
 from gainproof.derive.printer.write import module_files
 from gainproof.derive.subject import Subject
 from gainproof.derive.subject_page import subject_page
 
+BOUNDING = (
+    "gainproof.derive.printer.together",
+    "gainproof.derive.printer.lost_digits",
+    "gainproof.derive.printer.bound_data",
+)
+"""What proves bounds and writes them."""
 
-def printed(subject: Subject, certificate: Mapping[str, Any]) -> dict[str, Any]:
-    """{"module", "title", "files"}: what one subject gives to the folder. The files are texts by
-    name; a file of results, or of what scripts share, may come from other subjects too, and is then
-    the same.
+
+@dataclass(frozen=True)
+class Proved:
+    """The bounds of all kernels of a module, with what they say of digits that can be lost; the
+    same as entries of the ledger, by kernel; how many kernels have theirs from there.
+    """
+
+    bounds: list[Bounds]
+    entries: dict[str, Any]
+    taken: int
+
+
+def printed(
+    subject: Subject, certificate: Mapping[str, Any], known: Mapping[str, Any]
+) -> dict[str, Any]:
+    """{"module", "title", "files", "bounds", "counts"}: what one subject gives to the folder. The
+    files are texts by name; a file of results, or of what scripts share, may come from other
+    subjects too, and is then the same. "bounds" are its entries of the ledger; those of `known`
+    that still hold are taken: "counts" has "taken" and "proved".
     """
     module = subject.module
-    files = {**module_files(module, certificate, _proved(module)), **scripts(module)}
-    return {"module": module.name, "title": module.title, "files": files}
+    found = proved(module, known)
+    files = {**module_files(module, certificate, found.bounds), **scripts(module)}
+    return {
+        "module": module.name,
+        "title": module.title,
+        "files": files,
+        "bounds": found.entries,
+        "counts": {"taken": found.taken, "proved": len(module.kernels) - found.taken},
+    }
 
 
-def _proved(module: Module) -> list[tuple[KernelBound, ...]]:
-    """The bounds of all kernels, with what they say of digits that can be lost."""
-    pairs = zip(module.kernels, prove_all(module.kernels), strict=True)
-    return [with_losses(kernel, bounds) for kernel, bounds in pairs]
+def proved(module: Module, known: Mapping[str, Any]) -> Proved:
+    """The bounds of all kernels, those of `known` entries that still hold, the others anew."""
+    code = of_modules(*BOUNDING)
+    bounds: dict[str, Bounds] = {}
+    entries: dict[str, Any] = {}
+    taken = 0
+    for places in groups(module.kernels):
+        group = [module.kernels[place] for place in places]
+        rests_on = f"{identity(group)} {code}"
+        found = _taken(group, rests_on, known)
+        if found is None:
+            found = [with_losses(*pair) for pair in zip(group, prove_group(group), strict=True)]
+        else:
+            taken += len(group)
+        for kernel, each in zip(group, found, strict=True):
+            bounds[kernel.name] = each
+            entries[kernel.name] = bounds_ledger.sealed(rests_on, plain(each))
+    names = [kernel.name for kernel in module.kernels]
+    return Proved([bounds[name] for name in names], {n: entries[n] for n in names}, taken)
+
+
+def _taken(group: Sequence[Kernel], rests_on: str, known: Mapping[str, Any]) -> list[Bounds] | None:
+    """The known bounds of kernels that are proved together; None unless all still hold."""
+    found: list[Bounds] = []
+    for kernel in group:
+        entry = bounds_ledger.opened(rests_on, known.get(kernel.name))
+        if entry is None:
+            return None
+        found.append(bounds_from(kernel, entry))
+    return found
 
 
 def packaged(
-    subject: Subject, certificate: Mapping[str, Any], *, own: bool = False
+    subject: Subject,
+    certificate: Mapping[str, Any],
+    known: Mapping[str, Any],
+    *,
+    own: bool = False,
 ) -> dict[str, Any]:
     """The same for a package of its own: with a page, values that its tests read, and what the
     other targets have, in folders called after them; "remarks" besides: each a "text", whether the
@@ -52,7 +115,7 @@ def packaged(
     nothing.
     """
     module = subject.module
-    bounds = _proved(module)
+    bounds = proved(module, known).bounds
     values = {
         kernel.name: known_values(kernel, pair, module.name)
         for kernel, pair in zip(module.kernels, bounds, strict=True)

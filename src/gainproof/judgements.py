@@ -5,13 +5,14 @@ each claim (`judging`): files are put together anew.
 from __future__ import annotations
 
 import os
-from collections.abc import Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
 from gainproof import claim_proofs, derivations, given_file, places, workers
 from gainproof.bad_input import BadInputError, unknown_name
+from gainproof.cache import Cache
 from gainproof.commands.time_limit import DEFAULT
 from gainproof.workshop import Workshop
 
@@ -26,7 +27,7 @@ def judge(
 
     Raises BadInputError for a file that cannot be used.
     """
-    asked = jobs(files, shop, seconds)
+    asked = jobs(files, shop.cache, seconds)
     if keep_going:
         further = {"keep_going": True}
         asked = {
@@ -34,10 +35,19 @@ def judge(
             for file, job in asked.items()
         }
     found = dict(zip(asked, shop.results("judged", list(asked.values())), strict=True))
-    taken = sum(judged["tasks"]["taken"] for judged in found.values())
-    done = sum(judged["tasks"]["judged"] for judged in found.values())
+    taken, done = _counted(found.values())
     shop.progress.say(f"trials of claims and repairs: {taken} known, {done} done now")
     return [_without_tasks(found[file]) for file in files]
+
+
+def trials(files: Sequence[Path], shop: Workshop) -> tuple[int, int]:
+    """How many tasks of the judge were known when these files were judged, and how many done."""
+    return _counted(shop.answered(job) or {} for job in jobs(files, shop.cache).values())
+
+
+def _counted(judged: Iterable[Mapping[str, Any]]) -> tuple[int, int]:
+    counts = [each["tasks"] for each in judged if "tasks" in each]
+    return sum(count["taken"] for count in counts), sum(count["judged"] for count in counts)
 
 
 def judge_claim(file: Path, name: str, shop: Workshop, seconds: float = DEFAULT) -> dict[str, Any]:
@@ -45,7 +55,7 @@ def judge_claim(file: Path, name: str, shop: Workshop, seconds: float = DEFAULT)
 
     Raises BadInputError for a file that cannot be used, or that does not have the claim.
     """
-    (job,) = jobs([file], shop, seconds).values()
+    (job,) = jobs([file], shop.cache, seconds).values()
     alone = replace(job, arguments={**job.arguments, "only": name})
     (judged,) = shop.results("judged", [alone])
     (found,) = judged["claims"]
@@ -56,21 +66,20 @@ def _without_tasks(judged: dict[str, Any]) -> dict[str, Any]:
     return {name: value for name, value in judged.items() if name != "tasks"}
 
 
-def jobs(
-    files: Sequence[Path], shop: Workshop, seconds: float = DEFAULT
-) -> dict[Path, workers.Job]:
-    """The judgements of files, the longest first, so that the last to end is a short one.
+def jobs(files: Sequence[Path], cache: Cache, seconds: float = DEFAULT) -> dict[Path, workers.Job]:
+    """The judgements of files, the longest first, so that the last to end is a short one; claims
+    are kept in the cache.
 
     Raises BadInputError for a file that cannot be read.
     """
     texts = {file: read(file) for file in files}
-    models = _models(shop)
+    models = _models()
     shared = {"models": models, "seconds": seconds}
     # one file has all processors for its claims; many files share them
     also = {
         "processes": max(1, workers.processors() // max(1, len(files))),
-        "cache": str(shop.cache.folder.absolute()),
-        "fresh": shop.cache.fresh,
+        "cache": str(cache.folder.absolute()),
+        "fresh": cache.fresh,
     }
     return {
         file: workers.Job(
@@ -84,12 +93,12 @@ def jobs(
     }
 
 
-def _models(shop: Workshop) -> list[dict[str, Any]]:
+def _models() -> list[dict[str, Any]]:
     """The models of the subjects; one on which several rest is there once, or it would be judged
     as often and be taken for a choice.
     """
     found: list[dict[str, Any]] = []
-    for entry in derivations.overview(shop):
+    for entry in derivations.outlines():
         if entry["model"] and entry["model"] not in found:
             found.append(entry["model"])
     return found

@@ -26,6 +26,12 @@ def generated_folder() -> Path:
     return package_folder("generated")
 
 
+def certificates() -> list[Path]:
+    """The committed certificates, by name: the JSON beside a module of kernels, and no other."""
+    found = sorted(generated_folder().glob("*.json"))
+    return [path for path in found if path.with_suffix(".py").is_file()]
+
+
 def claims_folder() -> Path:
     """The committed claim files and their snapshots of verdicts."""
     return package_folder("verify") / "claims"

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 from collections.abc import Mapping
 from dataclasses import asdict, dataclass
 from pathlib import Path
@@ -11,6 +10,7 @@ from typing import Any
 from gainproof import named_files, verdict_text
 from gainproof.claim_words import Words
 from gainproof.drift import CURE, Difference
+from gainproof.json_lines import in_lines
 from gainproof.lecture import count
 from gainproof.verdicts import Judgement, accidents
 
@@ -21,20 +21,28 @@ Plain = Mapping[str, Any]
 class Findings:
     """Everything that one run looked at.
 
-    `certificates`: reports of `rechecking.recheck`; `proofs`: those of `claim_proofs.recheck`;
-    `words`: those of claims without a formula, for each judgement; `changes`: differences from the
-    snapshot of each claim file, by name; `accepted`: they have been taken over.
+    `worse`: what proved bounds have lost beside those committed; `certificates`: reports of
+    `rechecking.recheck`; `proofs`: those of `claim_proofs.recheck`; `words`: those of claims
+    without a formula, for each judgement; `changes`: differences from the snapshot of each claim
+    file, by name; `accepted`: they have been taken over; `bounds`: of how many kernels they were
+    known, and of how many proved now; `taken`, `done`: how many answers of each task came from the
+    cache, and were worked for; `trials`: the same of what the judge asks of its claims.
     """
 
     versions: Mapping[str, str]
     files: int
     differences: tuple[Difference, ...]
+    worse: tuple[str, ...]
     certificates: tuple[Plain, ...]
     judgements: tuple[Judgement, ...]
     proofs: tuple[Plain, ...]
     words: tuple[Words, ...]
     changes: Mapping[str, tuple[str, ...]]
     accepted: bool
+    bounds: tuple[int, int]
+    taken: Mapping[str, int]
+    done: Mapping[str, int]
+    trials: tuple[int, int]
 
     @property
     def rejected(self) -> list[Plain]:
@@ -64,6 +72,7 @@ def as_json(findings: Findings) -> str:
         "generated": {
             "files": findings.files,
             "differences": [asdict(difference) for difference in findings.differences],
+            "worse": list(findings.worse),
         },
         "certificates": list(findings.certificates),
         "claims": list(findings.judgements),
@@ -73,27 +82,7 @@ def as_json(findings: Findings) -> str:
             "changes": {name: list(lines) for name, lines in findings.changes.items()},
         },
     }
-    return _in_lines(data, 4) + "\n"
-
-
-def _in_lines(value: Any, depth: int, indent: str = "") -> str:
-    """JSON with the entries of so many levels on lines of their own, what is deeper on one line:
-    the encoder that indents everything is written in Python and takes twenty times as long.
-    """
-    if not depth or not value or not isinstance(value, (dict, list)):
-        return json.dumps(value, ensure_ascii=False)
-    inner = indent + " "
-    if isinstance(value, dict):
-        entries = [
-            f"{json.dumps(key, ensure_ascii=False)}: {_in_lines(entry, depth - 1, inner)}"
-            for key, entry in value.items()
-        ]
-        opened, closed = "{", "}"
-    else:
-        entries = [_in_lines(entry, depth - 1, inner) for entry in value]
-        opened, closed = "[", "]"
-    lines = f",\n{inner}".join(entries)
-    return f"{opened}\n{inner}{lines}\n{indent}{closed}"
+    return in_lines(data, 4) + "\n"
 
 
 def as_text(findings: Findings) -> str:
@@ -110,12 +99,13 @@ def as_text(findings: Findings) -> str:
 def summary(findings: Findings) -> str:
     """A few lines: what was looked at, what came of it, and the cure of what is wrong."""
     lines = [
-        _line("derivations", f"{len(findings.certificates)} derived"),
+        _line("derivations", f"{len(findings.certificates)} derived{_kept(findings, 'derive')}"),
         _line("generated files", _files(findings)),
         *(f"{'':18}{difference.text()}" for difference in findings.differences),
+        *(f"{'':18}{sentence}" for sentence in findings.worse),
         _line("certificates", _certificates(findings)),
         *(f"{'':18}{report['subject']}: {report['reason']}" for report in findings.rejected),
-        _line("claims", verdict_text.counts(list(findings.judgements))),
+        _line("claims", verdict_text.counts(list(findings.judgements)) + _trials(findings)),
         *_accidents(findings),
         *_proofs(findings),
         _line("snapshot", _snapshot(findings)),
@@ -180,7 +170,9 @@ def _line(label: str, text: str) -> str:
 
 def _files(findings: Findings) -> str:
     if not findings.differences:
-        return f"{findings.files}, each byte as derived"
+        taken, proved = findings.bounds
+        said = f"; bounds of {taken} kernels known, of {proved} proved now" if taken else ""
+        return f"{findings.files}, each byte as derived{said}"
     return f"{len(findings.differences)} of {findings.files} not as derived; {CURE}"
 
 
@@ -188,7 +180,20 @@ def _certificates(findings: Findings) -> str:
     total = len(findings.certificates)
     statements = [s["status"] for report in findings.certificates for s in report["statements"]]
     good = total - len(findings.rejected)
-    return f"{good} of {total} accepted; {len(statements)} statements: {count(statements)}"
+    said = f"{good} of {total} accepted; {len(statements)} statements: {count(statements)}"
+    return said + _kept(findings, "recheck")
+
+
+def _kept(findings: Findings, task: str) -> str:
+    """What was taken from the cache, if anything was."""
+    taken, done = findings.taken.get(task, 0), findings.done.get(task, 0)
+    return f"; {taken} from the cache, {done} now" if taken else ""
+
+
+def _trials(findings: Findings) -> str:
+    """The same of the judge: each claim is tried, and repairs are looked for."""
+    taken, done = findings.trials
+    return f"; {taken} trials from the cache, {done} now" if taken else ""
 
 
 def _snapshot(findings: Findings) -> str:

@@ -10,19 +10,15 @@ from collections.abc import Callable, Mapping
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
+from gainproof import code_digest
 from gainproof.desk import Desk
 
 if TYPE_CHECKING:  # importing it imports SymPy
     from gainproof.derive.subject import Subject
 
 Plain = dict[str, Any]
-
-
-def catalogue(_: Desk) -> list[str]:
-    """Names of all subjects, in the order of the catalogue."""
-    from gainproof.deriving import catalogue_names
-
-    return catalogue_names()
+FILES_READ = "files read"
+"""In an answer: digests of files on which it depends besides, by path."""
 
 
 def outline(desk: Desk, name: str) -> Plain:
@@ -39,47 +35,57 @@ def derive(desk: Desk, name: str) -> Plain:
     return desk.kept(("derived", name), lambda: plain_subject(_subject(desk, name)).plain())
 
 
-def everything(desk: Desk, name: str) -> list[Plain]:
+def everything(desk: Desk, name: str, bounds: Plain) -> list[Plain]:
     """What the tasks on one subject of the catalogue answer, which share most of the work: its
     outline, itself derived, its files.
     """
-    return [outline(desk, name), derive(desk, name), print_one(desk, name)]
+    return [outline(desk, name), derive(desk, name), print_one(desk, name, bounds)]
 
 
 def derive_file(_: Desk, path: str) -> Plain:
-    """Derive what a user's file defines: `Derived` as plain data. The file is executed."""
+    """Derive what a user's file defines: `Derived` as plain data, and the files that it read. The
+    file is executed.
+    """
     from gainproof.deriving import plain_subject
+    from gainproof.files_read import recorded
     from gainproof.own_file import build_own_file
 
-    return plain_subject(build_own_file(path)).plain()
+    with recorded(Path(path).parent) as read:
+        derived = plain_subject(build_own_file(path)).plain()
+    return derived | {FILES_READ: read}
 
 
-def print_one(desk: Desk, name: str) -> Plain:
-    """The files of one subject of the catalogue: {"module", "title", "files"}."""
+def print_one(desk: Desk, name: str, bounds: Plain) -> Plain:
+    """The files of one subject of the catalogue, with its bounds, of which those known ones are
+    taken that still hold: {"module", "title", "files", "bounds", "counts"}.
+    """
     from gainproof.generating import printed
 
-    return printed(_subject(desk, name), derive(desk, name)["certificate"])
+    return printed(_subject(desk, name), derive(desk, name)["certificate"], bounds)
 
 
-def package_one(desk: Desk, name: str) -> Plain:
+def package_one(desk: Desk, name: str, bounds: Plain) -> Plain:
     """One subject of the catalogue for a package of its own: {"derived", "part"}, of which the
     first is what `derive` answers, the second like what `print_one` does.
     """
     from gainproof.generating import packaged
 
-    derived = derive(desk, name)
-    return {"derived": derived, "part": packaged(_subject(desk, name), derived["certificate"])}
+    derived, subject = derive(desk, name), _subject(desk, name)
+    return {"derived": derived, "part": packaged(subject, derived["certificate"], bounds)}
 
 
 def package_file(_: Desk, path: str) -> Plain:
     """The same of what a user's file defines. The file is executed."""
     from gainproof.deriving import plain_subject
+    from gainproof.files_read import recorded
     from gainproof.generating import packaged
     from gainproof.own_file import build_own_file
 
-    subject = build_own_file(path)
-    derived = plain_subject(subject).plain()
-    return {"derived": derived, "part": packaged(subject, derived["certificate"], own=True)}
+    with recorded(Path(path).parent) as read:
+        subject = build_own_file(path)
+        derived = plain_subject(subject).plain()
+        part = packaged(subject, derived["certificate"], {}, own=True)
+    return {"derived": derived, "part": part, FILES_READ: read}
 
 
 def picture(_: Desk, module: str, kernel: Plain, graph: Plain) -> Plain:
@@ -138,7 +144,6 @@ def _subject(desk: Desk, name: str) -> Subject:
 
 
 TASKS: Mapping[str, Callable[..., Any]] = {
-    "catalogue": catalogue,
     "outline": outline,
     "derive": derive,
     "everything": everything,
@@ -153,8 +158,37 @@ TASKS: Mapping[str, Callable[..., Any]] = {
 }
 DERIVING = frozenset(
     {
-        *("catalogue", "outline", "derive", "everything", "derive_file"),
+        *("outline", "derive", "everything", "derive_file"),
         *("print_one", "package_one", "package_file"),
     }
 )
 """Tasks that import SymPy. The others are never done in a process in which one of these was."""
+
+_CODE: Mapping[str, tuple[str, ...]] = {
+    "outline": ("gainproof.deriving",),
+    "derive": ("gainproof.deriving",),
+    "derive_file": ("gainproof.deriving", "gainproof.own_file"),
+    "print_one": ("gainproof.deriving", "gainproof.generating"),
+    "package_one": ("gainproof.deriving", "gainproof.generating"),
+    "package_file": ("gainproof.deriving", "gainproof.generating", "gainproof.own_file"),
+    "picture": ("gainproof.book.sampled_kernel",),
+    "recheck": ("gainproof.rechecking",),
+    "recheck_proofs": ("gainproof.claim_proofs",),
+    "judge": ("gainproof.judging",),
+}
+"""The modules that a task calls."""
+
+
+def code_of(task: str, arguments: Mapping[str, Any]) -> str:
+    """A digest of the code on which the answer of a task depends: of what it calls, of its subject,
+    and of all that a user's file may import of ours.
+    """
+    from gainproof.derive.catalogue import CATALOGUE
+
+    modules = _CODE[task]
+    modules += tuple(entry.module for entry in CATALOGUE if entry.name == arguments.get("name"))
+    if task == "picture":
+        modules += (f"gainproof.generated.{arguments['module']}",)
+    if "own_file" in modules[-1]:
+        modules += tuple(code_digest.modules_in("derive"))
+    return code_digest.of_modules("gainproof.desk", *modules)

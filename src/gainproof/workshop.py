@@ -1,7 +1,8 @@
-"""What the commands work with: the cache, where progress goes, and the digest of our code."""
+"""What the commands work with: the cache, where progress goes, and what is known already."""
 
 from __future__ import annotations
 
+import json
 import sys
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
@@ -9,20 +10,30 @@ from typing import Any
 
 from gainproof import code_digest, workers
 from gainproof.cache import Cache, default_folder, key_of
+from gainproof.files_read import unchanged
 from gainproof.progress import Progress
+from gainproof.tasks import FILES_READ, code_of
 
 Then = Callable[[workers.Job], Sequence[workers.Job]]
 
 
 @dataclass(frozen=True)
 class Workshop:
-    """Runs jobs in worker processes, or takes what they would answer from the cache."""
+    """Runs jobs in worker processes, or takes what they would answer from the cache.
+
+    An answer is known if the job is the same, the code that it runs (`code`: a digest of it, by
+    task and arguments), the versions, and the files that a user's code read.
+    """
 
     cache: Cache
     progress: Progress
-    code: str
+    code: Callable[[str, Mapping[str, Any]], str] = code_of
     known: dict[str, Any] = field(default_factory=dict)
-    """Answers of `ahead`, by key."""
+    """Answers by key, of this workshop's life."""
+    taken: dict[str, str] = field(default_factory=dict)
+    """Tasks by key of what came from the cache."""
+    done: dict[str, str] = field(default_factory=dict)
+    """Tasks by key of what was worked for."""
 
     def results(
         self, work: str, jobs: Sequence[workers.Job], *depends: bytes, at_once: int | None = None
@@ -30,15 +41,11 @@ class Workshop:
         """What the jobs answer, in their order; `work` is for people, and nothing is said without.
         So many run `at_once`, or one for each processor.
 
-        A result is known if the job, all code and versions, and whatever else it `depends` on are
-        the same. Raises BadInputError or JobError of the first job that fails.
+        A result is known if the job and whatever else it `depends` on are the same. Raises
+        BadInputError or JobError of the first job that fails.
         """
         keys = [self._key(job, *depends) for job in jobs]
-        found = [self._found(job, key) for job, key in zip(jobs, keys, strict=True)]
-        unchanged = sum(
-            result is not None and key not in self.known
-            for key, result in zip(keys, found, strict=True)
-        )
+        found = [self._answer(job, key) for job, key in zip(jobs, keys, strict=True)]
         missing = [i for i, result in enumerate(found) if result is None]
 
         def done(job: workers.Job, seconds: float) -> None:
@@ -54,16 +61,20 @@ class Workshop:
             fresh = workers.run(chosen, on_done=done, on_told=told, limit=at_once)
             for i, result in zip(missing, fresh, strict=True):
                 found[i] = result
-                if jobs[i].kept:
-                    self.cache.store(keys[i], result)
+                self._keep(jobs[i], keys[i], result)
             self.cache.drop_old()
-        if work and unchanged:
-            self.progress.say(f"{work}: {unchanged} unchanged")
+        same = sum(key in self.taken for key in keys)
+        if work and same:
+            self.progress.say(f"{work}: {same} unchanged")
         return found
 
     def answered(self, job: workers.Job) -> Any | None:
         """What the job answers, if that is known; None if it would have to be done."""
-        return self._found(job, self._key(job))
+        return self._answer(job, self._key(job))
+
+    def was_done(self, job: workers.Job) -> bool:
+        """Whether the job was worked for, and its answer not taken from the cache."""
+        return self._key(job) in self.done
 
     def ahead(
         self, jobs: Sequence[workers.Job], then: Then, done: Mapping[str, str] | None = None
@@ -84,10 +95,7 @@ class Workshop:
         def found(job: workers.Job, result: Any) -> list[workers.Job]:
             results = zip(job.answers, result, strict=True) if job.answers else [(job, result)]
             for part, one in results:
-                key = self._key(part)
-                self.known[key] = one
-                if part.kept:
-                    self.cache.store(key, one)
+                self._keep(part, self._key(part), one)
             return [other for further in then(job) for other in missing(further)]
 
         def said(job: workers.Job, seconds: float) -> None:
@@ -102,13 +110,27 @@ class Workshop:
         if first:
             self.cache.drop_old()
 
-    def _found(self, job: workers.Job, key: str) -> Any | None:
+    def _key(self, job: workers.Job, *depends: bytes) -> str:
+        versions = json.dumps(code_digest.versions())
+        return key_of(job.task, self.code(job.task, job.arguments), versions, job.text, *depends)
+
+    def _answer(self, job: workers.Job, key: str) -> Any | None:
+        """What is known under the key of the job."""
         if key in self.known or not job.kept:
             return self.known.get(key)
-        return self.cache.load(key)
+        found = self.cache.load(key)
+        if isinstance(found, dict) and not unchanged(found.get(FILES_READ, {})):
+            return None
+        if found is not None:
+            self.known[key] = found
+            self.taken[key] = job.task
+        return found
 
-    def _key(self, job: workers.Job, *depends: bytes) -> str:
-        return key_of(job.task, self.code, job.text, *depends)
+    def _keep(self, job: workers.Job, key: str, result: Any) -> None:
+        self.known[key] = result
+        if job.kept:
+            self.cache.store(key, result)
+        self.done[key] = job.task
 
 
 def open_workshop(
@@ -118,4 +140,4 @@ def open_workshop(
     `quiet`, and with `only_terminal` not unless somebody can be looking on.
     """
     quiet = quiet or (only_terminal and not sys.stderr.isatty())
-    return Workshop(Cache(default_folder(), fresh), Progress(quiet), code_digest.of_everything())
+    return Workshop(Cache(default_folder(), fresh), Progress(quiet))

@@ -30,8 +30,8 @@ sys.path.insert(0, str(Path(__file__).resolve().parent.parent / "support"))
 
 from files_digest import files_digest
 
-import gainproof.generated
 import gainproof.verify.certificate
+from gainproof import places
 from gainproof.campaign.campaign import Campaign, Done, Report
 from gainproof.campaign.carrying_out import carry_out
 from gainproof.campaign.options import add_options
@@ -43,7 +43,7 @@ from gainproof.verify.certificate.altered import alterations
 from gainproof.verify.certificate.plain import plain
 
 HELP = "every printed certificate altered in all ways, and offered for something else"
-CERTIFICATES = sorted(Path(gainproof.generated.__file__).parent.glob("*.json"))
+CERTIFICATES = places.certificates()
 CHUNK = 500
 OUTCOMES = ("malformed", "refuted", "unexpected")
 PARTS = ("model", "claims", "programs")

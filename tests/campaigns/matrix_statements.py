@@ -25,7 +25,7 @@ sys.path.insert(0, str(Path(__file__).resolve().parent.parent / "support"))
 
 from altered_statements import altered_claims
 
-import gainproof.generated
+from gainproof import places
 from gainproof.verify.certificate import check
 from gainproof.verify.certificate.alteration import Campaign
 from gainproof.verify.certificate.document import read_document, read_statement
@@ -33,7 +33,6 @@ from gainproof.verify.certificate.plain import plain
 from gainproof.verify.certificate.rejection import MalformedError, Meter, RejectedError
 
 HELP = "statements on matrices of every size: number, seconds, corrupted certificates rejected"
-FOLDER = Path(gainproof.generated.__file__).parent
 Data = dict[str, Any]
 
 
@@ -44,7 +43,7 @@ def main() -> int:
     parser.add_argument("--only", default="", help="text that a certificate's name must contain")
     options = parser.parse_args()
     accepted = 0
-    for path in sorted(FOLDER.glob("*.json")):
+    for path in places.certificates():
         certificate: Data = json.loads(path.read_text(encoding="utf-8"))
         if options.only in path.name and any(map(is_matrix, certificate["statements"])):
             accepted += report(path.name, certificate, options.sample, options.seed)

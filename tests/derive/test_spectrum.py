@@ -61,7 +61,7 @@ def _model(noise: list[list[sp.Expr]], units=(METRE, METRE / SECOND)) -> Model: 
 
 
 def test_units_that_do_not_fit_are_refused() -> None:
-    with pytest.raises(ModelError, match="transition should be numbers"):
+    with pytest.raises(ModelError, match="the transition should hold numbers"):
         context(
             _model([[sp.Integer(0), sp.Integer(0)], [sp.Integer(0), sp.Integer(1)]], (METRE, METRE))
         )

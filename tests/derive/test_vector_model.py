@@ -81,7 +81,7 @@ def _noise(*rows: list[Any]) -> dict[str, Any]:
     ("changes", "message"),
     [
         ({"ratios": ()}, "name a ratio for each further deviation"),
-        ({"measurement_units": (METRE, METRE)}, "scaled measurement should be numbers"),
+        ({"measurement_units": (METRE, METRE)}, "the measurement should hold numbers"),
         ({"measurement_units": (METRE,)}, "a unit for each of 2 entries of the measurement"),
         ({"state_units": (METRE,)}, "a unit for each of 2 entries of the state"),
         ({"deviation": VELOCITY}, "should be a length, velocity_deviation has the unit m s\\^-1"),

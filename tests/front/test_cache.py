@@ -101,8 +101,17 @@ def test_results_that_are_kept_make_room(cache: Cache) -> None:
     path = entry(cache)
     old = time.time() - (KEPT_DAYS + 1) * 86400
     os.utime(path, (old, old))
-    shop = Workshop(cache, Progress(quiet=True), "code")
-    shop.results("", [Job("names", "catalogue", {})])
+    shop = Workshop(cache, Progress(quiet=True))
+    shop.results(
+        "",
+        [
+            Job(
+                "a proof",
+                "recheck_proofs",
+                {"judgement": {"source": {"key": "none"}, "claims": []}},
+            )
+        ],
+    )
     assert not path.exists()
 
 

@@ -20,7 +20,6 @@ from samples import samples
 
 from gainproof import cli, judgements
 from gainproof.cache import Cache, default_folder
-from gainproof.code_digest import of_everything
 from gainproof.progress import Progress
 from gainproof.workshop import Workshop
 
@@ -49,7 +48,7 @@ COUNT = 20
 def many(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
     """Twenty cheap claims, each fifth of them false, and a cache without any claim."""
     monkeypatch.setenv("GAINPROOF_CACHE", str(tmp_path / "cache"))
-    monkeypatch.setattr(judgements, "_models", lambda _: [])
+    monkeypatch.setattr(judgements, "_models", list)
     path = tmp_path / "many.toml"
     text = HEAD
     for n in range(1, COUNT + 1):
@@ -63,7 +62,7 @@ CHECK = """
 import sys
 from gainproof import cli, judgements
 
-judgements._models = lambda _: []  # the claims are about numbers
+judgements._models = lambda: []  # the claims are about numbers
 sys.exit(cli.main(["check", *sys.argv[1:]]))
 """
 
@@ -167,7 +166,7 @@ def test_a_run_that_is_broken_off_goes_on_where_it_was(
     time.sleep(0.5)
     known = kept()
     assert known >= COUNT // 3
-    shop = Workshop(Cache(default_folder()), Progress(), of_everything())
+    shop = Workshop(Cache(default_folder()), Progress())
     (judged,) = judgements.judge([many], shop)
     rest = COUNT + COUNT // 5 - known
     assert f"repairs: {known} known, {rest} done now" in capsys.readouterr().err

@@ -8,7 +8,6 @@ import pytest
 
 from gainproof import citing, cli
 from gainproof.claim_template import template
-from gainproof.workshop import open_workshop
 
 Capture = pytest.CaptureFixture[str]
 
@@ -37,7 +36,6 @@ def test_a_bad_claim_file(tmp_path: Path, capsys: Capture) -> None:
 
 
 def test_lines_fit_a_terminal() -> None:
-    shop = open_workshop(quiet=True)
-    text = citing.listing(shop, 80) + citing.citation("gains", shop, 80)
+    text = citing.listing(80) + citing.citation("gains", 80)
     words = [line for line in text.splitlines() if ".toml" not in line]
     assert max(map(len, words)) <= 80

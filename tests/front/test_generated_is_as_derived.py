@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 import ast
+import shutil
 from pathlib import Path
 
 import pytest
 from catalogue_subjects import derive_with_another_seed
 
-from gainproof import cli, derivations, drift, generated_files, places
+from gainproof import bounds_ledger, cli, derivations, drift, generated_files, places
 from gainproof.cache import FOLDER_VARIABLE
 from gainproof.derive.printer.package import CODE
 from gainproof.workshop import open_workshop
@@ -24,6 +25,8 @@ def test_every_byte_is_as_derived(
     README's first command, has just derived them with the usual one.
     """
     committed, made = places.generated_folder(), tmp_path / "made"
+    made.mkdir()
+    shutil.copy(committed / bounds_ledger.NAME, made)
     monkeypatch.setattr(places, "generated_folder", lambda: made)
     assert cli.main(["generate", "--check"]) == 1
     assert "missing" in capsys.readouterr().out
@@ -46,7 +49,7 @@ def test_every_byte_is_as_derived_with_another_hash_seed(
 ) -> None:
     monkeypatch.setenv(FOLDER_VARIABLE, str(tmp_path))
     shop = open_workshop(quiet=True)
-    derive_with_another_seed(shop, derivations.catalogue(shop))
+    derive_with_another_seed(shop, derivations.catalogue())
     fresh = generated_files.fresh((), shop)
     found = [difference.text() for difference in drift.compare(fresh, places.generated_folder())]
     assert not found, f"{found}; {drift.CURE}"
@@ -60,7 +63,9 @@ def test_one_subject_brings_the_code_that_it_shares_and_leaves_the_others(
     assert cli.main(["generate", "least-squares-mean"]) == 0
     (tmp_path / "another.py").unlink()
     names = sorted(path.name for path in tmp_path.iterdir())
-    assert names == sorted([*CODE, "least_squares_mean.json", "least_squares_mean.py"])
+    assert names == sorted(
+        [*CODE, "bounds.json", "least_squares_mean.json", "least_squares_mean.py"]
+    )
     (tmp_path / CODE[0]).write_text("", encoding="utf-8")
     assert cli.main(["generate", "least-squares-mean", "--check"]) == 1
     assert cli.main(["generate", "least-squares-mean"]) == 0

@@ -6,12 +6,11 @@ from collections.abc import Callable, Mapping
 from fractions import Fraction
 from itertools import pairwise
 from math import sqrt
-from pathlib import Path
 
 import numpy as np
 import pytest
 
-from gainproof import generated
+from gainproof import places
 from gainproof.figures.lecture import coordinates, curves, fits, kalman_track, relations
 from gainproof.figures.lecture.curves_drawing import CURVES as LABELS
 from gainproof.figures.lecture.relations_drawing import GENERAL, SPECIAL, WORDS
@@ -167,8 +166,7 @@ def test_every_derived_line_is_an_arrow_and_every_arrow_a_line() -> None:
     lines = [line for line in relations.LINES if line.general in GENERAL]
     assert {line.special for line in lines} == set(SPECIAL) == set(WORDS)
     # each derivation has its certificate
-    certificates = Path(generated.__file__).parent.glob("*.json")
-    subjects = {path.stem.replace("_", "-") for path in certificates}
+    subjects = {path.stem.replace("_", "-") for path in places.certificates()}
     assert {line.derivation for line in lines} < subjects
     assert {line.derivation for line in relations.LINES} - subjects == {"definition"}
     generals = {line.general for line in relations.LINES}

@@ -9,8 +9,6 @@ import pytest
 
 from gainproof import derivations, judgements
 from gainproof.cache import Cache
-from gainproof.progress import Progress
-from gainproof.workshop import Workshop
 
 
 def test_a_model_on_which_several_subjects_rest_is_given_once(
@@ -19,9 +17,8 @@ def test_a_model_on_which_several_subjects_rest_is_given_once(
     """Twice it would be judged twice, and a claim about it would name it as the one chosen."""
     one, other = ({"name": name, "process_noise": [[name]]} for name in ("one", "other"))
     entries: list[dict[str, Any]] = [{"model": m} for m in (one, None, other, dict(one))]
-    monkeypatch.setattr(derivations, "overview", lambda _: entries)
+    monkeypatch.setattr(derivations, "outlines", lambda: entries)
     file = tmp_path / "x.toml"
     file.write_text("")
-    shop = Workshop(Cache(tmp_path, fresh=True), Progress(quiet=True), "")
-    (job,) = judgements.jobs([file], shop).values()
+    (job,) = judgements.jobs([file], Cache(tmp_path)).values()
     assert job.arguments["models"] == [one, other]

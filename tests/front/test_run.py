@@ -12,7 +12,7 @@ from typing import Any
 import pytest
 from catalogue_subjects import certificate as certificate_of
 
-from gainproof import cli, derivations, generated_files, judgements, places
+from gainproof import bounds_ledger, cli, derivations, generated_files, judgements, places
 from gainproof.workshop import open_workshop
 
 Capture = pytest.CaptureFixture[str]
@@ -95,7 +95,8 @@ def test_all_is_well(house: House, capsys: Capture) -> None:
     assert "trials of claims and repairs: 1 known, 0 done now" in captured.err
     found = house.found()
     assert found["good"] is True
-    assert found["generated"] == {"files": len(list(house.generated.iterdir())), "differences": []}
+    files = len(list(house.generated.iterdir()))
+    assert found["generated"] == {"files": files, "differences": [], "worse": []}
     reports = [(report["subject"], report["accepted"]) for report in found["certificates"]]
     assert reports == [(name, True) for name in SUBJECTS]
     assert found["versions"]["sympy"] == "1.14.0"
@@ -124,6 +125,25 @@ def test_drift_has_status_1_and_names_its_cure(
     assert house.run() == 1
     assert "gainproof generate" in capsys.readouterr().out
     assert len(house.found()["generated"]["differences"]) == 1
+
+
+def test_a_bound_that_grew_is_said(
+    house: House, capsys: Capture, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    committed, now = (
+        {"inputs": [[1.0, 2.0]], "boxes": 1, "outputs": {"x": {"bound": bound}}}
+        for bound in ("1.50", "1.51")
+    )
+    path = house.generated / bounds_ledger.NAME
+    path.write_text(bounds_ledger.text({"line": {"gains": {"key": "a", "float32": committed}}}))
+    ledger = bounds_ledger.text({"line": {"gains": {"key": "b", "float32": now}}}).encode()
+    files = generated_files.fresh((), open_workshop(quiet=True))
+    fresh = {**files, bounds_ledger.NAME: ledger}
+    monkeypatch.setattr(generated_files, "fresh", lambda *_: fresh)
+    assert house.run() == 1
+    said = "line.gains, x (float32): its bound grew from 1.50 to 1.51"
+    assert said in capsys.readouterr().out
+    assert house.found()["generated"]["worse"] == [said]
 
 
 def test_a_forged_certificate_has_status_1(house: House, capsys: Capture) -> None:

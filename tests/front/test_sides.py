@@ -10,10 +10,11 @@ from typing import Any
 import pytest
 
 import gainproof.generated
+from gainproof import places
 from gainproof.sides import missing_sides
 
 GENERATED = Path(gainproof.generated.__file__).parent
-CERTIFICATES = sorted(path.stem for path in GENERATED.glob("*.json"))
+CERTIFICATES = [path.stem for path in places.certificates()]
 WITH_SIDES = {
     "continuous_white_acceleration": 6,
     "position_velocity": 2,

@@ -25,7 +25,7 @@ def _odd_worker(monkeypatch: pytest.MonkeyPatch) -> None:
 
 
 def workshop(folder: Path, *, fresh: bool = False) -> Workshop:
-    return Workshop(Cache(folder, fresh), Progress(), "the code")
+    return Workshop(Cache(folder, fresh), Progress(), lambda *_: "the code")
 
 
 def nothing(_: Job) -> list[Job]:
@@ -86,12 +86,12 @@ def test_what_follows_from_a_job_is_done_too_known_or_not(tmp_path: Path) -> Non
     again = workshop(tmp_path)
     again.ahead(notes[:1], then)
     assert asked == ["a", "b", "c"] * 2
-    assert not again.known
+    assert not again.done
 
 
 def test_a_subject_is_the_same_derived_alone_or_with_its_files() -> None:
     shop = open_workshop(quiet=True)
-    asked = derivations.everything_job("least-squares-line")
+    asked = derivations.everything_job("least-squares-line", {})
     shop.ahead([asked], nothing)
     for job in asked.answers:
         assert shop.results("", [job]) == workers.run([job])

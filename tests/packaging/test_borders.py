@@ -9,6 +9,8 @@ from pathlib import Path
 
 import pytest
 
+from gainproof.derive.catalogue import CATALOGUE
+
 ROOT = Path(__file__).resolve().parents[2]
 TOP_LEVEL = ("derive", "generated", "verify")
 
@@ -64,6 +66,10 @@ ARROWS = (
 )
 
 
+AT_RUN_TIME = ("src/gainproof", "tests", "derive/catalogue.py")
+"""Where the name of a module may be computed: the catalogue has those of its subjects as text."""
+
+
 def border_of(path: str) -> Border:
     matching = [b for b in ARROWS if path == b.folder or path.startswith(b.folder + "/")]
     if not matching:
@@ -109,7 +115,7 @@ def violations(path: str, source: str) -> list[str]:
         if name.startswith("."):
             found.append(f"{place}: relative; write the whole name")
         elif name == "?":
-            if not path.startswith(("src/gainproof", "tests")):
+            if not path.startswith(AT_RUN_TIME):
                 found.append(f"{place}: computed at run time, cannot be judged")
         elif top in TOP_LEVEL:
             found.append(f"{place}: a second copy of gainproof.{top}")
@@ -131,6 +137,10 @@ def our_files() -> list[Path]:
             if not any((ROOT / parent).is_symlink() for parent in inner.parents):
                 found.append(inner)
     return found
+
+
+def test_the_modules_of_the_catalogue_are_derivations() -> None:
+    assert all(entry.module.startswith("gainproof.derive.") for entry in CATALOGUE)
 
 
 def test_no_arrow_is_crossed() -> None:

@@ -14,7 +14,7 @@ from typing import Any
 
 import pytest
 
-from gainproof import derivations, workers
+from gainproof import bounds_ledger, derivations, places, workers
 from gainproof.bad_input import BadInputError
 from gainproof.cache import Cache, default_folder
 from gainproof.derive.catalogue import CATALOGUE
@@ -112,7 +112,7 @@ def _preparing() -> Exception | None:
 def _prepare() -> None:
     shop = open_workshop(quiet=True)
     with _one_process_at_a_time(default_folder() / "deriving.lock"):
-        names = derivations.catalogue(shop)
+        names = derivations.catalogue()
         assert set(names) >= ALIKE
         derive_with_another_seed(shop, [name for name in names if name not in ALIKE])
         derive_with_another_seed(with_the_users(shop), names)
@@ -137,7 +137,8 @@ def derive_with_another_seed(shop: Workshop, names: Sequence[str]) -> None:
     with pytest.MonkeyPatch.context() as changed:
         changed.setitem(workers.REPRODUCIBLE, "PYTHONHASHSEED", OTHER_SEED)
         changed.setattr(workers, "processors", PROCESSORS)
-        shop.ahead([derivations.everything_job(name) for name in names], _nothing)
+        bounds = bounds_ledger.usable(places.generated_folder())
+        shop.ahead([derivations.everything_job(name, bounds) for name in names], _nothing)
 
 
 def _nothing(_: Job) -> list[Job]:

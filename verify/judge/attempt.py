@@ -119,5 +119,5 @@ def _attempt(work: Callable[[], Finding]) -> Finding:
         return Finding("undefined", str(reason), certificate={"symbol": reason.token})
     except (Undecided, Malformed, NotEstablished) as reason:
         return Finding("undecided", str(reason))
-    except (RecursionError, MemoryError, ArithmeticError, ValueError) as reason:
+    except (RecursionError, ArithmeticError, ValueError) as reason:  # lack of memory is no finding
         return Finding("undecided", f"the arithmetic stopped: {type(reason).__name__}: {reason}")

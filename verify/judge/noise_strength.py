@@ -38,7 +38,8 @@ CONSTANT = 2
 @dataclass(frozen=True)
 class Strength:
     """Symbol `token` to the power `size` stands in the last entry of the process noise, times T to
-    `times` and a number; of the noise of the measurement `place` is empty.
+    `times` and a number; of the noise of the measurement `place` is empty. `rest`: other entries of
+    the process noise are not 0.
     """
 
     token: str
@@ -47,6 +48,7 @@ class Strength:
     number: Fraction = Fraction(1)
     place: str = ""
     interval: str = ""
+    rest: bool = False
 
     def others(self) -> Iterator[Strength]:
         """Those with another power of the symbol, of T, or of both."""
@@ -57,8 +59,10 @@ class Strength:
             if size != self.size:
                 yield replace(self, size=size)
 
-    def words(self) -> str:
-        """What the symbol is, with the entry that says so."""
+    def words(self, stated: Strength) -> str:
+        """What the symbol is, with the entry that says so; where that has another power of T than
+        `stated` the other entries have it too, which is not all that such a noise may do to them.
+        """
         base = self.token if self.size == 1 else f"{self.token}^{self.size}"
         if not self.place:
             what = "variance" if self.size == 1 else "deviation"
@@ -69,7 +73,8 @@ class Strength:
         }.get(self.times, "the variance of an increment at each sample")
         time = {0: "", 1: f" {self.interval}"}.get(self.times, f" {self.interval}^{self.times}")
         factor = "" if self.number == 1 else f"{self.number} "
-        return f"{base} as {what}: {self.place} = {factor}{base}{time}"
+        rest = ", the rest of Q in proportion" if self.rest and self.times != stated.times else ""
+        return f"{base} as {what}: {self.place} = {factor}{base}{time}{rest}"
 
     def value(self, stated: Strength, expr: Expr) -> Expr:
         """The symbol in base variables where it has the value `expr` with what is stated."""
@@ -118,7 +123,8 @@ def strengths(setting: Setting) -> list[Strength]:
         if len(own) == 1 and len(powers) <= 2 and len(tokens) == 1:
             (count,) = own.values()
             if count in (1, 2):
-                found.append(Strength(tokens[0], count, clock, factor, place, interval))
+                rest = bool(place) and sum(bool(monomials(e)) for row in q for e in row) > 1
+                found.append(Strength(tokens[0], count, clock, factor, place, interval, rest))
     return found
 
 
@@ -158,7 +164,7 @@ def _with(convention: Convention, stated: Strength, other: Strength) -> Conventi
     if chart is not None:
         chart = replace(chart, assigned=changed(chart.assigned))
     filled = environment.name if convention.open else ""
-    name = ", ".join(part for part in (other.words(), filled) if part)
+    name = ", ".join(part for part in (other.words(stated), filled) if part)
     symbols = {**setting.symbols, token: other.entry(stated, setting.symbols[token])}
     environment = replace(
         environment, name=name, assigned=changed(environment.assigned), chart=chart

@@ -69,7 +69,9 @@ def conditions(options: Options) -> dict[str, Any]:
         "seconds a call": SECONDS,
         "settings": asdict(options),
         "code": [
-            code_digest.of_everything(),
+            code_digest.of_modules(
+                *code_digest.modules_in("derive"), *code_digest.modules_in("generated")
+            ),
             code_digest.of_files(front, front.rglob("*.py")),
             code_digest.of_files(
                 places.package_folder("generated"), places.package_folder("generated").glob("*.py")

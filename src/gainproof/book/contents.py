@@ -12,7 +12,7 @@ from gainproof.book import kernel_pictures
 from gainproof.claim_proofs import checked
 from gainproof.claim_words import Said, claims_said
 from gainproof.derived import Derived
-from gainproof.everything import DONE, committed, following
+from gainproof.everything import ahead, committed
 from gainproof.verdicts import Judgement
 from gainproof.workshop import Workshop
 
@@ -40,8 +40,8 @@ def gather(shop: Workshop) -> Contents:
     Raises BadInputError where an accident kept a claim from being judged.
     """
     folder, files = places.generated_folder(), places.claim_files()
-    shop.ahead([derivations.CATALOGUE], following(shop, folder, files), DONE)
-    subjects = derivations.derive(derivations.catalogue(shop), shop)
+    ahead(shop, folder, files)
+    subjects = derivations.derive(derivations.catalogue(), shop)
     pairs = [(committed(folder, subject.name), subject) for subject in subjects]
     judged = judgements.judge(files, shop)
     missing = [why for each in judged for why in verdicts.accidents(each).values()]

@@ -26,8 +26,7 @@ class Subject:
 
 def chosen(names: Sequence[str]) -> Iterator[Subject]:
     """These subjects, or all. Raises BadInputError for a name that is none, before the first."""
-    folder = places.generated_folder()
-    files = {path.stem.replace("_", "-"): path for path in sorted(folder.glob("*.json"))}
+    files = {path.stem.replace("_", "-"): path for path in places.certificates()}
     for name in names:
         if name not in files:
             raise unknown_name("subject", name, files)

@@ -17,7 +17,6 @@ def configure(parser: argparse.ArgumentParser) -> None:
 def run(options: argparse.Namespace) -> int:
     """0, or 2 for a name that nothing has."""
     from gainproof import citing, page
-    from gainproof.workshop import open_workshop
 
-    print(citing.citation(options.name, open_workshop(quiet=True), page.width()), end="")
+    print(citing.citation(options.name, page.width()), end="")
     return 0

@@ -34,7 +34,8 @@ whatever their form.
 
 With --check nothing is written. Exit status 0: written, or as derived; 1: with --check a file is
 missing, different or left over, with --test a test fails, without --allow-loss half of an output's
-digits can be lost and nothing is written; 2: bad input, nothing is written."""
+digits can be lost and nothing is written, or a proved bound is larger or a domain smaller than in
+generated/bounds.json and nothing is written; 2: bad input, nothing is written."""
 
 
 def configure(parser: argparse.ArgumentParser) -> None:
@@ -56,8 +57,8 @@ def configure(parser: argparse.ArgumentParser) -> None:
 
 
 def run(options: argparse.Namespace) -> int:
-    """0; 1 on a difference with --check, on a test that fails with --test, on digits lost without
-    --allow-loss.
+    """0; 1 on a difference with --check, on a bound that grew, on a test that fails with --test, on
+    digits lost without --allow-loss.
     """
     from gainproof import derivations
     from gainproof.bad_input import BadInputError
@@ -76,13 +77,20 @@ def run(options: argparse.Namespace) -> int:
 
 
 def _own_folder(options: argparse.Namespace, shop: Workshop) -> int:
-    from gainproof import drift, generated_files, places
+    from gainproof import bounds_ledger, drift, generated_files, places
 
     folder = places.generated_folder()
     files = generated_files.fresh(options.subjects, shop)
-    differences = drift.compare(files, folder, only=bool(options.subjects))
+    only = bool(options.subjects)
+    differences = drift.compare(files, folder, only=only, exactly=not options.check)
+    worse = bounds_ledger.worse(folder, files[bounds_ledger.NAME])
+    for sentence in worse:
+        print(sentence)
     if options.check:
         return _checked(len(files), differences, drift.CURE)
+    if worse:
+        print(f"nothing is written: {bounds_ledger.CURE}")
+        return 1
     written = generated_files.put(files, differences, folder)
     return _said(written, len(files), folder)
 

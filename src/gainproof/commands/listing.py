@@ -24,10 +24,9 @@ def configure(parser: argparse.ArgumentParser) -> None:
 def run(options: argparse.Namespace) -> int:
     """0."""
     from gainproof import cancellations, citing, page
-    from gainproof.workshop import open_workshop
 
     if options.cancellations:
         print(cancellations.page(page.width()), end="")
         return 0
-    print(citing.listing(open_workshop(quiet=True), page.width()), end="")
+    print(citing.listing(page.width()), end="")
     return 0

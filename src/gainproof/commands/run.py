@@ -6,16 +6,19 @@ import argparse
 
 HELP = "derive all, compare kernels, check certificates, judge claim files, write report/"
 DESCRIPTION = """\
-Derives every subject afresh, compares generated/ byte for byte, checks every certificate again,
-judges every claim file against its snapshot of verdicts, and writes report/report.txt and
-report.json. Exit status 1 on drift, on a rejected certificate, on a verdict that changed or that
-an accident such as a killed process kept from being found; 2 where all is well and the report
-cannot be written."""
+Derives every subject, compares generated/ byte for byte, checks every certificate again, judges
+every claim file against its snapshot of verdicts, and writes report/report.txt and report.json.
+What was found before of the same input by the same code is taken from a cache, and counted apart;
+with --fresh nothing is, which is the verification. Exit status 1 on drift, on a rejected
+certificate, on a verdict that changed or that an accident such as a killed process kept from being
+found; 2 where all is well and the report cannot be written."""
 
 
 def configure(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("--accept", action="store_true", help="renew the snapshots of verdicts")
-    parser.add_argument("--fresh", action="store_true", help="take nothing from the cache")
+    parser.add_argument(
+        "--fresh", action="store_true", help="take nothing of what was found before"
+    )
     parser.add_argument("--report", metavar="DIR", default="report", help="default: report")
 
 

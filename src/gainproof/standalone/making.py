@@ -11,7 +11,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
-from gainproof import derivations, places, workers
+from gainproof import bounds_ledger, derivations, places, workers
 from gainproof.bad_input import BadInputError
 from gainproof.derived import derived_from
 from gainproof.standalone.files import package_files
@@ -51,8 +51,8 @@ def fresh(
     """
     name = package_name(folder)
     places.require_folder(folder)
-    chosen = list(subjects) or derivations.catalogue(shop)
-    derivations.require_names([each for each in chosen if not derivations.is_file(each)], shop)
+    chosen = list(subjects) or derivations.catalogue()
+    derivations.require_names([each for each in chosen if not derivations.is_file(each)])
     found = _packaged(chosen, shop)
     derived = [derived_from(each["derived"]) for each in found]
     pairs = [(each.certificate, each) for each in derived]
@@ -100,13 +100,15 @@ def command(subjects: Sequence[str], name: str, targets: Sequence[str] = ()) -> 
 def _packaged(chosen: Sequence[str], shop: Workshop) -> list[dict[str, Any]]:
     """Each subject derived, with its part of the package. A file counts by its text."""
     jobs, texts = [], []
+    known = bounds_ledger.usable(places.generated_folder(), shop.cache.fresh)
     for subject in chosen:
         if derivations.is_file(subject):
             texts.append(derivations.model_text(Path(subject)))
             arguments = {"path": str(Path(subject).resolve())}
             jobs.append(workers.Job(subject, "package_file", arguments))
         else:
-            jobs.append(workers.Job(subject, "package_one", {"name": subject}))
+            arguments = dict(derivations.print_job(subject, known).arguments)
+            jobs.append(workers.Job(subject, "package_one", arguments))
     return shop.results("derived and printed", jobs, *texts)
 
 

@@ -57,7 +57,7 @@ def made(name: str) -> Made:
     subject = build_own_file(str(FOLDER / f"{name}.py"))
     derived = plain_subject(subject)
     report = recheck(derived.certificate, expected_of(derived))
-    return Made(subject, report, printed(subject, derived.certificate)["files"])
+    return Made(subject, report, printed(subject, derived.certificate, {})["files"])
 
 
 def imported(name: str, folder: Path) -> ModuleType:
@@ -151,7 +151,7 @@ def test_every_statement_is_proved_cited_or_a_definition(name: str) -> None:
 
 def bound_of(text: str, output: str) -> float:
     """What a docstring on one line says of an output in float64."""
-    found = re.search(rf" {output}: [^:]*?(?:error|over \w+) at most ([.\d]+) \* 2\^-52", text)
+    found = re.search(rf" {output}: [^:]*?(?:error|over [\w' ]+) at most ([.\d]+) \* 2\^-52", text)
     assert found is not None, f"no bound of {output}: {text}"
     return float(found[1])
 

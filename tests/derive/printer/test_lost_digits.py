@@ -32,7 +32,7 @@ from gainproof.derive.printer.cancelling import cancelling as terms_at
 from gainproof.derive.printer.formats import FLOAT32, FLOAT64, Format
 from gainproof.derive.printer.graph import GraphBuilder
 from gainproof.derive.printer.kernel import Kernel
-from gainproof.derive.printer.loss import Loss, Part, loss_text
+from gainproof.derive.printer.loss import Loss, Part, loss_text, power
 from gainproof.derive.printer.lost_digits import with_losses
 from gainproof.derive.printer.program import program
 from gainproof.derive.printer.scaling import Group, groups
@@ -315,3 +315,16 @@ def test_what_cancels_is_told_in_names_that_are_explained() -> None:
     text = terms_at(nameless, end, {end}, place, FLOAT64, {"x", "y"})
     assert re.fullmatch(r"[-+*/() .xy]+|.*sqrt.*- x\*y", text)
     assert "root" not in text
+
+
+def test_powers_are_the_nearest_floats_whatever_the_platform_s_are() -> None:
+    draw = random.Random(3)
+    for _ in range(300):
+        base = math.exp(draw.uniform(-300, 300))
+        exponent = Fraction(draw.choice([-3, -1, 1, 2, 39]), draw.choice([1, 2, 3, 10]))
+        with mpmath.workdps(60):
+            true = mpmath.mpf(base) ** (mpmath.mpf(exponent.numerator) / exponent.denominator)
+            wanted = float(true)
+        if 1e-300 < wanted < math.inf:
+            assert power(base, exponent) == wanted
+    assert power(1e300, Fraction(2)) == math.inf

@@ -7,6 +7,7 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 from fractions import Fraction
+from itertools import chain
 from typing import Any
 
 import mpmath
@@ -169,7 +170,7 @@ def _joined(rows: list[list[Any]]) -> list[list[Any]]:
         blocks = [part if isinstance(part, list) else [[part]] for part in row]
         if len({len(block) for block in blocks}) != 1:
             raise Misshapen("blocks")
-        found += [sum(lines, []) for lines in zip(*blocks, strict=True)]
+        found += [[*chain(*lines)] for lines in zip(*blocks, strict=True)]
     return found
 
 

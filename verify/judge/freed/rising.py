@@ -71,7 +71,8 @@ def _prover(
         part: Statement, boxes: Boxes, parameter: str | None, _labels: Mapping[str, str]
     ) -> Outcome:
         inner = _prover(parameter, freely, most - 1, told, questions)
-        told[part.relations[0]] = by_slopes(part, boxes, inner)
+        # the first proof rests on what was told before it; a later one may rest on this itself
+        told.setdefault(part.relations[0], by_slopes(part, boxes, inner))
         return Outcome("proved", "", "", METHOD)
 
     def proves(rel: Rel, boxes: Boxes) -> bool:

@@ -9,7 +9,7 @@ symbol at a time, where cells of all of them take long.
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from fractions import Fraction
 from functools import lru_cache
 
@@ -17,6 +17,7 @@ from gainproof.verify.judge.exact.box import Box, Boxes
 from gainproof.verify.judge.exact.calculus import rebuilt
 from gainproof.verify.judge.exact.enclose import NoValue, Unresolved, enclosed
 from gainproof.verify.judge.exact.expression import Expr, add, mul, number, symbol, symbols_of
+from gainproof.verify.judge.exact.expression_text import labelled
 from gainproof.verify.judge.exact.limits import Undecided
 from gainproof.verify.judge.exact.statement import Outcome, Rel, Statement
 from gainproof.verify.judge.freed.lacks import lacks
@@ -47,11 +48,14 @@ class Least:
 
 @dataclass(frozen=True)
 class Sum:
-    """Terms without their constant, which have values everywhere, and the least value."""
+    """Terms without their constant, which have values everywhere, each once with its factor, and
+    the least value.
+    """
 
-    terms: frozenset[tuple[Fraction, Expr]]
+    terms: frozenset[tuple[Expr, Fraction]]
     names: frozenset[str]
     least: Least
+    whole: Expr = field(compare=False)
 
 
 def by_sums(
@@ -79,16 +83,22 @@ def by_sums(
         found, constant = sums[node]
         return add(symbol(names[found]), number(constant))
 
+    labels = {**labels, **{name: f"({labelled(s.whole, labels)})" for s, name in names.items()}}
     moved = statement.mapped(lambda e: rebuilt(e, change))
     where = {**boxes, **{name: _box(found, boxes) for found, name in names.items()}}
     found = settle(moved, where, parameter, labels, only_proof=True)
     if found.verdict == "proved":
         return replace(found, method=f"sums of terms in symbols of their own; {found.method}")
-    for each, name in names.items():
-        if each.names & (taken | moved.symbols()) or not each.least.attained:
-            continue
-        point = replace(where[name], lower_open=False, upper=each.least.value, upper_open=False)
-        there = settle(moved, {**where, name: point}, parameter, labels, only_proof=True)
+    own = [name for each in names for name in each.names]
+    # sums in common symbols need not have their least values at one point
+    if len(set(own)) < len(own) or (taken | moved.symbols()) & set(own):
+        return None
+    if all(each.least.attained for each in names):
+        point = {
+            name: replace(where[name], lower_open=False, upper=each.least.value, upper_open=False)
+            for each, name in names.items()
+        }
+        there = settle(moved, {**where, **point}, parameter, labels, only_proof=True)
         if there.verdict in ("refuted", "conditional"):
             raise Undecided("it fails where each term of a sum is least")
     return None
@@ -131,7 +141,12 @@ def _sum(node: Expr, boxes: Boxes) -> tuple[Sum, Fraction] | None:
             attained = False
         elif least.attained is None:
             attained = None
-    return Sum(frozenset(terms), frozenset(names), Least(total, attained)), constant
+    together: dict[Expr, Fraction] = {}
+    for factor, term in terms:
+        together[term] = together.get(term, Fraction(0)) + factor
+    whole = add(*[t if factor == 1 else mul(number(factor), t) for t, factor in together.items()])
+    least = Least(total, attained)
+    return Sum(frozenset(together.items()), frozenset(names), least, whole), constant
 
 
 def _terms(expr: Expr, factor: Fraction) -> tuple[Fraction, Terms]:

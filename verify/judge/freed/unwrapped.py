@@ -7,6 +7,8 @@ says nothing of a where b is negative.
 
 from __future__ import annotations
 
+from collections.abc import Iterator
+
 from gainproof.verify.judge.exact.expression import Expr, mul, number, symbols_of
 from gainproof.verify.judge.exact.points import is_seen
 from gainproof.verify.judge.exact.statement import TURNED, Rel
@@ -61,9 +63,12 @@ def _argument(call: Expr, operator: str, other: Expr, *, condition: bool) -> lis
 
 def _function(side: Expr) -> tuple[Expr, Expr] | None:
     """The one exponential, power of a number or logarithm with symbols in a product, and what it is
-    multiplied by, which has none. In a product nothing cancels that may have no value.
+    multiplied by, which has none. None where something cancels: it may be zero.
     """
     if not _is_product(side):
+        return None
+    calls = list(_calls(side, divided=False))
+    if len(dict(calls)) < len(calls) or any(below and symbols_of(call) for call, below in calls):
         return None
     terms = monomials(side)
     if len(terms) != 1:
@@ -85,6 +90,15 @@ def _is_product(side: Expr) -> bool:
     if side.kind in ("mul", "div", "neg"):
         return all(map(_is_product, side.parts))
     return side.kind in ("number", "call")
+
+
+def _calls(side: Expr, *, divided: bool) -> Iterator[tuple[Expr, bool]]:
+    """The function values of a product, each with whether it is divided by."""
+    if side.kind == "call":
+        yield side, divided
+        return
+    for place, part in enumerate(side.parts):
+        yield from _calls(part, divided=divided or (side.kind == "div" and place == 1))
 
 
 def _sign(factor: Expr) -> int:

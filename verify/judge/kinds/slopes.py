@@ -275,7 +275,10 @@ class _Derivatives:
             if at.verdict == "proved":
                 return apart
             left_out = self._left_out(statement, boxes, place, at, places)
-            return replace(apart, domain=_but(apart.domain, statement, *left_out))
+            domain = _but(apart.domain, statement, *left_out)
+            # at the place it may hold here and there all the same
+            reason = apart.reason.replace("holds exactly", "holds").replace(apart.domain, domain)
+            return replace(apart, domain=domain, reason=reason)
         if at.verdict == "proved":
             # what is told of the one place and of all others, each with its own certificate
             return replace(

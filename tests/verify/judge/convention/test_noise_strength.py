@@ -34,6 +34,7 @@ v = {{ unit = "{measured}", domain = "v > 0", meaning = "noise of the measuremen
 '\\beta' = {{ quantity = "filter_gain.2", meaning = "second gain" }}
 """
 UNITS = {"white": -3, "constant": -4, "increment": -2}
+REST = ", the rest of Q in proportion"
 CONSTANT = "the variance of a process noise that is constant between samples"
 
 
@@ -49,12 +50,22 @@ def model(form: str, size: int, measured: int = 2) -> str:
 @pytest.mark.parametrize(
     ("form", "size", "formula", "named"),
     [
-        ("white", 1, "q T^4", f"q as {CONSTANT}: Q_{{22}} = q T^2"),
-        ("white", 1, "q T^2", "q as the variance of an increment at each sample: Q_{22} = q"),
+        ("white", 1, "q T^4", f"q as {CONSTANT}: Q_{{22}} = q T^2{REST}"),
+        (
+            "white",
+            1,
+            "q T^2",
+            f"q as the variance of an increment at each sample: Q_{{22}} = q{REST}",
+        ),
         ("white", 1, "q^2 T^3", "q^2 as the density of the process noise: Q_{22} = q^2 T"),
-        ("white", 1, "q^2 T^4", f"q^2 as {CONSTANT}: Q_{{22}} = q^2 T^2"),
+        ("white", 1, "q^2 T^4", f"q^2 as {CONSTANT}: Q_{{22}} = q^2 T^2{REST}"),
         ("white", 2, "q T^3", "q as the density of the process noise: Q_{22} = q T"),
-        ("constant", 2, "q^2 T^3", "q^2 as the density of the process noise: Q_{22} = q^2 T"),
+        (
+            "constant",
+            2,
+            "q^2 T^3",
+            f"q^2 as the density of the process noise: Q_{{22}} = q^2 T{REST}",
+        ),
         ("constant", 2, "q T^4", f"q as {CONSTANT}: Q_{{22}} = q T^2"),
         ("increment", 2, "q^2 T^3", "q^2 as the density of the process noise: Q_{22} = q^2 T"),
         (
@@ -72,6 +83,19 @@ def test_another_strength_is_named(form: str, size: int, formula: str, named: st
     (found,) = judged(model(form, size), ("identity", rf"\beta^2 v^2 = {formula} (1 - \alpha)"))
     assert found.verdict == "refuted"
     assert found.certificate.get("would hold with") == named
+
+
+@pytest.mark.parametrize("form", ["white", "constant"])
+def test_a_noise_of_another_power_of_the_interval_is_told_with_all_of_its_matrix(form: str) -> None:
+    # with r = (T Q_12 - Q_11)/(Q_22 T^2), which is 1/6 of white noise and 1/4 of a constant one,
+    # the fixed point gives alpha^2 = 2 beta - alpha beta - r beta^2: with the r of one form and the
+    # power of T of the other the claim is true of neither noise
+    part, power, of = ("6", "T^4", "q T^2") if form == "white" else ("4", "T^3", "q T")
+    relation = rf"\alpha^2 - 2\beta + \alpha\beta + \frac{{\beta^2}}{{{part}}}"
+    claim = rf"v^2 (\beta^2 + {relation}) = q {power} (1 - \alpha)"
+    (found,) = judged(model(form, 1), ("identity", claim))
+    assert found.verdict == "refuted"
+    assert found.certificate["would hold with"].endswith(f"Q_{{22}} = {of}{REST}")
 
 
 @pytest.mark.parametrize(

@@ -252,3 +252,23 @@ def test_what_is_proved_holds_at_a_thousand_points(seed: int) -> None:
 )
 def test_what_fails_where_both_numbers_are_negative_is_refuted(latex: str) -> None:
     check(judged("implication", latex), "refuted")
+
+
+@pytest.mark.parametrize(
+    ("latex", "domain", "true"),
+    [
+        (r"\frac{e^v \ln w}{\ln w} = e^v", "0 < w < 2", False),
+        (r"\frac{e^v \sin w}{\sin w} = e^v", "-1 < w < 1", False),
+        (r"e^v > \frac{e^v \arctan w}{2 \arctan w}", "-1 < w < 1", False),
+        (r"\frac{\ln w}{\ln w} \ln v = \ln v", "v > 0, 0 < w < 2", False),
+        (r"\frac{\ln 1}{\ln 1} e^v = e^v", "w > 0", False),
+        (r"\frac{1}{\frac{1}{\ln v}} = \ln v", "v > 0", False),
+        (r"\frac{e^v \ln w}{\ln w} = e^v", "w > 1", True),
+        (r"\frac{e^v \ln 3}{\ln 3} = e^v", "w > 1", True),
+    ],
+)
+def test_what_cancels_beside_a_function_needs_a_value(latex: str, domain: str, true: bool) -> None:
+    stated = {"w": "{ unit = '1', meaning = 'n' }"}
+    stated["v"] = "{ unit = '1', domain = '-9 < v < 9', meaning = 'n' }"
+    found = judged("identity" if "=" in latex else "inequality", claim(latex, domain), stated)
+    assert (found.verdict == "proved") is true

@@ -113,3 +113,36 @@ def test_terms_without_a_value_somewhere_are_left() -> None:
     assert proved(quotient(X**2, Y**2), unstated) is True
     assert proved(quotient(X**2, Y**2), {**unstated, "x": ANY}) is False
     assert proved(quotient(1 / X**2, Y**2), {**unstated, "y": ANY}) is None
+
+
+@pytest.mark.parametrize("term", [r"x^2", r"e^x", r"(\ln(1 + x^2))^2", r"\frac{1}{1 + x^2}"])
+@pytest.mark.parametrize("factor", [r"e^z", r"z", r"(1 + \cos z)"])
+def test_terms_that_repeat_count_each_time(term: str, factor: str) -> None:
+    # D + D + y^2 is D + y^2 only where D or the factor is 0
+    twice = rf"{factor} ({term} + {term} + e^y)"
+    assert judged("identity", rf"{twice} = {factor} ({term} + e^y)").verdict == "refuted"
+    assert judged("identity", rf"{twice} = {factor} (2 {term} + e^y)").verdict == "proved"
+
+
+@pytest.mark.parametrize(
+    ("kind", "claim"),
+    [
+        ("identity", r"e^z (-x^2 - y^2) = -e^z (x^2 + y^2)"),
+        ("identity", r"2 e^z (x^2 + y^2) = e^z (2 x^2 + 2 y^2)"),
+        ("identity", r"e^z (x^2 + y^2) + e^z (x^2 - y^2) = 2 e^z x^2"),
+        ("inequality", r"e^z (a^2 + b^2 + 1) (x^2 + y^2) < 8 e^z (a^2 + b^2 + 1)"),
+    ],
+)
+def test_sums_in_common_symbols_are_not_free_of_each_other(kind: str, claim: str) -> None:
+    # each is an identity of polynomials, or rests on x^2 + y^2 < 8: with u and v for the sums it
+    # fails where u is least
+    stated = {n: f"{{ unit = '1', domain = '-2 < {n} < 2', meaning = 'n' }}" for n in "abwxyz"}
+    assert judged(kind, claim, stated).verdict == "proved"
+
+
+def test_a_proof_names_its_sums_in_words() -> None:
+    found = judged("inequality", r"e^z (x^2 + 2 \left|y\right| + w^2 + 1) > 0")
+    assert found.verdict == "proved"
+    assert found.certificate is not None
+    assert "(x^2 + 2 sqrt(y^2) + w^2)" in found.certificate["statement"]["labels"].values()
+    assert found.certificate["places"][0]["place"] == "(x^2 + 2 sqrt(y^2) + w^2) = 0"

@@ -256,3 +256,12 @@ def test_what_is_not_above_0_is_not_proved(g: Expr, box: Box) -> None:
 def test_what_slopes_do_not_cover(statement: Statement) -> None:
     with pytest.raises(Undecided):
         by_slopes(statement, {"x": Box(Fraction(-1))}, proves)
+
+
+@pytest.mark.parametrize("factor", ["e^y", r"e^{y + 1}", r"\sinh(y)", r"(e^y + 1)", r"e^{-y}"])
+def test_a_slope_that_is_the_relation_itself_is_told_once(factor: str) -> None:
+    # the slope by y of e^y g is e^y g again; that by x is 0 throughout
+    stated = {n: f"{{ unit = '1', domain = '-2 < {n} < 2', meaning = 'n' }}" for n in "xy"}
+    found = judged("identity", rf"\ln(x^2) {factor} = 2 {factor} \ln\left|x\right|", stated)
+    check(found, "conditional")
+    assert "x != 0" in (found.domain or ""), found.domain

@@ -250,3 +250,4 @@ def test_no_more_is_left_out_than_has_no_value(latex: str, but: str) -> None:
     found = judged("identity", rf"\frac{{\partial {latex}", symbols)
     check(found, "conditional")
     assert found.domain == f"for -1 < y < 1, -1 < z < 1, {but}"
+    assert found.reason.endswith(f" {found.domain}"), found.reason
