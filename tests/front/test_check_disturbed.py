@@ -166,10 +166,9 @@ def test_a_run_that_is_broken_off_goes_on_where_it_was(
     time.sleep(0.5)
     known = kept()
     assert known >= COUNT // 3
-    shop = Workshop(Cache(default_folder()), Progress())
-    (judged,) = judgements.judge([many], shop)
+    (judged,) = judgements.judge([many], Workshop(Cache(default_folder()), Progress()))
     rest = COUNT + COUNT // 5 - known
     assert f"repairs: {known} known, {rest} done now" in capsys.readouterr().err
     assert [claim["verdict"] for claim in judged["claims"]].count("proved") == COUNT - COUNT // 5
-    judgements.judge([many], shop)
+    judgements.judge([many], Workshop(Cache(default_folder()), Progress()))
     assert f"repairs: {COUNT + COUNT // 5} known, 0 done now" in capsys.readouterr().err

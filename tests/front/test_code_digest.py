@@ -68,7 +68,7 @@ def _digest_anew() -> str:
 
 def _forget() -> None:
     """What was read of files that are changed now."""
-    for each in ("imports_of", "_file", "_content", "_data_beside"):
+    for each in ("of_modules", "imports_of", "_file", "_content", "_data_beside"):
         getattr(code_digest, each).cache_clear()
 
 

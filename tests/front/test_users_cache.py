@@ -72,7 +72,7 @@ def test_a_subject_of_each_way_is_derived_anew(
 
     monkeypatch.setattr(catalogue_subjects, "USERS_CACHE", users.folder)
     monkeypatch.setattr(catalogue_subjects, "derive_with_another_seed", note)
-    monkeypatch.setattr(derivations, "catalogue", lambda _: names)
+    monkeypatch.setattr(derivations, "catalogue", lambda: names)
     catalogue_subjects._prepare()
     assert asked == [f"Cache {len(names) - len(ALIKE)}", f"CacheOfTwo {len(names)}"]
     assert workers.REPRODUCIBLE["PYTHONHASHSEED"] != catalogue_subjects.OTHER_SEED
