@@ -133,7 +133,7 @@ def test_run_says_at_once_that_there_will_be_no_report_and_prints_its_summary(
         assert told.err.count("\n") == 1
         changes = {} if good else {"a.toml": ("1: proved, was refuted",)}
         counts: dict[str, Any] = {"bounds": (0, 0), "taken": {}, "done": {}, "trials": (0, 0)}
-        return Findings({}, 7, *((),) * 6, changes, accepted=False, **counts)
+        return Findings({}, 7, (), (), (), (), (), (), changes, accepted=False, **counts)
 
     monkeypatch.setattr(everything, "find", find)
     assert cli.main(["run", "--report", place]) == (2 if good else 1)
