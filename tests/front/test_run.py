@@ -69,8 +69,10 @@ def house(
         for derived in derivations.derive(SUBJECTS, shop)
     }
     files["random_velocity.py"] = b"# a module\n"
+    shipped = [each for each in derivations.outlines() if each["name"] in SUBJECTS]
+    files[derivations.OUTLINES] = derivations.outlines_file(shipped)
     house = House(*(tmp_path / name for name in ("generated", "claims", "report")))
-    monkeypatch.setattr(derivations, "catalogue", lambda _: list(SUBJECTS))
+    monkeypatch.setattr(derivations, "catalogue", lambda: list(SUBJECTS))
     monkeypatch.setattr(generated_files, "fresh", lambda *_: files)
     monkeypatch.setattr(places, "generated_folder", lambda: house.generated)
     monkeypatch.setattr(places, "claims_folder", lambda: house.claims)
