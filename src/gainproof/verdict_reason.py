@@ -123,7 +123,8 @@ def solutions(claim: Claim, places: Mapping[str, str] | None = None) -> list[str
     """
     named = places or {}
     return [
-        f"{entry['solution']}, fixed by {', '.join(str(named.get(n, n)) for n in entry['consumed'])}"
+        f"{entry['solution']}, fixed by "
+        + ", ".join(str(named.get(n, n)) for n in entry["consumed"])
         for entry in claim["undefined"]
         if entry["consumed"]
     ]
