@@ -95,7 +95,8 @@ class Workshop:
         def found(job: workers.Job, result: Any) -> list[workers.Job]:
             results = zip(job.answers, result, strict=True) if job.answers else [(job, result)]
             for part, one in results:
-                self._keep(part, self._key(part), one)
+                if self.answered(part) is None:  # of several answers some may be known
+                    self._keep(part, self._key(part), one)
             return [other for further in then(job) for other in missing(further)]
 
         def said(job: workers.Job, seconds: float) -> None:
