@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from gainproof.verify.judge.claim.file import read_claim_text
-from gainproof.verify.judge.judge import judge_file
+from gainproof.verify.judge.judge import judge_file, judge_setting
 from gainproof.verify.judge.verdict import ClaimVerdict
 
 HEAD = """
@@ -72,7 +72,15 @@ def judged_matrices(
     more: str = "",
     before: Sequence[str] = (),
     symbols: str = SYMBOLS,
+    *,
+    repairs: bool = False,
 ) -> ClaimVerdict:
-    """The verdict on the last of the claims; `before` are tables of earlier ones."""
-    text = text_of("".join(before) + claim(latex, kind, more), symbols)
-    return judge_file(read_claim_text(text), [], only="1")[0]
+    """The verdict on the last of the claims; `before` are tables of earlier ones. What would be
+    true in the place of a false one is looked for only with `repairs`: that may take its whole time
+    and is another question.
+    """
+    file = read_claim_text(text_of("".join(before) + claim(latex, kind, more), symbols))
+    if repairs:
+        return judge_file(file, [], only="1")[0]
+    (found,) = (v for v in judge_setting(file.settings["s"], file.claims, [], {}) if v.id == "1")
+    return found

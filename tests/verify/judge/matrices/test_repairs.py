@@ -59,7 +59,7 @@ REPAIRS = [
 def test_the_nearest_true_formula_is_offered(
     latex: str, kind: str, more: str, repair: str | None
 ) -> None:
-    found = judged_matrices(latex, kind, more)
+    found = judged_matrices(latex, kind, more, repairs=True)
     assert found.verdict in ("refuted", "conditional")
     if repair is None:
         assert found.repair is None
