@@ -173,7 +173,7 @@ def plain_cost(given: Stations, observed: Observations, found: Location, other: 
 
 
 @pytest.mark.sampled
-@pytest.mark.parametrize("size", [4, 5, 6])
+@pytest.mark.parametrize("size", [4, 5, pytest.param(6, marks=pytest.mark.thorough)])
 def test_a_place_that_free_biases_alone_explain_is_no_other(size: int) -> None:
     """Range rates have second solutions; where the ranges have no bias they are none."""
     second = 0
