@@ -9,6 +9,7 @@ from typing import Any
 
 from gainproof import given_file, places, workers
 from gainproof.bad_input import BadInputError, unknown_name
+from gainproof.cache import Cache
 from gainproof.derive.catalogue import CATALOGUE
 from gainproof.derived import Derived, derived_from
 from gainproof.drift import CURE
@@ -103,18 +104,20 @@ def require_names(names: Sequence[str]) -> None:
 
 def derive_file(path: Path, shop: Workshop) -> Derived:
     """The subject of a user's model file, which is executed. Raises BadInputError."""
-    text = model_text(path)
-    job = workers.Job(str(path), "derive_file", {"path": str(path.resolve())})
-    (found,) = shop.results("derived", [job], text)
+    (found,) = shop.results("derived", [file_job("derive_file", path, shop.cache)])
     return derived_from(found)
 
 
-def model_text(path: Path) -> bytes:
-    """The text of a model file. Raises BadInputError where it cannot be read, and for a claim file,
-    which nobody means to have executed.
+def file_job(task: str, path: Path, cache: Cache) -> workers.Job:
+    """A task on a model file, which is executed: what comes of it is kept by what it defines.
+
+    Raises BadInputError where it cannot be read, and for a claim file, which nobody means to have
+    executed.
     """
     _refuse_claims(str(path))
-    return given_file.content(path, MOST_BYTES)
+    given_file.content(path, MOST_BYTES)
+    also = {"cache": str(cache.folder.absolute()), "fresh": cache.fresh}
+    return workers.Job(str(path), task, {"path": str(path.resolve())}, also, kept=False)
 
 
 def _refuse_claims(name: str) -> None:
