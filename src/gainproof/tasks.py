@@ -208,4 +208,7 @@ def code_of(task: str, arguments: Mapping[str, Any]) -> str:
         modules += (f"gainproof.generated.{arguments['module']}",)
     if "own_file" in modules[-1]:
         modules += tuple(code_digest.modules_in("derive"))
-    return code_digest.of_modules("gainproof.desk", *modules)
+    here = Path(__file__)
+    # of the tasks themselves the text alone: together they import everything
+    own = code_digest.of_files(here.parent, [here])
+    return f"{own} {code_digest.of_modules('gainproof.desk', *modules)}"

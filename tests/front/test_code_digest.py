@@ -26,6 +26,27 @@ def test_imports_are_those_of_the_syntax_tree() -> None:
         assert _imports_by_syntax(path) <= set(imports_of(path)), path
 
 
+@pytest.mark.parametrize(
+    "text",
+    [
+        "from gainproof.verify.judge import (\n    task,  # a (b)\n    trial,\n)",
+        "from gainproof.verify.judge import (  # noqa: (x)\n    trial as tried,\n)",
+        "from gainproof.verify.judge import task, \\\n    trial",
+        "from \\\n    gainproof.verify.judge import trial",
+        "from  gainproof.verify.judge\timport(trial)",
+        "import os, gainproof.verify.judge.trial as tried",
+        "import gainproof.verify.judge.task, gainproof.verify.judge.trial",
+        "import os; from gainproof.verify.judge import trial; import sys",
+        "if True: from gainproof.verify.judge import trial",
+        "if TYPE_CHECKING:\n    import os\nelse:\n    from gainproof.verify.judge import trial",
+    ],
+)
+def test_an_import_is_read_however_it_is_written(text: str, tmp_path: Path) -> None:
+    path = tmp_path / "module.py"
+    path.write_text(text)
+    assert "gainproof.verify.judge.trial" in imports_of(path)
+
+
 def test_a_module_that_is_imported_within_a_function_belongs_to_it() -> None:
     assert "gainproof.own_file" in modules_below("gainproof.tasks")
 
