@@ -49,6 +49,16 @@ def of_modules(*names: str) -> str:
     return digest.hexdigest()
 
 
+def is_as_read(*names: str) -> bool:
+    """Whether the files of modules and of all that these import are as they were when they were
+    read for a digest. Of what is edited while a process works nobody can say what it ran.
+    """
+    try:
+        return all(_stamp(path) == _stamp_now(path) for path in modules_below(*names).values())
+    except OSError:
+        return False
+
+
 def modules_in(folder: str) -> Iterator[str]:
     """The full names of all modules in a folder of ours, such as derive."""
     home = package_folder(folder)
@@ -129,7 +139,19 @@ def _file(name: str) -> Path | None:
 
 @cache
 def _content(path: Path) -> bytes:
+    _stamp(path)
     return path.read_bytes()
+
+
+@cache
+def _stamp(path: Path) -> tuple[int, int]:
+    """That of the file when it was first read."""
+    return _stamp_now(path)
+
+
+def _stamp_now(path: Path) -> tuple[int, int]:
+    found = path.stat()
+    return found.st_mtime_ns, found.st_size
 
 
 @cache

@@ -21,7 +21,12 @@ MOST_BYTES = 2**20
 """Of a model file."""
 OUTLINES = "catalogue.json"
 """The shipped file on all subjects, beside the kernels."""
-_FIELDS = frozenset({"name", "title", "model", "sources", "kernels", "cited"})
+_LISTS = {
+    "sources": ("key", "text", "rests_on"),
+    "kernels": ("name", "summary", "module", "programs"),
+    "cited": (),
+}
+"""Of an outline: lists of records, and what each record has."""
 
 
 def catalogue() -> list[str]:
@@ -38,13 +43,26 @@ def outlines() -> list[dict[str, Any]]:
     path = places.generated_folder() / OUTLINES
     try:
         found = json.loads(path.read_text(encoding="utf-8"))["subjects"]
-        if [entry["name"] for entry in found] == catalogue() and all(
-            set(entry) >= _FIELDS for entry in found
-        ):
+        if [entry["name"] for entry in found] == catalogue() and all(map(_is_outline, found)):
             return list(found)
     except (OSError, ValueError, KeyError, TypeError, RecursionError):
         pass
     raise BadInputError(f"{places.shown(path)}: missing or damaged; {CURE}")
+
+
+def _is_outline(entry: Any) -> bool:
+    """Whether a subject of the shipped file has what is asked of it. KeyError or TypeError for much
+    that has not.
+    """
+    model = entry["model"]
+    return (
+        isinstance(entry["title"], str)
+        and (model is None or isinstance(model["name"], str))
+        and all(
+            isinstance(entry[name], list) and all({*wanted} <= {*record} for record in entry[name])
+            for name, wanted in _LISTS.items()
+        )
+    )
 
 
 def outlines_file(subjects: Sequence[dict[str, Any]]) -> bytes:

@@ -149,7 +149,8 @@ def _of_own_file(
     found: Plain | None = kept.load(key)
     if found is None:
         found = make(own_file.built(path, variable, value))
-        kept.store(key, found)
+        if is_as_read(task, {}):
+            kept.store(key, found)
     return found
 
 
@@ -197,18 +198,27 @@ _CODE: Mapping[str, tuple[str, ...]] = {
 
 
 def code_of(task: str, arguments: Mapping[str, Any]) -> str:
-    """A digest of the code on which the answer of a task depends: of what it calls, of its subject,
-    and of all that a user's file may import of ours.
+    """A digest of the code on which the answer of a task depends: of `modules_of`, and of the text
+    of the tasks themselves, which together import everything.
     """
+    here = Path(__file__)
+    own = code_digest.of_files(here.parent, [here])
+    return f"{own} {code_digest.of_modules(*modules_of(task, arguments))}"
+
+
+def is_as_read(task: str, arguments: Mapping[str, Any]) -> bool:
+    """Whether that code is what it was when its digest was taken."""
+    return code_digest.is_as_read(*modules_of(task, arguments))
+
+
+def modules_of(task: str, arguments: Mapping[str, Any]) -> tuple[str, ...]:
+    """What a task calls, its subject, and all that a user's file may import of ours."""
     from gainproof.derive.catalogue import CATALOGUE
 
-    modules = _CODE[task]
+    modules = ("gainproof.desk", *_CODE[task])
     modules += tuple(entry.module for entry in CATALOGUE if entry.name == arguments.get("name"))
     if task == "picture":
         modules += (f"gainproof.generated.{arguments['module']}",)
-    if "own_file" in modules[-1]:
+    if "gainproof.own_file" in modules:
         modules += tuple(code_digest.modules_in("derive"))
-    here = Path(__file__)
-    # of the tasks themselves the text alone: together they import everything
-    own = code_digest.of_files(here.parent, [here])
-    return f"{own} {code_digest.of_modules('gainproof.desk', *modules)}"
+    return modules

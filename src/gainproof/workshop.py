@@ -11,7 +11,7 @@ from typing import Any
 from gainproof import code_digest, workers
 from gainproof.cache import Cache, default_folder, key_of
 from gainproof.progress import Progress
-from gainproof.tasks import code_of
+from gainproof.tasks import code_of, is_as_read
 
 Then = Callable[[workers.Job], Sequence[workers.Job]]
 
@@ -21,12 +21,13 @@ class Workshop:
     """Runs jobs in worker processes, or takes what they would answer from the cache.
 
     An answer is known if the job is the same, the code that it runs (`code`: a digest of it, by
-    task and arguments), and the versions.
+    task and arguments), and the versions. What was done while the code was edited is not kept.
     """
 
     cache: Cache
     progress: Progress
     code: Callable[[str, Mapping[str, Any]], str] = code_of
+    is_as_read: Callable[[str, Mapping[str, Any]], bool] = is_as_read
     known: dict[str, Any] = field(default_factory=dict)
     """Answers by key, of this workshop's life."""
     taken: dict[str, str] = field(default_factory=dict)
@@ -124,7 +125,7 @@ class Workshop:
 
     def _keep(self, job: workers.Job, key: str, result: Any) -> None:
         self.known[key] = result
-        if job.kept:
+        if job.kept and self.is_as_read(job.task, job.arguments):
             self.cache.store(key, result)
         self.done[key] = job.task
 

@@ -77,7 +77,9 @@ def test_a_change_below_changes_the_digest(
     before = _digest_anew()
     (tmp_path / "cli.py").write_text("# not imported\n")
     assert _digest_anew() == before
+    assert code_digest.is_as_read("gainproof.rechecking")
     (tmp_path / changed).write_text((tmp_path / changed).read_text() + "\n# changed\n")
+    assert not code_digest.is_as_read("gainproof.rechecking")
     assert _digest_anew() != before
     _forget()
 
@@ -89,7 +91,7 @@ def _digest_anew() -> str:
 
 def _forget() -> None:
     """What was read of files that are changed now."""
-    for each in ("of_modules", "imports_of", "_file", "_content", "_data_beside"):
+    for each in ("of_modules", "imports_of", "_file", "_content", "_data_beside", "_stamp"):
         getattr(code_digest, each).cache_clear()
 
 

@@ -9,7 +9,8 @@ from pathlib import Path
 import pytest
 import sympy as sp
 
-from gainproof import derivations, own_file, tasks
+from gainproof import derivations, own_file, places, tasks
+from gainproof.bad_input import BadInputError
 from gainproof.cache import Cache
 from gainproof.derive.own_expressions.expressions import Result
 from gainproof.derive.quantity import ONE, Quantity
@@ -135,6 +136,25 @@ def test_what_an_own_file_makes_of_its_surroundings_belongs_to_it(
         monkeypatch.chdir(tmp_path / folder)
         found.append(str(derivations.derive_file(file, _shop(tmp_path)).programs))
     assert ["5" in each for each in found] == [False, True]
+
+
+@pytest.mark.parametrize(
+    ("field", "value"),
+    [
+        *(("model", [1]), ("model", "random"), ("model", {}), ("model", {"name": 3})),
+        *(("title", None), ("sources", None), ("sources", ["a"]), ("sources", [{"key": "a"}])),
+        *(("kernels", None), ("kernels", [3]), ("kernels", [{"name": "gains"}]), ("cited", None)),
+    ],
+)
+def test_a_shipped_outline_that_is_damaged_is_said(
+    field: str, value: object, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    subjects = derivations.outlines()
+    subjects[1] = subjects[1] | {field: value}
+    (tmp_path / derivations.OUTLINES).write_bytes(derivations.outlines_file(subjects))
+    monkeypatch.setattr(places, "generated_folder", lambda: tmp_path)
+    with pytest.raises(BadInputError, match="missing or damaged"):
+        derivations.outlines()
 
 
 def test_what_an_own_file_defines_is_derived_once(
