@@ -60,7 +60,7 @@ def defined(path: str) -> tuple[str, Any]:
     return variable, value
 
 
-def content(value: object) -> str:
+def content(value: Any) -> str:
     """All of a value that a file defines, as text: alike in all processes, different for whatever
     differs. Raises TypeError where code of the user's is a part of it, such as a class.
     """
@@ -68,7 +68,7 @@ def content(value: object) -> str:
     if value is None or type(value) in (bool, int, float, str, Fraction):
         return f"{kind} {value!r}"
     if type(value) in (tuple, list):
-        return f"{kind} ({', '.join(map(content, value))})"  # type: ignore[call-overload]
+        return f"{kind} ({', '.join(map(content, value))})"
     if type(value) is dict:
         return f"{kind} {content(list(value.items()))}"
     if isinstance(value, sp.MatrixBase) and kind.startswith("sympy."):

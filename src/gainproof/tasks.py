@@ -140,8 +140,8 @@ def _of_own_file(
     try:
         content = own_file.content(value)
     except TypeError:
-        cache = None  # it holds code of the user's
-    if cache is None:
+        content = None  # it holds code of the user's
+    if cache is None or content is None:
         return make(own_file.built(path, variable, value))
     kept = Cache(Path(cache), fresh)
     versions = json.dumps(code_digest.versions())
