@@ -112,7 +112,7 @@ def _lost(before: Plain, after: Plain) -> Iterator[tuple[str, str]]:
                 continue
             try:
                 yield from _of_kernel(place, entry, new)
-            except (AttributeError, KeyError, TypeError, ValueError):
+            except (ArithmeticError, AttributeError, LookupError, TypeError, ValueError):
                 yield place, "what was committed cannot be read"
 
 
@@ -128,7 +128,7 @@ def _less(entry: Plain, new: Plain, form: str, output: str, old: Plain) -> Itera
     if found is None:
         yield "the output is gone"
         return
-    if Fraction(found["bound"]) > Fraction(old["bound"]):
+    if _number(found["bound"]) > _number(old["bound"]):
         yield f"its bound grew from {old['bound']} to {found['bound']}"
     for name, more in found.get("amplification", {}).items():
         if more > old.get("amplification", {}).get(name, 0.0):
@@ -143,6 +143,15 @@ def _less(entry: Plain, new: Plain, form: str, output: str, old: Plain) -> Itera
         now[0] > then[0] or now[1] < then[1] for then, now in zip(before, after, strict=True)
     ):
         yield f"its domain shrank from {_ranges(before)} to {_ranges(after)}"
+
+
+def _number(bound: str) -> Fraction:
+    """A bound as it is written. ValueError for what is written otherwise: a Fraction of 1e999999999
+    would take all memory.
+    """
+    if re.fullmatch(r"[0-9]{1,99}([./][0-9]{1,99})?", bound) is None:
+        raise ValueError(bound[:99])
+    return Fraction(bound)
 
 
 def _ranges(domain: Sequence[Sequence[float]]) -> str:
@@ -166,4 +175,6 @@ def _read(path: Path) -> Plain:
 
 def _modules(found: Plain) -> Plain:
     modules = found.get("modules")
-    return modules if isinstance(modules, dict) else {}
+    if not isinstance(modules, dict):
+        return {}
+    return {name: kernels for name, kernels in modules.items() if isinstance(kernels, dict)}

@@ -20,9 +20,12 @@ from gainproof.version import VERSION
 PACKAGES = ("sympy", "numpy", "mpmath", "python-flint", "lark")
 _NAME = "gainproof"
 _IMPORT = re.compile(
-    rf"^[ \t]*(?:from[ ]({_NAME}[\w.]*)[ ]import[ ](\([^)]*\)|[^\n]*)|import[ ]({_NAME}[\w.]*))",
+    rf"(?:^|[;:])[ \t]*(?:from\s+({_NAME}[\w.]*)\s+import\b\s*(\([^)]*\)|[^\n;]*)"
+    r"|import\s([^\n;]*))",
     re.MULTILINE,
 )
+_COMMENT = re.compile(r"#[^\n]*|\\\n")
+"""Also a line's end that is none."""
 _FOR_TYPES = re.compile(r"^if TYPE_CHECKING:.*\n(?:(?:[ \t]+.*)?\n)+", re.MULTILINE)
 _FOLDERS = ("derive", "verify", "generated")
 
@@ -44,6 +47,16 @@ def of_modules(*names: str) -> str:
             content = _content(each)
             digest.update(f"{name} {each.name} {len(content)}\n".encode() + content)
     return digest.hexdigest()
+
+
+def is_as_read(*names: str) -> bool:
+    """Whether the files of modules and of all that these import are as they were when they were
+    read for a digest. Of what is edited while a process works nobody can say what it ran.
+    """
+    try:
+        return all(_stamp(path) == _stamp_now(path) for path in modules_below(*names).values())
+    except OSError:
+        return False
 
 
 def modules_in(folder: str) -> Iterator[str]:
@@ -77,17 +90,14 @@ def modules_below(*names: str) -> Mapping[str, Path]:
 def imports_of(path: Path) -> tuple[str, ...]:
     """The modules of ours that a file imports, wherever in it but for checkers of types alone."""
     found: set[str] = set()
-    for home, names, whole in _IMPORT.findall(_FOR_TYPES.sub("", _content(path).decode("utf-8"))):
-        if whole:
-            found.add(whole)
-            continue
-        found.add(home)
-        words = re.sub(r"#[^\n]*", "", names).strip("() \t").replace("\n", " ")
-        for word in words.split(","):
-            inner = f"{home}.{word.split(' as ')[0].strip()}"
-            if _file(inner) is not None:
-                found.add(inner)
-    return tuple(sorted(found))
+    text = _FOR_TYPES.sub("", _COMMENT.sub(" ", _content(path).decode("utf-8")))
+    for home, names, whole in _IMPORT.findall(text):
+        words = [
+            word.split()[0] for word in (names or whole).strip("()").split(",") if word.strip()
+        ]
+        found |= {home, *(f"{home}.{word}" for word in words)} if home else set(words)
+    ours = (name for name in found if name.split(".")[0] == _NAME)
+    return tuple(sorted(name for name in ours if _file(name) is not None))
 
 
 def of_files(folder: Path, paths: Iterable[Path]) -> str:
@@ -129,7 +139,19 @@ def _file(name: str) -> Path | None:
 
 @cache
 def _content(path: Path) -> bytes:
+    _stamp(path)
     return path.read_bytes()
+
+
+@cache
+def _stamp(path: Path) -> tuple[int, int]:
+    """That of the file when it was first read."""
+    return _stamp_now(path)
+
+
+def _stamp_now(path: Path) -> tuple[int, int]:
+    found = path.stat()
+    return found.st_mtime_ns, found.st_size
 
 
 @cache

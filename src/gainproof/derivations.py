@@ -9,6 +9,7 @@ from typing import Any
 
 from gainproof import given_file, places, workers
 from gainproof.bad_input import BadInputError, unknown_name
+from gainproof.cache import Cache
 from gainproof.derive.catalogue import CATALOGUE
 from gainproof.derived import Derived, derived_from
 from gainproof.drift import CURE
@@ -20,7 +21,12 @@ MOST_BYTES = 2**20
 """Of a model file."""
 OUTLINES = "catalogue.json"
 """The shipped file on all subjects, beside the kernels."""
-_FIELDS = frozenset({"name", "title", "model", "sources", "kernels", "cited"})
+_LISTS = {
+    "sources": ("key", "text", "rests_on"),
+    "kernels": ("name", "summary", "module", "programs"),
+    "cited": (),
+}
+"""Of an outline: lists of records, and what each record has."""
 
 
 def catalogue() -> list[str]:
@@ -37,13 +43,26 @@ def outlines() -> list[dict[str, Any]]:
     path = places.generated_folder() / OUTLINES
     try:
         found = json.loads(path.read_text(encoding="utf-8"))["subjects"]
-        if [entry["name"] for entry in found] == catalogue() and all(
-            set(entry) >= _FIELDS for entry in found
-        ):
+        if [entry["name"] for entry in found] == catalogue() and all(map(_is_outline, found)):
             return list(found)
     except (OSError, ValueError, KeyError, TypeError, RecursionError):
         pass
     raise BadInputError(f"{places.shown(path)}: missing or damaged; {CURE}")
+
+
+def _is_outline(entry: Any) -> bool:
+    """Whether a subject of the shipped file has what is asked of it. KeyError or TypeError for much
+    that has not.
+    """
+    model = entry["model"]
+    return (
+        isinstance(entry["title"], str)
+        and (model is None or isinstance(model["name"], str))
+        and all(
+            isinstance(entry[name], list) and all({*wanted} <= {*record} for record in entry[name])
+            for name, wanted in _LISTS.items()
+        )
+    )
 
 
 def outlines_file(subjects: Sequence[dict[str, Any]]) -> bytes:
@@ -103,18 +122,20 @@ def require_names(names: Sequence[str]) -> None:
 
 def derive_file(path: Path, shop: Workshop) -> Derived:
     """The subject of a user's model file, which is executed. Raises BadInputError."""
-    text = model_text(path)
-    job = workers.Job(str(path), "derive_file", {"path": str(path.resolve())})
-    (found,) = shop.results("derived", [job], text)
+    (found,) = shop.results("derived", [file_job("derive_file", path, shop.cache)])
     return derived_from(found)
 
 
-def model_text(path: Path) -> bytes:
-    """The text of a model file. Raises BadInputError where it cannot be read, and for a claim file,
-    which nobody means to have executed.
+def file_job(task: str, path: Path, cache: Cache) -> workers.Job:
+    """A task on a model file, which is executed: what comes of it is kept by what it defines.
+
+    Raises BadInputError where it cannot be read, and for a claim file, which nobody means to have
+    executed.
     """
     _refuse_claims(str(path))
-    return given_file.content(path, MOST_BYTES)
+    given_file.content(path, MOST_BYTES)
+    also = {"cache": str(cache.folder.absolute()), "fresh": cache.fresh}
+    return workers.Job(str(path), task, {"path": str(path.resolve())}, also, kept=False)
 
 
 def _refuse_claims(name: str) -> None:

@@ -34,8 +34,9 @@ class KeptTrials:
         return found if isinstance(found, str) else None
 
     def store(self, module: str, key: str, text: str) -> None:
-        """Keep a text."""
-        self.cache.store(self._key(module, key), text)
+        """Keep a text, unless the code was edited since its digest was taken."""
+        if code_digest.is_as_read(module, child.__name__):
+            self.cache.store(self._key(module, key), text)
 
     def _key(self, module: str, key: str) -> str:
         if module not in self._digests:

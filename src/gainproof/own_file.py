@@ -1,14 +1,24 @@
-"""A user's own file, which defines a model or expressions. Importing this imports SymPy."""
+"""A user's own file, which defines a model or expressions. Importing this imports SymPy.
+
+The file is executed whenever it is asked for: what it imports, opens, asks of the system or of its
+environment nobody can list. What is kept is what comes of the value that it defines.
+"""
 
 from __future__ import annotations
 
 import runpy
+import sys
+import sysconfig
 import traceback
-from collections.abc import Callable, Mapping
-from dataclasses import replace
+from collections.abc import Callable, Iterator, Mapping
+from contextlib import contextmanager
+from dataclasses import fields, is_dataclass, replace
+from fractions import Fraction
 from importlib import metadata
 from pathlib import Path
 from typing import Any
+
+import sympy as sp
 
 from gainproof.bad_input import BadInputError
 from gainproof.derive.model import Model, ModelError
@@ -16,6 +26,7 @@ from gainproof.derive.own_expressions.expressions import ExpressionError, Expres
 from gainproof.derive.own_expressions.subject import derive_expressions
 from gainproof.derive.own_model.choice import derive_own_model
 from gainproof.derive.subject import Subject
+from gainproof.places import package_folder
 
 KINDS: Mapping[str, tuple[type, Callable[[Any], Subject]]] = {
     "MODEL": (Model, derive_own_model),
@@ -24,18 +35,58 @@ KINDS: Mapping[str, tuple[type, Callable[[Any], Subject]]] = {
 """What a file may define: the name of the variable, its type, and what derives it."""
 
 
+INSTALLED = ("stdlib", "platstdlib", "purelib", "platlib")
+"""Folders of Python and of packages, whose modules are the same for all files."""
+
+
 def build_own_file(path: str) -> Subject:
     """Execute the file and derive what it defines. Raises BadInputError, with the line where known.
 
     The file is the user's own code, which whoever names it chose to run.
     """
-    variable, value = _defined(path)
-    wanted, derive = KINDS[variable]
+    return built(path, *defined(path))
+
+
+def defined(path: str) -> tuple[str, Any]:
+    """Execute the file: which of the `KINDS` it defines, and the value. Raises BadInputError."""
+    with _modules_beside(path):
+        variable, value = _defined(path)
+    wanted, _ = KINDS[variable]
     if not isinstance(value, wanted):
         raise BadInputError(
             f"{path}: {variable} should be a {wanted.__module__}.{wanted.__name__}, "
             f"it is {type(value).__name__}"
         )
+    return variable, value
+
+
+def content(value: Any) -> str:
+    """All of a value that a file defines, as text: alike in all processes, different for whatever
+    differs. Raises TypeError where code of the user's is a part of it, such as a class.
+    """
+    kind = f"{type(value).__module__}.{type(value).__qualname__}"
+    if value is None or type(value) in (bool, int, float, str, Fraction):
+        return f"{kind} {value!r}"
+    if type(value) in (tuple, list):
+        return f"{kind} ({', '.join(map(content, value))})"
+    if type(value) is dict:
+        return f"{kind} {content(list(value.items()))}"
+    if isinstance(value, sp.MatrixBase) and kind.startswith("sympy."):
+        return f"{kind} {value.shape} {content(list(value.flat()))}"
+    if isinstance(value, sp.Basic):
+        for part in sp.preorder_traversal(value):
+            if not str(type(part).__module__).startswith("sympy."):
+                raise TypeError(f"{type(part).__qualname__} is no class of SymPy")
+        return f"{kind} {sp.srepr(value)}"
+    if is_dataclass(value) and kind.startswith("gainproof.derive."):
+        parts = [f"{each.name} {content(getattr(value, each.name))}" for each in fields(value)]
+        return f"{kind} {{{', '.join(parts)}}}"
+    raise TypeError(f"{kind} is no plain data")
+
+
+def built(path: str, variable: str, value: Any) -> Subject:
+    """What is derived of what a file defines. Raises BadInputError."""
+    _, derive = KINDS[variable]
     try:
         subject = derive(value)
     except (ModelError, ExpressionError) as error:
@@ -48,6 +99,37 @@ def build_own_file(path: str) -> Subject:
         derivation=f"gainproof derive {file}, SymPy {metadata.version('sympy')}",
     )
     return replace(subject, module=module)
+
+
+@contextmanager
+def _modules_beside(path: str) -> Iterator[None]:
+    """Modules are found beside the file too, after all others. Those outside of what is installed
+    are forgotten at the end: the next file may mean another one by the same name.
+    """
+    folder = str(Path(path).parent)
+    before, writes = set(sys.modules), sys.dont_write_bytecode
+    sys.path.append(folder)
+    # a compiled copy would stand for a module that is edited within the same second
+    sys.dont_write_bytecode = True
+    try:
+        yield
+    finally:
+        sys.dont_write_bytecode = writes
+        if folder in sys.path:
+            sys.path.remove(folder)
+        for name in set(sys.modules) - before:
+            if not _is_installed(sys.modules[name]):
+                del sys.modules[name]
+
+
+def _is_installed(module: object) -> bool:
+    """Whether a module comes with Python, a package or gainproof."""
+    file = getattr(module, "__file__", None)
+    # a package without a file of its own lies in folders
+    places = [file] if file else [*getattr(module, "__path__", ())]
+    ours = (package_folder(name) for name in ("", "derive", "verify", "generated"))
+    homes = (*(Path(sysconfig.get_path(name)) for name in INSTALLED), *ours)
+    return all(any(Path(place).is_relative_to(home) for home in homes) for place in places)
 
 
 def _defined(path: str) -> tuple[str, Any]:

@@ -9,6 +9,7 @@ from typing import Any
 
 from gainproof import named_files, verdict_text
 from gainproof.claim_words import Words
+from gainproof.derivations import OUTLINES
 from gainproof.drift import CURE, Difference
 from gainproof.json_lines import in_lines
 from gainproof.lecture import count
@@ -202,4 +203,6 @@ def _snapshot(findings: Findings) -> str:
         return "unchanged"
     if findings.accepted:
         return f"{changed} changes accepted"
+    if OUTLINES in {each.name for each in findings.differences}:
+        return f"{changed} changes, under models that are not those derived: {CURE} first"
     return f"{changed} changes; if they are right, `gainproof run --accept` takes them over"

@@ -17,8 +17,6 @@ if TYPE_CHECKING:  # importing it imports SymPy
     from gainproof.derive.subject import Subject
 
 Plain = dict[str, Any]
-FILES_READ = "files read"
-"""In an answer: digests of files on which it depends besides, by path."""
 
 
 def outline(desk: Desk, name: str) -> Plain:
@@ -42,17 +40,13 @@ def everything(desk: Desk, name: str, bounds: Plain) -> list[Plain]:
     return [outline(desk, name), derive(desk, name), print_one(desk, name, bounds)]
 
 
-def derive_file(_: Desk, path: str) -> Plain:
-    """Derive what a user's file defines: `Derived` as plain data, and the files that it read. The
-    file is executed.
+def derive_file(_: Desk, path: str, cache: str | None = None, fresh: bool = False) -> Plain:
+    """Derive what a user's file defines: `Derived` as plain data. The file is executed; what comes
+    of what it defines is kept in the folder `cache`, and taken from there unless `fresh`.
     """
     from gainproof.deriving import plain_subject
-    from gainproof.files_read import recorded
-    from gainproof.own_file import build_own_file
 
-    with recorded(Path(path).parent) as read:
-        derived = plain_subject(build_own_file(path)).plain()
-    return derived | {FILES_READ: read}
+    return _of_own_file("derive_file", path, cache, fresh, lambda own: plain_subject(own).plain())
 
 
 def print_one(desk: Desk, name: str, bounds: Plain) -> Plain:
@@ -74,18 +68,17 @@ def package_one(desk: Desk, name: str, bounds: Plain) -> Plain:
     return {"derived": derived, "part": packaged(subject, derived["certificate"], bounds)}
 
 
-def package_file(_: Desk, path: str) -> Plain:
-    """The same of what a user's file defines. The file is executed."""
+def package_file(_: Desk, path: str, cache: str | None = None, fresh: bool = False) -> Plain:
+    """The same of what a user's file defines, kept like what `derive_file` answers."""
     from gainproof.deriving import plain_subject
-    from gainproof.files_read import recorded
     from gainproof.generating import packaged
-    from gainproof.own_file import build_own_file
 
-    with recorded(Path(path).parent) as read:
-        subject = build_own_file(path)
+    def both(subject: Subject) -> Plain:
         derived = plain_subject(subject).plain()
         part = packaged(subject, derived["certificate"], {}, own=True)
-    return {"derived": derived, "part": part, FILES_READ: read}
+        return {"derived": derived, "part": part}
+
+    return _of_own_file("package_file", path, cache, fresh, both)
 
 
 def picture(_: Desk, module: str, kernel: Plain, graph: Plain) -> Plain:
@@ -136,6 +129,31 @@ def judge(
     return judge_text(path, text, models, judges, desk.tell, only, keep_going=keep_going)
 
 
+def _of_own_file(
+    task: str, path: str, cache: str | None, fresh: bool, make: Callable[[Subject], Plain]
+) -> Plain:
+    """What is made of what a file defines, by the file's name, the value and the code."""
+    from gainproof import own_file
+    from gainproof.cache import Cache, key_of
+
+    variable, value = own_file.defined(path)
+    try:
+        content = own_file.content(value)
+    except TypeError:
+        content = None  # it holds code of the user's
+    if cache is None or content is None:
+        return make(own_file.built(path, variable, value))
+    kept = Cache(Path(cache), fresh)
+    versions = json.dumps(code_digest.versions())
+    key = key_of(task, Path(path).name, code_of(task, {}), versions, variable, content)
+    found: Plain | None = kept.load(key)
+    if found is None:
+        found = make(own_file.built(path, variable, value))
+        if is_as_read(task, {}):
+            kept.store(key, found)
+    return found
+
+
 def _subject(desk: Desk, name: str) -> Subject:
     """A subject of the catalogue, derived once in a process."""
     from gainproof.deriving import build
@@ -180,15 +198,27 @@ _CODE: Mapping[str, tuple[str, ...]] = {
 
 
 def code_of(task: str, arguments: Mapping[str, Any]) -> str:
-    """A digest of the code on which the answer of a task depends: of what it calls, of its subject,
-    and of all that a user's file may import of ours.
+    """A digest of the code on which the answer of a task depends: of `modules_of`, and of the text
+    of the tasks themselves, which together import everything.
     """
+    here = Path(__file__)
+    own = code_digest.of_files(here.parent, [here])
+    return f"{own} {code_digest.of_modules(*modules_of(task, arguments))}"
+
+
+def is_as_read(task: str, arguments: Mapping[str, Any]) -> bool:
+    """Whether that code is what it was when its digest was taken."""
+    return code_digest.is_as_read(*modules_of(task, arguments))
+
+
+def modules_of(task: str, arguments: Mapping[str, Any]) -> tuple[str, ...]:
+    """What a task calls, its subject, and all that a user's file may import of ours."""
     from gainproof.derive.catalogue import CATALOGUE
 
-    modules = _CODE[task]
+    modules = ("gainproof.desk", *_CODE[task])
     modules += tuple(entry.module for entry in CATALOGUE if entry.name == arguments.get("name"))
     if task == "picture":
         modules += (f"gainproof.generated.{arguments['module']}",)
-    if "own_file" in modules[-1]:
+    if "gainproof.own_file" in modules:
         modules += tuple(code_digest.modules_in("derive"))
-    return code_digest.of_modules("gainproof.desk", *modules)
+    return modules

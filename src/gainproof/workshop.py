@@ -10,9 +10,8 @@ from typing import Any
 
 from gainproof import code_digest, workers
 from gainproof.cache import Cache, default_folder, key_of
-from gainproof.files_read import unchanged
 from gainproof.progress import Progress
-from gainproof.tasks import FILES_READ, code_of
+from gainproof.tasks import code_of, is_as_read
 
 Then = Callable[[workers.Job], Sequence[workers.Job]]
 
@@ -22,12 +21,13 @@ class Workshop:
     """Runs jobs in worker processes, or takes what they would answer from the cache.
 
     An answer is known if the job is the same, the code that it runs (`code`: a digest of it, by
-    task and arguments), the versions, and the files that a user's code read.
+    task and arguments), and the versions. What was done while the code was edited is not kept.
     """
 
     cache: Cache
     progress: Progress
     code: Callable[[str, Mapping[str, Any]], str] = code_of
+    is_as_read: Callable[[str, Mapping[str, Any]], bool] = is_as_read
     known: dict[str, Any] = field(default_factory=dict)
     """Answers by key, of this workshop's life."""
     taken: dict[str, str] = field(default_factory=dict)
@@ -36,15 +36,14 @@ class Workshop:
     """Tasks by key of what was worked for."""
 
     def results(
-        self, work: str, jobs: Sequence[workers.Job], *depends: bytes, at_once: int | None = None
+        self, work: str, jobs: Sequence[workers.Job], *, at_once: int | None = None
     ) -> list[Any]:
         """What the jobs answer, in their order; `work` is for people, and nothing is said without.
         So many run `at_once`, or one for each processor.
 
-        A result is known if the job and whatever else it `depends` on are the same. Raises
-        BadInputError or JobError of the first job that fails.
+        Raises BadInputError or JobError of the first job that fails.
         """
-        keys = [self._key(job, *depends) for job in jobs]
+        keys = [self._key(job) for job in jobs]
         found = [self._answer(job, key) for job, key in zip(jobs, keys, strict=True)]
         missing = [i for i, result in enumerate(found) if result is None]
 
@@ -111,17 +110,15 @@ class Workshop:
         if first:
             self.cache.drop_old()
 
-    def _key(self, job: workers.Job, *depends: bytes) -> str:
+    def _key(self, job: workers.Job) -> str:
         versions = json.dumps(code_digest.versions())
-        return key_of(job.task, self.code(job.task, job.arguments), versions, job.text, *depends)
+        return key_of(job.task, self.code(job.task, job.arguments), versions, job.text)
 
     def _answer(self, job: workers.Job, key: str) -> Any | None:
         """What is known under the key of the job."""
         if key in self.known or not job.kept:
             return self.known.get(key)
         found = self.cache.load(key)
-        if isinstance(found, dict) and not unchanged(found.get(FILES_READ, {})):
-            return None
         if found is not None:
             self.known[key] = found
             self.taken[key] = job.task
@@ -129,7 +126,7 @@ class Workshop:
 
     def _keep(self, job: workers.Job, key: str, result: Any) -> None:
         self.known[key] = result
-        if job.kept:
+        if job.kept and self.is_as_read(job.task, job.arguments):
             self.cache.store(key, result)
         self.done[key] = job.task
 

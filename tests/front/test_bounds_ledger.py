@@ -138,6 +138,30 @@ def test_a_file_that_nobody_can_read_holds_nothing(text: str, tmp_path: Path) ->
     assert bounds_ledger.worse(tmp_path, ledger({MODULE: entries()})) == []
 
 
+@pytest.mark.parametrize("kernels", [None, 3, "gains", ["gains"]])
+def test_a_module_that_nobody_can_read_holds_nothing(kernels: object, tmp_path: Path) -> None:
+    (tmp_path / bounds_ledger.NAME).write_bytes(ledger({MODULE: kernels}))
+    assert bounds_ledger.usable(tmp_path) == bounds_ledger.committed(tmp_path) == {}
+    assert bounds_ledger.worse(tmp_path, ledger({MODULE: entries()})) == []
+
+
+@pytest.mark.parametrize(
+    ("field", "value"),
+    [
+        *(("bound", "1e999999999"), ("bound", "1/0"), ("bound", "-1"), ("bound", "")),
+        *(("bound", None), ("bound", []), ("domain", 3), ("domain", [[1.0]]), ("domain", "ab")),
+    ],
+)
+def test_an_output_that_nobody_can_read_is_said(field: str, value: object, tmp_path: Path) -> None:
+    before = entries()
+    name, entry = one_kernel(before)
+    entry["float64"]["outputs"]["predicted_12"][field] = value
+    (tmp_path / bounds_ledger.NAME).write_bytes(ledger({MODULE: before}))
+    assert bounds_ledger.worse(tmp_path, ledger({MODULE: entries()})) == [
+        f"{MODULE}.{name}: what was committed cannot be read"
+    ]
+
+
 def smaller_bound(kernel: Any) -> str:
     output = kernel["float64"]["outputs"]["predicted_12"]
     now, output["bound"] = output["bound"], "0.01"

@@ -26,6 +26,27 @@ def test_imports_are_those_of_the_syntax_tree() -> None:
         assert _imports_by_syntax(path) <= set(imports_of(path)), path
 
 
+@pytest.mark.parametrize(
+    "text",
+    [
+        "from gainproof.verify.judge import (\n    task,  # a (b)\n    trial,\n)",
+        "from gainproof.verify.judge import (  # noqa: (x)\n    trial as tried,\n)",
+        "from gainproof.verify.judge import task, \\\n    trial",
+        "from \\\n    gainproof.verify.judge import trial",
+        "from  gainproof.verify.judge\timport(trial)",
+        "import os, gainproof.verify.judge.trial as tried",
+        "import gainproof.verify.judge.task, gainproof.verify.judge.trial",
+        "import os; from gainproof.verify.judge import trial; import sys",
+        "if True: from gainproof.verify.judge import trial",
+        "if TYPE_CHECKING:\n    import os\nelse:\n    from gainproof.verify.judge import trial",
+    ],
+)
+def test_an_import_is_read_however_it_is_written(text: str, tmp_path: Path) -> None:
+    path = tmp_path / "module.py"
+    path.write_text(text)
+    assert "gainproof.verify.judge.trial" in imports_of(path)
+
+
 def test_a_module_that_is_imported_within_a_function_belongs_to_it() -> None:
     assert "gainproof.own_file" in modules_below("gainproof.tasks")
 
@@ -56,7 +77,9 @@ def test_a_change_below_changes_the_digest(
     before = _digest_anew()
     (tmp_path / "cli.py").write_text("# not imported\n")
     assert _digest_anew() == before
+    assert code_digest.is_as_read("gainproof.rechecking")
     (tmp_path / changed).write_text((tmp_path / changed).read_text() + "\n# changed\n")
+    assert not code_digest.is_as_read("gainproof.rechecking")
     assert _digest_anew() != before
     _forget()
 
@@ -68,7 +91,7 @@ def _digest_anew() -> str:
 
 def _forget() -> None:
     """What was read of files that are changed now."""
-    for each in ("of_modules", "imports_of", "_file", "_content", "_data_beside"):
+    for each in ("of_modules", "imports_of", "_file", "_content", "_data_beside", "_stamp"):
         getattr(code_digest, each).cache_clear()
 
 

@@ -86,6 +86,25 @@ def house(
     return house
 
 
+def test_verdicts_under_altered_models_are_not_accepted(house: House, capsys: Capture) -> None:
+    """Snapshots would hold what is said of other models."""
+    shipped, snapshot = (
+        house.generated / derivations.OUTLINES,
+        house.claims / "own-paper.verdicts.json",
+    )
+    before, true = snapshot.read_bytes(), shipped.read_bytes()
+    subjects = derivations.outlines()
+    subjects[0]["model"]["process_noise"] = [["1/4", "1/2"], ["1/2", "1"]]
+    shipped.write_bytes(derivations.outlines_file(subjects))
+    assert house.run("--accept") == 1
+    out = capsys.readouterr().out
+    assert f"{derivations.OUTLINES}: different" in out
+    assert "changes, under models that are not those derived" in out
+    assert snapshot.read_bytes() == before
+    shipped.write_bytes(true)
+    assert house.run() == 0
+
+
 def test_all_is_well(house: House, capsys: Capture) -> None:
     assert house.run() == 0
     captured = capsys.readouterr()

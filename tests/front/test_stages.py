@@ -1,16 +1,24 @@
 """What is kept of a stage is used as long as all it depends on is the same, and no longer."""
 
+import json
 import subprocess
 import sys
+from fractions import Fraction
 from pathlib import Path
 
 import pytest
+import sympy as sp
 
-from gainproof import derivations
+from gainproof import derivations, own_file, places, tasks
+from gainproof.bad_input import BadInputError
 from gainproof.cache import Cache
+from gainproof.derive.own_expressions.expressions import Result
+from gainproof.derive.quantity import ONE, Quantity
+from gainproof.desk import Desk
 from gainproof.progress import Progress
 from gainproof.workshop import Workshop
 
+SQUARE = Quantity("square", "s", "its square, scaled", ONE)
 OWN = """
 import sympy as sp
 from gainproof.derive.own_expressions.expressions import (
@@ -61,35 +69,150 @@ latex = '\beta (2 - \alpha) = \alpha^2'
 """
 
 
+def _written(path: Path, text: str) -> None:
+    path.parent.mkdir(parents=True, exist_ok=True)
+    path.write_text(text)
+
+
+MODULE = "from factors import FACTOR"
+OPTIONAL = """try:
+    from factors import FACTOR
+except ImportError:
+    FACTOR = 3"""
+DATA = """from pathlib import Path
+PLACE = Path(__file__).with_name("factor.txt")
+FACTOR = int(PLACE.read_text()) if PLACE.exists() else 3"""
+WORKING_FOLDER = "FACTOR = int(open('factor.txt').read())"
+VARIABLE = "import os; FACTOR = int(os.environ.get('FACTOR', '3'))"
+LISTED = "from pathlib import Path; FACTOR = len(list(Path(__file__).parent.glob('*.dat')))"
+PROGRAM = """import subprocess, sys
+from pathlib import Path
+PLACE = Path(__file__).with_name("factor.txt")
+CALL = [sys.executable, "-c", f"print(open({str(PLACE)!r}).read())"]
+FACTOR = int(subprocess.check_output(CALL))"""
+EDITED_MEANWHILE = """from factors import FACTOR
+from pathlib import Path
+Path(__file__).with_name("factors.py").write_text("FACTOR = 5")"""
+
+
 @pytest.mark.parametrize(
-    ("imports", "factor", "beside", "content"),
+    ("imports", "before", "after"),
     [
-        ("from factors import FACTOR", "FACTOR", "factors.py", "FACTOR = {}\n"),
-        (
-            """from pathlib import Path
-FACTOR = int((Path(__file__).parent / "factor.txt").read_text())""",
-            "FACTOR",
-            "factor.txt",
-            "{}",
-        ),
+        (MODULE, {"factors.py": "FACTOR = 3"}, {"factors.py": "FACTOR = 5"}),
+        (MODULE, {"factors.py": "FACTOR = 3"}, {"factors/__init__.py": "FACTOR = 5"}),
+        (MODULE, {"factors.py": "FACTOR = 3"}, {"first/factors.py": "FACTOR = 5"}),
+        (EDITED_MEANWHILE, {"factors.py": "FACTOR = 3"}, {}),
+        (OPTIONAL, {}, {"factors.py": "FACTOR = 5"}),
+        (DATA, {"factor.txt": "3"}, {"factor.txt": "5"}),
+        (DATA, {}, {"factor.txt": "5"}),
+        (WORKING_FOLDER, {"factor.txt": "3", "other/factor.txt": "5"}, {}),
+        (VARIABLE, {}, {}),
+        (LISTED, {f"{n}.dat": "" for n in range(3)}, {f"{n}.dat": "" for n in range(5)}),
+        (PROGRAM, {"factor.txt": "3"}, {"factor.txt": "5"}),
     ],
-    ids=["module", "data"],
+    ids=[
+        *("module", "package before a module", "module on the path", "edited meanwhile"),
+        *("module that was not there", "data", "data that were not there"),
+        *("data of the working folder", "variable", "folder", "another program"),
+    ],
 )
-def test_a_file_that_an_own_file_reads_belongs_to_it(
-    imports: str, factor: str, beside: str, content: str, tmp_path: Path
+def test_what_an_own_file_makes_of_its_surroundings_belongs_to_it(
+    imports: str,
+    before: dict[str, str],
+    after: dict[str, str],
+    tmp_path: Path,
+    monkeypatch: pytest.MonkeyPatch,
 ) -> None:
     """The old proof was shown, and the old kernel printed, after an imported file had changed."""
     file = tmp_path / "own.py"
-    file.write_text(OWN.format(imports=imports, factor=factor))
-    constants = []
-    for number in (3, 5, 3):
-        (tmp_path / beside).write_text(content.format(number))
-        derived = derivations.derive_file(file, _shop(tmp_path))
-        constants.append("3" in str(derived.programs) and "5" not in str(derived.programs))
-    assert constants == [True, False, True]
-    shop = _shop(tmp_path)
-    derivations.derive_file(file, shop)
-    assert (list(shop.taken.values()), shop.done) == (["derive_file"], {})
+    file.write_text(OWN.format(imports=imports, factor="FACTOR"))
+    (tmp_path / "other").mkdir()
+    monkeypatch.setenv("PYTHONPATH", str(tmp_path / "first"))
+    found = []
+    for files, factor, folder in ((before, "3", "."), (after, "5", "other")):
+        for name, text in files.items():
+            _written(tmp_path / name, text)
+        monkeypatch.setenv("FACTOR", factor)
+        monkeypatch.chdir(tmp_path / folder)
+        found.append(str(derivations.derive_file(file, _shop(tmp_path)).programs))
+    assert ["5" in each for each in found] == [False, True]
+
+
+@pytest.mark.parametrize(
+    ("field", "value"),
+    [
+        *(("model", [1]), ("model", "random"), ("model", {}), ("model", {"name": 3})),
+        *(("title", None), ("sources", None), ("sources", ["a"]), ("sources", [{"key": "a"}])),
+        *(("kernels", None), ("kernels", [3]), ("kernels", [{"name": "gains"}]), ("cited", None)),
+    ],
+)
+def test_a_shipped_outline_that_is_damaged_is_said(
+    field: str, value: object, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    subjects = derivations.outlines()
+    subjects[1] = subjects[1] | {field: value}
+    (tmp_path / derivations.OUTLINES).write_bytes(derivations.outlines_file(subjects))
+    monkeypatch.setattr(places, "generated_folder", lambda: tmp_path)
+    with pytest.raises(BadInputError, match="missing or damaged"):
+        derivations.outlines()
+
+
+def test_what_an_own_file_defines_is_derived_once(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    file = tmp_path / "own.py"
+    file.write_text(OWN.format(imports="", factor="3"))
+    cache = str(tmp_path / "cache")
+    first = tasks.derive_file(Desk(), str(file), cache)
+    monkeypatch.setattr(own_file, "built", _not_to_be_called)
+    _written(file, "# a word on it\n" + file.read_text())
+    again = tasks.derive_file(Desk(), str(file), cache)
+    assert again == json.loads(json.dumps(first))
+    with pytest.raises(AssertionError):
+        tasks.derive_file(Desk(), str(file), cache, fresh=True)
+
+
+def _not_to_be_called(*_: object) -> None:
+    raise AssertionError("derived again")
+
+
+def test_content_of_a_value_tells_what_differs() -> None:
+    x = sp.Symbol("x", real=True)
+    alike = own_file.content(Result(SQUARE, x**2)) == own_file.content(Result(SQUARE, x * x))
+    values: list[object] = [
+        *(1, True, "1", Fraction(1), 1.0, None, (1,), [1], {"1": 1}, x, sp.Symbol("x")),
+        *(sp.Matrix([[1, 2]]), sp.ImmutableDenseMatrix([[1, 2]]), sp.Matrix([1, 2]), sp.Integer(1)),
+        *(Result(SQUARE, x), Result(SQUARE, sp.Symbol("x")), sp.Float("0.1", 20), sp.Float("0.1")),
+    ]
+    assert alike
+    assert len({own_file.content(value) for value in values}) == len(values)
+
+
+def test_what_holds_code_of_the_user_has_no_content() -> None:
+    class Own(Result):
+        pass
+
+    class Doubled(sp.Function):  # type: ignore[misc]
+        @classmethod
+        def eval(cls, _: object) -> None:
+            return None
+
+    x = sp.Symbol("x")
+    for value in (Own(SQUARE, x), Result(SQUARE, Doubled(x) + 1), sp.Function("f")(x), print):
+        with pytest.raises(TypeError):
+            own_file.content(value)
+
+
+def test_a_package_without_a_file_of_its_own_is_forgotten(tmp_path: Path) -> None:
+    """One process took the module of the first file's package for that of the second's."""
+    found = []
+    for number in (3, 5):
+        folder = tmp_path / str(number)
+        _written(folder / "parts" / "factors.py", f"FACTOR = {number}\n")
+        text = OWN.format(imports="from parts import factors", factor="factors.FACTOR")
+        _written(folder / "own.py", text)
+        found.append(own_file.content(own_file.defined(str(folder / "own.py"))[1]))
+    assert found[0] != found[1]
 
 
 def test_two_own_files_with_modules_of_one_name(tmp_path: Path) -> None:

@@ -25,7 +25,7 @@ def _odd_worker(monkeypatch: pytest.MonkeyPatch) -> None:
 
 
 def workshop(folder: Path, *, fresh: bool = False) -> Workshop:
-    return Workshop(Cache(folder, fresh), Progress(), lambda *_: "the code")
+    return Workshop(Cache(folder, fresh), Progress(), lambda *_: "the code", lambda *_: True)
 
 
 def nothing(_: Job) -> list[Job]:
@@ -68,6 +68,12 @@ def test_a_job_that_answers_others_is_done_again_if_one_is_lost(tmp_path: Path) 
     ahead(shop)
     assert shop.answered(LATER) == "known"
     assert shop.answered(NOW) == 0
+
+
+def test_what_was_done_while_the_code_was_edited_is_not_kept(tmp_path: Path) -> None:
+    edited = Workshop(Cache(tmp_path), Progress(), lambda *_: "the code", lambda *_: False)
+    assert edited.results("", [NOW]) == workshop(tmp_path / "other").results("", [NOW])
+    assert workshop(tmp_path).answered(NOW) is None
 
 
 def test_what_follows_from_a_job_is_done_too_known_or_not(tmp_path: Path) -> None:

@@ -98,18 +98,16 @@ def command(subjects: Sequence[str], name: str, targets: Sequence[str] = ()) -> 
 
 
 def _packaged(chosen: Sequence[str], shop: Workshop) -> list[dict[str, Any]]:
-    """Each subject derived, with its part of the package. A file counts by its text."""
-    jobs, texts = [], []
+    """Each subject derived, with its part of the package."""
+    jobs = []
     known = bounds_ledger.usable(places.generated_folder(), shop.cache.fresh)
     for subject in chosen:
         if derivations.is_file(subject):
-            texts.append(derivations.model_text(Path(subject)))
-            arguments = {"path": str(Path(subject).resolve())}
-            jobs.append(workers.Job(subject, "package_file", arguments))
+            jobs.append(derivations.file_job("package_file", Path(subject), shop.cache))
         else:
             arguments = dict(derivations.print_job(subject, known).arguments)
             jobs.append(workers.Job(subject, "package_one", arguments))
-    return shop.results("derived and printed", jobs, *texts)
+    return shop.results("derived and printed", jobs)
 
 
 def _require_apart(chosen: Sequence[str], parts: Sequence[dict[str, Any]]) -> None:

@@ -16,7 +16,7 @@ import pytest
 from claim_texts import MODELS
 from matrix_claims import claim, text_of
 
-from gainproof import places
+from gainproof import code_digest, places
 from gainproof.cache import Cache
 from gainproof.code_digest import modules_below
 from gainproof.judging import KeptTrials
@@ -235,6 +235,19 @@ def test_the_code_of_a_task_holds_what_decides_it(module: str, tmp_path: Path) -
     assert [kept.load(name, "key") for name in others] == [None] * len(others)
     assert kept.load(module, "other key") is None
     assert KeptTrials(Cache(tmp_path, fresh=True)).load(module, "key") is None
+
+
+def test_a_trial_is_not_kept_whose_code_was_edited(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """A child that starts after the edit runs other code than that of the digest."""
+    kept = KeptTrials(Cache(tmp_path))
+    monkeypatch.setattr(code_digest, "is_as_read", lambda *_: False)
+    kept.store(TASKS[0], "key", "text")
+    assert kept.load(TASKS[0], "key") is None
+    monkeypatch.undo()
+    kept.store(TASKS[0], "key", "text")
+    assert kept.load(TASKS[0], "key") == "text"
 
 
 @pytest.mark.parametrize("text", ["", "{}", "[]", "no answer", '{"findings": 1}'])
