@@ -12,13 +12,10 @@ import sysconfig
 import traceback
 from collections.abc import Callable, Iterator, Mapping
 from contextlib import contextmanager
-from dataclasses import fields, is_dataclass, replace
-from fractions import Fraction
+from dataclasses import replace
 from importlib import metadata
 from pathlib import Path
 from typing import Any
-
-import sympy as sp
 
 from gainproof.bad_input import BadInputError
 from gainproof.derive.model import Model, ModelError
@@ -58,30 +55,6 @@ def defined(path: str) -> tuple[str, Any]:
             f"it is {type(value).__name__}"
         )
     return variable, value
-
-
-def content(value: Any) -> str:
-    """All of a value that a file defines, as text: alike in all processes, different for whatever
-    differs. Raises TypeError where code of the user's is a part of it, such as a class.
-    """
-    kind = f"{type(value).__module__}.{type(value).__qualname__}"
-    if value is None or type(value) in (bool, int, float, str, Fraction):
-        return f"{kind} {value!r}"
-    if type(value) in (tuple, list):
-        return f"{kind} ({', '.join(map(content, value))})"
-    if type(value) is dict:
-        return f"{kind} {content(list(value.items()))}"
-    if isinstance(value, sp.MatrixBase) and kind.startswith("sympy."):
-        return f"{kind} {value.shape} {content(list(value.flat()))}"
-    if isinstance(value, sp.Basic):
-        for part in sp.preorder_traversal(value):
-            if not str(type(part).__module__).startswith("sympy."):
-                raise TypeError(f"{type(part).__qualname__} is no class of SymPy")
-        return f"{kind} {sp.srepr(value)}"
-    if is_dataclass(value) and kind.startswith("gainproof.derive."):
-        parts = [f"{each.name} {content(getattr(value, each.name))}" for each in fields(value)]
-        return f"{kind} {{{', '.join(parts)}}}"
-    raise TypeError(f"{kind} is no plain data")
 
 
 def built(path: str, variable: str, value: Any) -> Subject:

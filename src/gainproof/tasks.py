@@ -135,10 +135,11 @@ def _of_own_file(
     """What is made of what a file defines, by the file's name, the value and the code."""
     from gainproof import own_file
     from gainproof.cache import Cache, key_of
+    from gainproof.derive.definition_text import definition_text
 
     variable, value = own_file.defined(path)
     try:
-        content = own_file.content(value)
+        content = definition_text(value)
     except TypeError:
         content = None  # it holds code of the user's
     if cache is None or content is None:

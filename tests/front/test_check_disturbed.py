@@ -116,6 +116,7 @@ def paused_for_a_moment(pid: int) -> None:
     os.kill(pid, signal.SIGCONT)
 
 
+@pytest.mark.sampled
 @pytest.mark.parametrize("harm", [lambda pid: os.kill(pid, signal.SIGKILL), paused_for_a_moment])
 def test_children_are_killed_and_paused(
     harm: Callable[[int], None], many: Path, capsys: Capture

@@ -12,6 +12,7 @@ import sympy as sp
 from gainproof import derivations, own_file, places, tasks
 from gainproof.bad_input import BadInputError
 from gainproof.cache import Cache
+from gainproof.derive.definition_text import definition_text
 from gainproof.derive.own_expressions.expressions import Result
 from gainproof.derive.quantity import ONE, Quantity
 from gainproof.desk import Desk
@@ -178,14 +179,14 @@ def _not_to_be_called(*_: object) -> None:
 
 def test_content_of_a_value_tells_what_differs() -> None:
     x = sp.Symbol("x", real=True)
-    alike = own_file.content(Result(SQUARE, x**2)) == own_file.content(Result(SQUARE, x * x))
+    alike = definition_text(Result(SQUARE, x**2)) == definition_text(Result(SQUARE, x * x))
     values: list[object] = [
         *(1, True, "1", Fraction(1), 1.0, None, (1,), [1], {"1": 1}, x, sp.Symbol("x")),
         *(sp.Matrix([[1, 2]]), sp.ImmutableDenseMatrix([[1, 2]]), sp.Matrix([1, 2]), sp.Integer(1)),
         *(Result(SQUARE, x), Result(SQUARE, sp.Symbol("x")), sp.Float("0.1", 20), sp.Float("0.1")),
     ]
     assert alike
-    assert len({own_file.content(value) for value in values}) == len(values)
+    assert len({definition_text(value) for value in values}) == len(values)
 
 
 def test_what_holds_code_of_the_user_has_no_content() -> None:
@@ -200,7 +201,7 @@ def test_what_holds_code_of_the_user_has_no_content() -> None:
     x = sp.Symbol("x")
     for value in (Own(SQUARE, x), Result(SQUARE, Doubled(x) + 1), sp.Function("f")(x), print):
         with pytest.raises(TypeError):
-            own_file.content(value)
+            definition_text(value)
 
 
 def test_a_package_without_a_file_of_its_own_is_forgotten(tmp_path: Path) -> None:
@@ -211,7 +212,7 @@ def test_a_package_without_a_file_of_its_own_is_forgotten(tmp_path: Path) -> Non
         _written(folder / "parts" / "factors.py", f"FACTOR = {number}\n")
         text = OWN.format(imports="from parts import factors", factor="factors.FACTOR")
         _written(folder / "own.py", text)
-        found.append(own_file.content(own_file.defined(str(folder / "own.py"))[1]))
+        found.append(definition_text(own_file.defined(str(folder / "own.py"))[1]))
     assert found[0] != found[1]
 
 

@@ -97,6 +97,7 @@ def paused(pid: int) -> None:
     os.kill(pid, signal.SIGSTOP)
 
 
+@pytest.mark.sampled
 @pytest.mark.parametrize("harm", [killed, paused_for_a_moment, paused])
 @pytest.mark.parametrize("processes", [1, 3])
 def test_what_is_done_to_children_makes_no_verdict_wrong(
