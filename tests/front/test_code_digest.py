@@ -6,7 +6,7 @@ from pathlib import Path
 
 import pytest
 
-from gainproof import code_digest, places
+from gainproof import code_digest, places, tasks
 from gainproof.code_digest import imports_of, modules_below, of_modules
 
 HOUSE = [
@@ -61,6 +61,17 @@ def test_the_judge_does_not_depend_on_derivations_nor_a_derivation_on_the_judge(
 def test_a_module_that_is_missing_is_an_error() -> None:
     with pytest.raises(LookupError, match="nowhere"):
         of_modules("gainproof.derive.nowhere")
+
+
+def test_the_text_of_the_tasks_belongs_to_their_keys(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    copy = tmp_path / "tasks.py"
+    shutil.copy(tasks.__file__, copy)
+    monkeypatch.setattr(tasks, "__file__", str(copy))
+    before = tasks.code_of("recheck", {})
+    copy.write_text(copy.read_text() + "\n# changed\n")
+    assert tasks.code_of("recheck", {}) != before
 
 
 @pytest.mark.parametrize("changed", ["verify/certificate/__init__.py", "sides.py"])
