@@ -14,8 +14,8 @@ import samples
 from catalogue_subjects import prepare_all
 from lecture_judged import lecture_claims
 
-from gainproof import workers
-from gainproof.cache import FOLDER_VARIABLE
+from gainproof.jobs import workers
+from gainproof.jobs.cache import FOLDER_VARIABLE
 from gainproof.verify.judge.claim import file
 
 AS_ASKED = sys.dont_write_bytecode

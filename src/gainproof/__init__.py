@@ -42,7 +42,7 @@ def check(file: str, *, seconds: float | None = None, fresh: bool = False) -> Ju
     A claim that takes more than `seconds` (None: as for `gainproof check`) is undecided. Raises
     gainproof.bad_input.BadInputError for a file that cannot be used.
     """
-    from gainproof.commands.time_limit import DEFAULT
+    from gainproof.claims.time_limit import DEFAULT
     from gainproof.notebook import front_door
 
     limit = DEFAULT if seconds is None else seconds

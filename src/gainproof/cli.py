@@ -34,7 +34,7 @@ from gainproof.commands import (
     run,
     track,
 )
-from gainproof.scarcity import lack
+from gainproof.jobs.resource_limits import lack
 from gainproof.version import VERSION
 
 COMMANDS: Mapping[str, ModuleType] = {
@@ -179,7 +179,7 @@ def _options(given: list[str]) -> argparse.Namespace:
 def _fault(error: Exception) -> int:
     import traceback
 
-    from gainproof.workers import JobError
+    from gainproof.jobs.workers import JobError
 
     if isinstance(error, JobError):
         print(f"gainproof: {error}", file=sys.stderr)

@@ -22,6 +22,8 @@ def _say(words: str) -> None:
 
 try:
     import signal
+
+    from gainproof.ending_signals import SIGNALS
 except KeyboardInterrupt:
     _say("interrupted")
     os._exit(INTERRUPTED)
@@ -34,8 +36,6 @@ if TYPE_CHECKING:
     from typing import NoReturn
 
 AGAIN = 0.01  # seconds
-SIGNALS = ("SIGINT", "SIGTERM", "SIGHUP")
-"""Those that end a program; systems lack some."""
 
 
 def main() -> int:
@@ -61,7 +61,7 @@ def main() -> int:
         heard.then(heard.leave)
         status = 0
     except Exception as error:
-        from gainproof.scarcity import lack
+        from gainproof.jobs.resource_limits import lack
 
         if (lacks := lack(error)) is None:
             raise
@@ -117,7 +117,7 @@ def _thread_ended(what: threading.ExceptHookArgs) -> None:
     """A thread that ends for lack of something is one that somebody waits for: of an executor."""
     import threading
 
-    from gainproof.scarcity import lack
+    from gainproof.jobs.resource_limits import lack
 
     if what.exc_value is not None and (lacks := lack(what.exc_value)):
         _say(lacks)

@@ -6,8 +6,9 @@ import xml.etree.ElementTree as ET
 
 import pytest
 
-from gainproof import judgements, places
 from gainproof.book.mathematics import displayed, inline
+from gainproof.claims import judgements
+from gainproof.files import places
 
 HOSTILE = (
     r"\href{javascript:alert(1)}{x}",

@@ -9,14 +9,15 @@ import pytest
 from browser import needs_browser, opened, serious_findings
 from page_faults import KEPT, empty_alike, page_faults
 
-from gainproof import derivations, judgements
 from gainproof.bad_input import BadInputError
 from gainproof.book import making, site, site_links
 from gainproof.book.contents import Contents
 from gainproof.book.document_pages import slug
 from gainproof.book.sampled_kernel import sampled
-from gainproof.claim_words import claims_said
-from gainproof.workshop import open_workshop
+from gainproof.claims import judgements
+from gainproof.claims.source_words import claims_said
+from gainproof.jobs.session import open_session
+from gainproof.subjects import derivations
 
 SOURCE = r"""
 format = "gainproof claims 1"
@@ -76,16 +77,16 @@ latex = '\beta > 1'
 def files(all_derived: object, tmp_path_factory: pytest.TempPathFactory) -> dict[str, bytes]:
     """A site of one family and one source; the documentation is whole."""
     del all_derived
-    shop = open_workshop(quiet=True)
-    subject = derivations.known("random-velocity", shop)
+    session = open_session(quiet=True)
+    subject = derivations.known("random-velocity", session)
     file = tmp_path_factory.mktemp("source") / "notes.toml"
     file.write_text(SOURCE, encoding="utf-8")
     kernel = subject.kernels[0]
     contents = Contents(
         versions={"SymPy": "1"},
         subjects=[subject],
-        reports=[derivations.own_report(subject, shop)],
-        judgements=judgements.judge([file], shop),
+        reports=[derivations.own_report(subject, session)],
+        judgements=judgements.judge([file], session),
         said=[claims_said(judgements.read(file))],
         checked=[{}],
         sampled={"random_velocity.gains": sampled("random_velocity", kernel, kernel["graph"])},

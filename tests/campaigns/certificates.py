@@ -31,12 +31,12 @@ sys.path.insert(0, str(Path(__file__).resolve().parent.parent / "support"))
 from files_digest import files_digest
 
 import gainproof.verify.certificate
-from gainproof import places
 from gainproof.campaign.campaign import Campaign, Done, Report
 from gainproof.campaign.carrying_out import carry_out
 from gainproof.campaign.options import add_options
-from gainproof.deriving import build, plain_subject
-from gainproof.rechecking import expected_of, recheck
+from gainproof.files import places
+from gainproof.subjects.deriving import build, plain_subject
+from gainproof.subjects.rechecking import expected_of, recheck
 from gainproof.verify.certificate import check
 from gainproof.verify.certificate.alteration import Campaign as Altered
 from gainproof.verify.certificate.altered import alterations

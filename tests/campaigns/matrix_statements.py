@@ -25,7 +25,7 @@ sys.path.insert(0, str(Path(__file__).resolve().parent.parent / "support"))
 
 from altered_statements import altered_claims
 
-from gainproof import places
+from gainproof.files import places
 from gainproof.verify.certificate import check
 from gainproof.verify.certificate.alteration import Campaign
 from gainproof.verify.certificate.document import read_document, read_statement

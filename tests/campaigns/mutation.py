@@ -24,10 +24,10 @@ from mutation.campaign import REFUSED, Relation, Result, mutants_of
 from mutation.campaign import report as score
 from mutation.relations import claimed_relations, derived_relations
 
-from gainproof import code_digest
 from gainproof.campaign.campaign import Campaign, Done, Report
 from gainproof.campaign.carrying_out import carry_out
 from gainproof.campaign.options import add_options
+from gainproof.jobs import code_digest
 
 HELP = "break the relations of the derivations and of the claim files, and judge what comes"
 

@@ -30,7 +30,7 @@ import gainproof.verify.judge
 from gainproof.campaign.campaign import Campaign, Done, Report
 from gainproof.campaign.carrying_out import carry_out
 from gainproof.campaign.options import add_options
-from gainproof.commands.time_limit import DEFAULT
+from gainproof.claims.time_limit import DEFAULT
 from gainproof.verify.judge.verdict import ClaimVerdict
 
 HELP = "random claims that have no value on a thin set of their domain: none may be proved"

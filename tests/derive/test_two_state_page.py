@@ -13,9 +13,9 @@ import pytest
 from catalogue_subjects import derived
 
 from gainproof.derive.catalogue import CATALOGUE
-from gainproof.derived import Derived
-from gainproof.formula_text import plain_name
-from gainproof.lecture_items import Item, items, numbers
+from gainproof.formulas.formula_text import plain_name
+from gainproof.pages.lecture_items import Item, items, numbers
+from gainproof.subjects.derived import Derived
 
 FAMILIES = (
     "random-velocity",

@@ -10,7 +10,7 @@ from pathlib import Path
 
 import pytest
 
-from gainproof import atomic_file
+from gainproof.files import atomic_file
 
 
 def test_file_and_folders_are_made(tmp_path: Path) -> None:
@@ -96,7 +96,7 @@ def test_what_is_no_regular_file_is_written_to_and_stays(tmp_path: Path, name: s
 WRITES = """
 import sys
 from pathlib import Path
-from gainproof import atomic_file
+from gainproof.files import atomic_file
 print("before")
 atomic_file.write_text(Path(sys.argv[1]), "content\\n")
 print("after")

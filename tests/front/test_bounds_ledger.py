@@ -12,10 +12,13 @@ from typing import Any
 import pytest
 from catalogue_subjects import OTHER_SEED
 
-from gainproof import bounds_ledger, cli, code_digest, derivations, places, workers
-from gainproof.derivations import catalogue
-from gainproof.deriving import build
-from gainproof.generating import BOUNDING, proved
+from gainproof import cli
+from gainproof.files import places
+from gainproof.jobs import code_digest, workers
+from gainproof.subjects import bounds_ledger, derivations
+from gainproof.subjects.derivations import catalogue
+from gainproof.subjects.deriving import build
+from gainproof.subjects.generating import BOUNDING, proved
 
 Capture = pytest.CaptureFixture[str]
 SUBJECT, MODULE = "least-squares-line", "least_squares_line"
@@ -77,11 +80,13 @@ def other_code(monkeypatch: pytest.MonkeyPatch, _: Any) -> None:
         assert names == BOUNDING
         return "other code"
 
-    monkeypatch.setattr("gainproof.generating.of_modules", of_modules)
+    monkeypatch.setattr("gainproof.subjects.generating.of_modules", of_modules)
 
 
 def other_domain(monkeypatch: pytest.MonkeyPatch, _: Any) -> None:
-    monkeypatch.setattr("gainproof.generating.identity", lambda _: "another graph or domain")
+    monkeypatch.setattr(
+        "gainproof.subjects.generating.identity", lambda _: "another graph or domain"
+    )
 
 
 def edited(_: pytest.MonkeyPatch, known: Any) -> None:

@@ -9,10 +9,10 @@ from pathlib import Path
 
 import pytest
 
-from gainproof.cache import FOLDER_VARIABLE, KEPT_DAYS, Cache, default_folder, key_of
-from gainproof.progress import Progress
-from gainproof.workers import Job
-from gainproof.workshop import Workshop
+from gainproof.jobs.cache import FOLDER_VARIABLE, KEPT_DAYS, Cache, default_folder, key_of
+from gainproof.jobs.progress import Progress
+from gainproof.jobs.session import Session
+from gainproof.jobs.workers import Job
 
 VALUE = {"verdict": "proved", "text": "α", "numbers": [1, 2.5, None]}
 KEY = key_of("judge", "claims", b"code")
@@ -101,8 +101,8 @@ def test_results_that_are_kept_make_room(cache: Cache) -> None:
     path = entry(cache)
     old = time.time() - (KEPT_DAYS + 1) * 86400
     os.utime(path, (old, old))
-    shop = Workshop(cache, Progress(quiet=True))
-    shop.results(
+    session = Session(cache, Progress(quiet=True))
+    session.results(
         "",
         [
             Job(

@@ -10,7 +10,8 @@ from pathlib import Path
 import pytest
 
 import gainproof.generated
-from gainproof import cancellations, cli
+from gainproof import cli
+from gainproof.pages import cancellations
 
 KNOWN = {"the", "sum", "of", "its", "terms", "sizes", "taken", "positive", "s"}
 KNOWN |= {"sqrt", "exp", "expm1", "sin", "cos"}

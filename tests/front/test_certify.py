@@ -12,11 +12,11 @@ from typing import Any
 
 import pytest
 
+from gainproof.campaign.printed_bound import other_bounds, printed_bounds
 from gainproof.certify import bounds, external, portions, tools
 from gainproof.certify.carrying_out import carry_out
 from gainproof.certify.cover import Cover
 from gainproof.certify.outcome import Outcome
-from gainproof.certify.printed_bound import other_bounds, printed_bounds
 from gainproof.certify.reading import statements, towers
 from gainproof.certify.rounding_bound import covered
 from gainproof.certify.subjects import Subject, chosen

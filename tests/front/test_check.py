@@ -9,8 +9,9 @@ from typing import Any
 
 import pytest
 
-from gainproof import cli, places
-from gainproof.cache import default_folder
+from gainproof import cli
+from gainproof.files import places
+from gainproof.jobs.cache import default_folder
 
 Capture = pytest.CaptureFixture[str]
 pytestmark = pytest.mark.usefixtures("all_derived")

@@ -18,10 +18,11 @@ from typing import Any
 import pytest
 from samples import samples
 
-from gainproof import cli, judgements
-from gainproof.cache import Cache, default_folder
-from gainproof.progress import Progress
-from gainproof.workshop import Workshop
+from gainproof import cli
+from gainproof.claims import judgements
+from gainproof.jobs.cache import Cache, default_folder
+from gainproof.jobs.progress import Progress
+from gainproof.jobs.session import Session
 
 pytestmark = pytest.mark.skipif(
     not sys.platform.startswith("linux"), reason="finds processes in /proc"
@@ -60,7 +61,8 @@ def many(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
 
 CHECK = """
 import sys
-from gainproof import cli, judgements
+from gainproof import cli
+from gainproof.claims import judgements
 
 judgements._models = lambda: []  # the claims are about numbers
 sys.exit(cli.main(["check", *sys.argv[1:]]))
@@ -167,9 +169,9 @@ def test_a_run_that_is_broken_off_goes_on_where_it_was(
     time.sleep(0.5)
     known = kept()
     assert known >= COUNT // 3
-    (judged,) = judgements.judge([many], Workshop(Cache(default_folder()), Progress()))
+    (judged,) = judgements.judge([many], Session(Cache(default_folder()), Progress()))
     rest = COUNT + COUNT // 5 - known
     assert f"repairs: {known} known, {rest} done now" in capsys.readouterr().err
     assert [claim["verdict"] for claim in judged["claims"]].count("proved") == COUNT - COUNT // 5
-    judgements.judge([many], Workshop(Cache(default_folder()), Progress()))
+    judgements.judge([many], Session(Cache(default_folder()), Progress()))
     assert f"repairs: {COUNT + COUNT // 5} known, 0 done now" in capsys.readouterr().err

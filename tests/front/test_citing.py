@@ -6,8 +6,9 @@ from pathlib import Path
 
 import pytest
 
-from gainproof import citing, cli
-from gainproof.claim_template import template
+from gainproof import cli
+from gainproof.claims.template import template
+from gainproof.pages import citing
 
 Capture = pytest.CaptureFixture[str]
 

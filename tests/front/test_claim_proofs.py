@@ -8,10 +8,11 @@ from typing import Any
 
 import pytest
 
-from gainproof import claim_proofs, cli, judgements
-from gainproof.claim_proofs import NOT_AGAIN, checked, recheck, to_recheck
-from gainproof.proof_text import proof_lines
-from gainproof.workshop import open_workshop
+from gainproof import cli
+from gainproof.claims import claim_proofs, judgements
+from gainproof.claims.claim_proofs import NOT_AGAIN, checked, recheck, to_recheck
+from gainproof.jobs.session import open_session
+from gainproof.verdicts.proof_text import proof_lines
 
 Plain = dict[str, Any]
 
@@ -62,7 +63,7 @@ def file(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 @pytest.fixture(scope="module")
 def original(file: Path) -> Plain:
-    (judged,) = judgements.judge([file], open_workshop(quiet=True))
+    (judged,) = judgements.judge([file], open_session(quiet=True))
     return judged
 
 

@@ -12,9 +12,10 @@ from types import ModuleType
 
 import pytest
 
-from gainproof import cli, workers
+from gainproof import cli
 from gainproof.bad_input import BadInputError
 from gainproof.commands import listing
+from gainproof.jobs import workers
 from gainproof.version import VERSION
 
 COMMANDS = (

@@ -34,7 +34,7 @@ def test_bad_input_keeps_its_status_without_standard_error(tmp_path: Path) -> No
 
 def test_progress_does_not_take_standard_output_for_standard_error(tmp_path: Path) -> None:
     found = run_in_shell(
-        "-c 'from gainproof import cli, progress\n"
+        "-c 'from gainproof import cli\nfrom gainproof.jobs import progress\n"
         'assert cli.main(["track", "--example", "."]) == 0\n'
         'progress.Progress().say("a line")\' 2>&-',
         tmp_path,

@@ -6,15 +6,16 @@ from pathlib import Path
 
 import pytest
 
-from gainproof import code_digest, places, tasks
-from gainproof.code_digest import imports_of, modules_below, of_modules
+from gainproof.files import places
+from gainproof.jobs import code_digest, tasks
+from gainproof.jobs.code_digest import imports_of, modules_below, of_modules
 
 HOUSE = [
     path
     for folder in (
         places.package_folder("derive"),
         places.package_folder("verify"),
-        Path(code_digest.__file__).parent,
+        places.package_folder(""),
     )
     for path in folder.rglob("*.py")
 ]
@@ -48,11 +49,11 @@ def test_an_import_is_read_however_it_is_written(text: str, tmp_path: Path) -> N
 
 
 def test_a_module_that_is_imported_within_a_function_belongs_to_it() -> None:
-    assert "gainproof.own_file" in modules_below("gainproof.tasks")
+    assert "gainproof.derive.catalogue" in modules_below("gainproof.jobs.tasks")
 
 
 def test_the_judge_does_not_depend_on_derivations_nor_a_derivation_on_the_judge() -> None:
-    assert not [name for name in modules_below("gainproof.judging") if ".derive." in name]
+    assert not [name for name in modules_below("gainproof.claims.judging") if ".derive." in name]
     assert not [
         name for name in modules_below("gainproof.derive.families.random_jerk") if ".verify" in name
     ]
@@ -74,30 +75,29 @@ def test_the_text_of_the_tasks_belongs_to_their_keys(
     assert tasks.code_of("recheck", {}) != before
 
 
-@pytest.mark.parametrize("changed", ["verify/certificate/__init__.py", "sides.py"])
+@pytest.mark.parametrize("changed", ["verify/certificate/__init__.py", "subjects/choice_sides.py"])
 def test_a_change_below_changes_the_digest(
     changed: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     """Also one of a file far below, and none of a file that is not imported."""
-    front = Path(code_digest.__file__).parent
-    for path in front.glob("*.py"):
-        shutil.copy(path, tmp_path)
+    shutil.copytree(places.package_folder(""), tmp_path, dirs_exist_ok=True, symlinks=True)
+    for name in ("derive", "verify"):
+        (tmp_path / name).unlink(missing_ok=True)
     shutil.copytree(places.package_folder("verify"), tmp_path / "verify")
     monkeypatch.setattr(code_digest, "package_folder", lambda name: tmp_path / name)
-    monkeypatch.setattr(code_digest, "__file__", str(tmp_path / "code_digest.py"))
     before = _digest_anew()
     (tmp_path / "cli.py").write_text("# not imported\n")
     assert _digest_anew() == before
-    assert code_digest.is_as_read("gainproof.rechecking")
+    assert code_digest.is_as_read("gainproof.subjects.rechecking")
     (tmp_path / changed).write_text((tmp_path / changed).read_text() + "\n# changed\n")
-    assert not code_digest.is_as_read("gainproof.rechecking")
+    assert not code_digest.is_as_read("gainproof.subjects.rechecking")
     assert _digest_anew() != before
     _forget()
 
 
 def _digest_anew() -> str:
     _forget()
-    return of_modules("gainproof.rechecking")
+    return of_modules("gainproof.subjects.rechecking")
 
 
 def _forget() -> None:

@@ -9,10 +9,10 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from samples import samples
 
-from gainproof.draft import draft
-from gainproof.draft_symbols import symbols_met
-from gainproof.tex_rows import Equation, equations
-from gainproof.tex_text import argument_of, without_comments
+from gainproof.claims.draft import draft
+from gainproof.claims.draft_symbols import symbols_met
+from gainproof.claims.tex_rows import Equation, equations
+from gainproof.claims.tex_text import argument_of, without_comments
 from gainproof.verify.judge.claim.file import ClaimFileError, read_claim_text
 
 PAPER = r"""

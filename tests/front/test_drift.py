@@ -6,8 +6,8 @@ from pathlib import Path
 
 import pytest
 
-from gainproof import drift, generated_files
-from gainproof.drift import Difference
+from gainproof.subjects import drift, generated_files
+from gainproof.subjects.drift import Difference
 
 FRESH = {"__init__.py": b"", "random_velocity.py": b"one\ntwo\nthree\n", "sub/x.json": b"{}\n"}
 

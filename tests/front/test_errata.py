@@ -9,10 +9,11 @@ from typing import Any
 
 import pytest
 
-from gainproof import cli, errata
+from gainproof import cli
 from gainproof.bad_input import BadInputError
-from gainproof.claim_words import Said, claims_said
-from gainproof.errata_entries import entries
+from gainproof.claims.source_words import Said, claims_said
+from gainproof.errata import errata_sheet
+from gainproof.errata.errata_entries import entries
 from gainproof.verify.judge.claim.vocabulary import ORIGINS
 
 Capture = pytest.CaptureFixture[str]
@@ -66,8 +67,8 @@ JUDGED: dict[str, Any] = {
 
 @pytest.mark.parametrize("suffix", [".md", ".tex"])
 def test_a_sheet_has_what_cannot_stand_and_nothing_else(suffix: str) -> None:
-    text = errata.sheet([JUDGED], [{}], suffix)
-    assert text.startswith(errata.MARKS[suffix])
+    text = errata_sheet.sheet([JUDGED], [{}], suffix)
+    assert text.startswith(errata_sheet.MARKS[suffix])
     for part in ("(2)", "(3)", "page 7, 4", r"\beta = 2", "$r > 1$", "c is never defined"):
         assert part in text
     assert "(1)" not in text
@@ -75,7 +76,10 @@ def test_a_sheet_has_what_cannot_stand_and_nothing_else(suffix: str) -> None:
 
 
 def test_text_is_escaped() -> None:
-    markdown, latex = errata.sheet([JUDGED], [{}], ".md"), errata.sheet([JUDGED], [{}], ".tex")
+    markdown, latex = (
+        errata_sheet.sheet([JUDGED], [{}], ".md"),
+        errata_sheet.sheet([JUDGED], [{}], ".tex"),
+    )
     assert r"# Errata: Notes\_on 50% of filters" in markdown
     assert r"\section*{Errata: Notes\_on 50\% of filters}" in latex
     assert r"at $\beta_k = 1$ the left side" in latex
@@ -86,7 +90,7 @@ def test_text_is_escaped() -> None:
 
 def sheets(*claims: dict[str, Any], **said: Said) -> tuple[str, str]:
     judged = {"source": SOURCE, "claims": list(claims)}
-    both = tuple(errata.sheet([judged], [said], suffix) for suffix in errata.MARKS)
+    both = tuple(errata_sheet.sheet([judged], [said], suffix) for suffix in errata_sheet.MARKS)
     assert len(both) == 2
     return both[0], both[1]
 
@@ -180,14 +184,14 @@ def test_changes_that_name_no_thing_join_nothing(change: str) -> None:
 
 def test_nothing_found_is_said() -> None:
     clean = {"source": SOURCE, "claims": [claim("1", "proved")]}
-    assert "No errata were found." in errata.sheet([clean], [{}])
-    assert "No errata were found." in errata.sheet([clean], [{}], ".tex")
+    assert "No errata were found." in errata_sheet.sheet([clean], [{}])
+    assert "No errata were found." in errata_sheet.sheet([clean], [{}], ".tex")
 
 
 @pytest.mark.parametrize("name", ["paper.toml", "sheet", "sheet.txt"])
 def test_other_kinds_of_files_are_refused(name: str) -> None:
     with pytest.raises(BadInputError, match=r"\.md or \.tex"):
-        errata.target(name)
+        errata_sheet.target(name)
 
 
 def test_a_paper_is_not_overwritten(tmp_path: Path, capsys: Capture) -> None:

@@ -6,7 +6,7 @@ from typing import Any
 
 import pytest
 
-from gainproof.explanation import explanation
+from gainproof.verdicts.explanation import explanation
 from gainproof.verify.judge.verdict_words import Shown
 
 WITNESS = {

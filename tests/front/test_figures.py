@@ -18,7 +18,7 @@ from gainproof import cli
 from gainproof.figures import catalogue
 from gainproof.figures.catalogue import CATALOGUE
 from gainproof.figures.entry import Entry
-from gainproof.figures.table import Column, Table, Words, decades
+from gainproof.plots.table import Column, Table, Words, decades
 
 Capture = pytest.CaptureFixture[str]
 IDS = [entry.file for entry in CATALOGUE]

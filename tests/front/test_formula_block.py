@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from gainproof.formula_block import inline, marked_matrix, set_formula
+from gainproof.formulas.formula_block import inline, marked_matrix, set_formula
 
 SQUARE = marked_matrix([["1", "T"], ["0", "-1/2"]])
 COLUMN = marked_matrix([["alpha"], ["beta"]])

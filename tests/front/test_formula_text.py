@@ -11,9 +11,9 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from gainproof.formula_latex import formula_latex
-from gainproof.formula_term import LONGEST
-from gainproof.formula_text import formula_text, plain_name
+from gainproof.formulas.formula_latex import formula_latex
+from gainproof.formulas.formula_term import LONGEST
+from gainproof.formulas.formula_text import formula_text, plain_name
 
 VALUES = {"a": Fraction(3, 7), "b": Fraction(5, 11), "c": Fraction(13, 17)}
 

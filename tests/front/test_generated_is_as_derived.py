@@ -9,10 +9,12 @@ from pathlib import Path
 import pytest
 from catalogue_subjects import derive_with_another_seed
 
-from gainproof import bounds_ledger, cli, derivations, drift, generated_files, places
-from gainproof.cache import FOLDER_VARIABLE
+from gainproof import cli
 from gainproof.derive.printer.package import CODE
-from gainproof.workshop import open_workshop
+from gainproof.files import places
+from gainproof.jobs.cache import FOLDER_VARIABLE
+from gainproof.jobs.session import open_session
+from gainproof.subjects import bounds_ledger, derivations, drift, generated_files
 
 Capture = pytest.CaptureFixture[str]
 
@@ -48,9 +50,9 @@ def test_every_byte_is_as_derived_with_another_hash_seed(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setenv(FOLDER_VARIABLE, str(tmp_path))
-    shop = open_workshop(quiet=True)
-    derive_with_another_seed(shop, derivations.catalogue())
-    fresh = generated_files.fresh((), shop)
+    session = open_session(quiet=True)
+    derive_with_another_seed(session, derivations.catalogue())
+    fresh = generated_files.fresh((), session)
     found = [difference.text() for difference in drift.compare(fresh, places.generated_folder())]
     assert not found, f"{found}; {drift.CURE}"
 

@@ -15,7 +15,7 @@ from input_fuzz import dumped, fuzz_commands, fuzz_judged, fuzz_tables, random_t
 from samples import samples
 
 from gainproof import cli
-from gainproof.claim_template import template
+from gainproof.claims.template import template
 from gainproof.verify.judge import judge
 from gainproof.verify.judge.verdict import ClaimVerdict
 

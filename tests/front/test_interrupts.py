@@ -11,7 +11,7 @@ from typing import NoReturn
 
 import pytest
 
-from gainproof import interrupts
+from gainproof.jobs import interrupts
 
 
 def raising(_number: int, _frame: FrameType | None) -> NoReturn:

@@ -6,11 +6,13 @@ import re
 
 import pytest
 
-from gainproof import cli, derivations, lecture
-from gainproof.derived import Derived, derived_from
-from gainproof.lecture_items import items, numbers
-from gainproof.prose import numbered, plain_prose
-from gainproof.workshop import open_workshop
+from gainproof import cli
+from gainproof.formulas.prose import numbered, plain_prose
+from gainproof.jobs.session import open_session
+from gainproof.pages import lecture
+from gainproof.pages.lecture_items import items, numbers
+from gainproof.subjects import derivations
+from gainproof.subjects.derived import Derived, derived_from
 
 SUBJECTS = ("random-velocity", "random-acceleration", "least-squares-line")
 Capture = pytest.CaptureFixture[str]
@@ -18,7 +20,7 @@ Capture = pytest.CaptureFixture[str]
 
 @pytest.fixture(scope="module")
 def subjects() -> dict[str, Derived]:
-    found = derivations.derive(SUBJECTS, open_workshop(quiet=True))
+    found = derivations.derive(SUBJECTS, open_session(quiet=True))
     return {derived.name: derived for derived in found}
 
 

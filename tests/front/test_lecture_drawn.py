@@ -8,9 +8,9 @@ from typing import Any
 
 import pytest
 
-from gainproof.figures import canvas
 from gainproof.figures.catalogue import CATALOGUE
 from gainproof.figures.entry import Entry
+from gainproof.plots import canvas
 
 Draw = Callable[[Any], None]
 LECTURE = [entry for entry in CATALOGUE if entry.source == "lecture"]

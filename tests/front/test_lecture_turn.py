@@ -11,7 +11,7 @@ import pytest
 from gainproof import time_varying
 from gainproof.figures.lecture import fixed_gain_track, kalman_track, turn
 from gainproof.figures.lecture.scene import STANDARD_GRAVITY, Scene, Seen, seen
-from gainproof.figures.table import Reals, Table
+from gainproof.plots.table import Reals, Table
 from gainproof.verify.oracles import fixed_gain
 
 SCENE = Scene()

@@ -7,10 +7,10 @@ from typing import Any
 
 from word_certificates import equation, graph, known
 
-from gainproof.formula_latex import formula_latex
-from gainproof.formula_text import formula_text
-from gainproof.latex_display import aligned
-from gainproof.relation_text import Writer, relation_lines
+from gainproof.formulas.formula_latex import formula_latex
+from gainproof.formulas.formula_text import formula_text
+from gainproof.formulas.latex_display import aligned
+from gainproof.formulas.relation_text import Writer, relation_lines
 
 NAMES = {"S": "S", "K1": "K1"}
 TEXT = Writer(NAMES, formula_text)

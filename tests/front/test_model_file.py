@@ -8,9 +8,10 @@ from pathlib import Path
 
 import pytest
 
-from gainproof import cli, derivations
+from gainproof import cli
 from gainproof.bad_input import BadInputError
-from gainproof.own_file import build_own_file
+from gainproof.subjects import derivations
+from gainproof.subjects.own_file import built, defined
 
 Capture = pytest.CaptureFixture[str]
 
@@ -83,7 +84,7 @@ def test_own_model_is_derived_and_proved(file: Path, capsys: Capture) -> None:
 def test_each_mistake_is_bad_input_and_names_the_file(text: str, message: str, file: Path) -> None:
     file.write_text(text)
     with pytest.raises(BadInputError) as caught:
-        build_own_file(str(file))
+        built(str(file), *defined(str(file)))
     assert message in str(caught.value)
     assert "own_model.py" in str(caught.value)
 

@@ -7,8 +7,9 @@ from typing import Any
 
 import pytest
 
-from gainproof import derivations, judgements
-from gainproof.cache import Cache
+from gainproof.claims import judgements
+from gainproof.jobs.cache import Cache
+from gainproof.subjects import derivations
 
 
 def test_a_model_on_which_several_subjects_rest_is_given_once(

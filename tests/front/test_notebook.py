@@ -22,17 +22,17 @@ import gainproof
 from gainproof.bad_input import BadInputError
 from gainproof.book.exercises.planting import plant
 from gainproof.cli import main
-from gainproof.derivations import own_report
 from gainproof.derive.catalogue import CATALOGUE
-from gainproof.lecture_items import items
-from gainproof.lecture_latex import document
+from gainproof.jobs.session import open_session
 from gainproof.notebook import cells
 from gainproof.notebook.derivation_notebook import derivation_cells
 from gainproof.notebook.front_door import Derivation
 from gainproof.notebook.judged_file import JudgedFile
-from gainproof.rechecking import expected_of, recheck
+from gainproof.pages.lecture_items import items
+from gainproof.pages.lecture_latex import document
+from gainproof.subjects.derivations import own_report
+from gainproof.subjects.rechecking import expected_of, recheck
 from gainproof.verify.judge.verdict import ClaimVerdict
-from gainproof.workshop import open_workshop
 
 SHORT = "least-squares-line"
 OTHERS = [
@@ -145,7 +145,6 @@ def test_a_derivation_shows_itself() -> None:
     assert html.count("<em>[") == len(items(found.derived.steps))
     assert "\\frac" in found._repr_latex_()
     assert repr(found.derived) == "<derivation least-squares-line: 23 steps>"
-    assert "[proved]" not in found.derived._repr_html_()
     step = found.step("gain")
     assert repr(step) == "<step gain: proved>"
     assert step._repr_latex_().startswith("$$")
@@ -201,7 +200,7 @@ def test_verdicts_show_themselves() -> None:
 @pytest.mark.parametrize("name", OTHERS)
 def test_latex_compiles(name: str, tmp_path: Path) -> None:
     subject = derived(name)
-    report = own_report(subject, open_workshop(quiet=True))
+    report = own_report(subject, open_session(quiet=True))
     (tmp_path / "page.tex").write_text(document(subject, report), encoding="utf-8")
     done = subprocess.run(
         ["pdflatex", "-interaction=nonstopmode", "-halt-on-error", "page.tex"],

@@ -20,7 +20,7 @@ from gainproof.figures import (
     patent_runs,
     patent_scene,
 )
-from gainproof.figures.table import Table
+from gainproof.plots.table import Table
 from gainproof.tracking.conversion import converted
 from gainproof.tracking.gains import kalman
 from gainproof.tracking.measured import Measured

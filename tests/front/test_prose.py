@@ -4,11 +4,11 @@ from __future__ import annotations
 
 import pytest
 
-from gainproof.derived import DerivedStep
-from gainproof.latex_display import aligned
-from gainproof.lecture_items import items, numbers
-from gainproof.lecture_latex import escaped
-from gainproof.prose import latex_math, latex_prose, numbered, plain_prose, wrapped
+from gainproof.formulas.latex_display import aligned
+from gainproof.formulas.prose import latex_math, latex_prose, numbered, plain_prose, wrapped
+from gainproof.pages.lecture_items import items, numbers
+from gainproof.pages.lecture_latex import escaped
+from gainproof.subjects.derived import DerivedStep
 
 SYMBOLS = {
     "innovation_deviation": r"\sigma",

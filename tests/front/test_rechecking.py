@@ -7,17 +7,17 @@ from typing import Any
 
 import pytest
 
-from gainproof import derivations, rechecking
-from gainproof.rechecking import expected_of, recheck
+from gainproof.jobs.session import open_session
+from gainproof.subjects import derivations, rechecking
+from gainproof.subjects.rechecking import expected_of, recheck
 from gainproof.verify.certificate import CertificateReport
-from gainproof.workshop import open_workshop
 
 Plain = dict[str, Any]
 
 
 @pytest.fixture(scope="module")
 def original() -> tuple[Plain, Plain]:
-    (derived,) = derivations.derive(["random-velocity"], open_workshop(quiet=True))
+    (derived,) = derivations.derive(["random-velocity"], open_session(quiet=True))
     return derived.certificate, expected_of(derived)
 
 

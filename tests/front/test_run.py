@@ -12,8 +12,11 @@ from typing import Any
 import pytest
 from catalogue_subjects import certificate as certificate_of
 
-from gainproof import bounds_ledger, cli, derivations, generated_files, judgements, places
-from gainproof.workshop import open_workshop
+from gainproof import cli
+from gainproof.claims import judgements
+from gainproof.files import places
+from gainproof.jobs.session import open_session
+from gainproof.subjects import bounds_ledger, derivations, generated_files
 
 Capture = pytest.CaptureFixture[str]
 
@@ -63,10 +66,10 @@ def house(
 ) -> House:
     # paths from here are the same in every test, so that what was judged for one is known to all
     monkeypatch.chdir(tmp_path)
-    shop = open_workshop(quiet=True)
+    session = open_session(quiet=True)
     files = {
         f"{derived.name.replace('-', '_')}.json": json.dumps(derived.certificate).encode()
-        for derived in derivations.derive(SUBJECTS, shop)
+        for derived in derivations.derive(SUBJECTS, session)
     }
     files["random_velocity.py"] = b"# a module\n"
     shipped = [each for each in derivations.outlines() if each["name"] in SUBJECTS]
@@ -158,7 +161,7 @@ def test_a_bound_that_grew_is_said(
     path = house.generated / bounds_ledger.NAME
     path.write_text(bounds_ledger.text({"line": {"gains": {"key": "a", "float32": committed}}}))
     ledger = bounds_ledger.text({"line": {"gains": {"key": "b", "float32": now}}}).encode()
-    files = generated_files.fresh((), open_workshop(quiet=True))
+    files = generated_files.fresh((), open_session(quiet=True))
     fresh = {**files, bounds_ledger.NAME: ledger}
     monkeypatch.setattr(generated_files, "fresh", lambda *_: fresh)
     assert house.run() == 1

@@ -10,9 +10,9 @@ from typing import Any
 
 import pytest
 
-from gainproof import errata
-from gainproof.claim_words import Said
-from gainproof.sentence_formulas import is_formula, pieces, written
+from gainproof.claims.source_words import Said
+from gainproof.errata import errata_sheet
+from gainproof.formulas.sentence_formulas import is_formula, pieces, written
 
 
 def marked(sentence: str, *symbols: str) -> str:
@@ -116,7 +116,7 @@ def test_a_sheet_compiles(tmp_path: Path) -> None:
         "year": 1,
     }
     quoted = Said(text=words, note=words, quoted="a_b & \\x;\n\n  {", known=frozenset("ab"))
-    text = errata.sheet([{"source": source, "claims": [claim]}], [{"1": quoted}], ".tex")
+    text = errata_sheet.sheet([{"source": source, "claims": [claim]}], [{"1": quoted}], ".tex")
     (tmp_path / "sheet.tex").write_text(text, encoding="utf-8")
     command = ["pdflatex", "-interaction=nonstopmode", "-halt-on-error", "sheet.tex"]
     subprocess.run(command, cwd=tmp_path, check=True, capture_output=True, timeout=60)

@@ -9,15 +9,15 @@ from pathlib import Path
 import pytest
 import sympy as sp
 
-from gainproof import derivations, own_file, places, tasks
 from gainproof.bad_input import BadInputError
-from gainproof.cache import Cache
 from gainproof.derive.definition_text import definition_text
 from gainproof.derive.own_expressions.expressions import Result
 from gainproof.derive.quantity import ONE, Quantity
-from gainproof.desk import Desk
-from gainproof.progress import Progress
-from gainproof.workshop import Workshop
+from gainproof.files import places
+from gainproof.jobs.cache import Cache
+from gainproof.jobs.progress import Progress
+from gainproof.jobs.session import Session
+from gainproof.subjects import derivations, own_file
 
 SQUARE = Quantity("square", "s", "its square, scaled", ONE)
 OWN = """
@@ -164,13 +164,13 @@ def test_what_an_own_file_defines_is_derived_once(
     file = tmp_path / "own.py"
     file.write_text(OWN.format(imports="", factor="3"))
     cache = str(tmp_path / "cache")
-    first = tasks.derive_file(Desk(), str(file), cache)
+    first = own_file.derive_file(str(file), cache)
     monkeypatch.setattr(own_file, "built", _not_to_be_called)
     _written(file, "# a word on it\n" + file.read_text())
-    again = tasks.derive_file(Desk(), str(file), cache)
+    again = own_file.derive_file(str(file), cache)
     assert again == json.loads(json.dumps(first))
     with pytest.raises(AssertionError):
-        tasks.derive_file(Desk(), str(file), cache, fresh=True)
+        own_file.derive_file(str(file), cache, fresh=True)
 
 
 def _not_to_be_called(*_: object) -> None:
@@ -218,7 +218,7 @@ def test_a_package_without_a_file_of_its_own_is_forgotten(tmp_path: Path) -> Non
 
 def test_two_own_files_with_modules_of_one_name(tmp_path: Path) -> None:
     """A process that derived the first takes the module beside the second for it."""
-    shop = _shop(tmp_path)
+    session = _shop(tmp_path)
     found = []
     for number in (3, 5):
         folder = tmp_path / str(number)
@@ -226,7 +226,7 @@ def test_two_own_files_with_modules_of_one_name(tmp_path: Path) -> None:
         (folder / "factors.py").write_text(f"FACTOR = {number}\n")
         text = OWN.format(imports="from factors import FACTOR", factor="FACTOR")
         (folder / "own.py").write_text(text)
-        found.append(str(derivations.derive_file(folder / "own.py", shop).programs))
+        found.append(str(derivations.derive_file(folder / "own.py", session).programs))
     assert found[0] != found[1]
 
 
@@ -259,5 +259,5 @@ def test_commands_that_derive_nothing_import_no_computer_algebra(
     assert run.returncode == 0, run.stderr
 
 
-def _shop(folder: Path) -> Workshop:
-    return Workshop(Cache(folder / "cache"), Progress(quiet=True))
+def _shop(folder: Path) -> Session:
+    return Session(Cache(folder / "cache"), Progress(quiet=True))

@@ -12,9 +12,10 @@ from pathlib import Path
 
 import pytest
 
-from gainproof import cli, named_files
+from gainproof import cli
 from gainproof.bad_input import BadInputError
 from gainproof.derive.printer.package import CODE
+from gainproof.files import named_files
 from gainproof.standalone import making, record, testing
 from gainproof.standalone.files import SHIPPED
 from gainproof.standalone.licence import LICENCE

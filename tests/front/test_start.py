@@ -14,9 +14,10 @@ from pathlib import Path
 
 import pytest
 
-from gainproof import cli, interrupts, scarcity, workers
+from gainproof import cli
 from gainproof.bad_input import BadInputError
 from gainproof.campaign import executors
+from gainproof.jobs import interrupts, resource_limits, workers
 
 pytestmark = pytest.mark.skipif(os.name != "posix", reason="signals and limits of POSIX systems")
 LONGEST_WAIT = 100.0  # seconds: only for a process that hangs
@@ -189,17 +190,17 @@ def made(*errors: Exception) -> Exception:
 @pytest.mark.parametrize(
     ("error", "words"),
     [
-        (MemoryError(), scarcity.MEMORY),
-        (OSError(24, os.strerror(24)), scarcity.FILES),
-        (BlockingIOError(11, os.strerror(11)), scarcity.PROCESSES),
-        (RuntimeError("can't start new thread"), scarcity.PROCESSES),
-        (made(MemoryError(), ImportError("numpy")), scarcity.MEMORY),
-        (made(OSError(24, os.strerror(24)), ValueError("x"), KeyError("y")), scarcity.FILES),
-        (ImportError("libx.so: failed to map segment from shared object"), scarcity.MEMORY),
-        (OSError(errno.ENFILE, ""), scarcity.FILES),
-        (OSError(errno.ENOMEM, ""), scarcity.MEMORY),
-        *((ValueError(f"{sign!r} came"), None) for sign in scarcity.SIGNS),
-        *((made(KeyError(sign), OSError(2, sign)), None) for sign in scarcity.SIGNS),
+        (MemoryError(), resource_limits.MEMORY),
+        (OSError(24, os.strerror(24)), resource_limits.FILES),
+        (BlockingIOError(11, os.strerror(11)), resource_limits.PROCESSES),
+        (RuntimeError("can't start new thread"), resource_limits.PROCESSES),
+        (made(MemoryError(), ImportError("numpy")), resource_limits.MEMORY),
+        (made(OSError(24, os.strerror(24)), ValueError("x"), KeyError("y")), resource_limits.FILES),
+        (ImportError("libx.so: failed to map segment from shared object"), resource_limits.MEMORY),
+        (OSError(errno.ENFILE, ""), resource_limits.FILES),
+        (OSError(errno.ENOMEM, ""), resource_limits.MEMORY),
+        *((ValueError(f"{sign!r} came"), None) for sign in resource_limits.SIGNS),
+        *((made(KeyError(sign), OSError(2, sign)), None) for sign in resource_limits.SIGNS),
         (ValueError("x"), None),
         (made(ValueError("x"), OSError(2, os.strerror(2))), None),
     ],
@@ -210,7 +211,7 @@ def test_what_an_error_comes_from(
     monkeypatch: pytest.MonkeyPatch,
     capsys: pytest.CaptureFixture[str],
 ) -> None:
-    assert scarcity.lack(error) == words
+    assert resource_limits.lack(error) == words
 
     def run(_: object) -> int:
         raise error

@@ -12,7 +12,8 @@ from xml.etree import ElementTree as ET
 import numpy as np
 import pytest
 
-from gainproof import cli, progress
+from gainproof import cli
+from gainproof.jobs import progress
 from gainproof.tracking import CONVERSIONS, FILTERS, tracker
 from gainproof.tracking.example import truth
 from gainproof.tracking.motion import Estimate

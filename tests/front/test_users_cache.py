@@ -8,10 +8,11 @@ import catalogue_subjects
 import pytest
 from catalogue_subjects import ALIKE, CacheOfTwo
 
-from gainproof import derivations, workers
-from gainproof.cache import Cache, default_folder, key_of
 from gainproof.derive.catalogue import CATALOGUE
-from gainproof.workshop import Workshop
+from gainproof.jobs import workers
+from gainproof.jobs.cache import Cache, default_folder, key_of
+from gainproof.jobs.session import Session
+from gainproof.subjects import derivations
 
 KEY = key_of("derive", "this code", "random-velocity")
 
@@ -65,9 +66,9 @@ def test_a_subject_of_each_way_is_derived_anew(
     names = [entry.name for entry in CATALOGUE]
     asked: list[str] = []
 
-    def note(shop: Workshop, chosen: list[str]) -> None:
-        asked.append(f"{type(shop.cache).__name__} {len(chosen)}")
-        if type(shop.cache) is Cache:
+    def note(session: Session, chosen: list[str]) -> None:
+        asked.append(f"{type(session.cache).__name__} {len(chosen)}")
+        if type(session.cache) is Cache:
             assert not ALIKE & set(chosen)
 
     monkeypatch.setattr(catalogue_subjects, "USERS_CACHE", users.folder)

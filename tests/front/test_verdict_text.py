@@ -6,9 +6,9 @@ from typing import Any
 
 import pytest
 
-from gainproof import verdict_text
-from gainproof.claim_words import claim_words
-from gainproof.page import filled, width
+from gainproof.claims.source_words import claim_words
+from gainproof.terminal_text import filled, width
+from gainproof.verdicts import verdict_text
 
 WITNESS = {
     "point": {"r": "1"},

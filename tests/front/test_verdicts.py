@@ -9,8 +9,8 @@ from typing import Any
 
 import pytest
 
-from gainproof import verdicts
 from gainproof.bad_input import BadInputError
+from gainproof.verdicts import verdict_snapshot
 
 
 def claim(name: str, verdict: str, **fields: Any) -> dict[str, Any]:
@@ -49,7 +49,7 @@ JUDGED: dict[str, Any] = {
 @pytest.fixture
 def file(tmp_path: Path) -> Path:
     path = tmp_path / "lecture.toml"
-    verdicts.write_snapshot(JUDGED, path)
+    verdict_snapshot.write_snapshot(JUDGED, path)
     return path
 
 
@@ -58,7 +58,7 @@ def test_unchanged_verdicts_are_no_change(file: Path) -> None:
     again = copy.deepcopy(JUDGED)
     again["claims"][0]["seconds"] = 99
     again["claims"][0]["evidence"]["certificate"] = {"steps": 4}
-    assert verdicts.changes(again, file) == []
+    assert verdict_snapshot.changes(again, file) == []
 
 
 @pytest.mark.parametrize(
@@ -75,27 +75,30 @@ def test_unchanged_verdicts_are_no_change(file: Path) -> None:
 def test_each_change_is_seen(file: Path, field: str, value: Any) -> None:
     again = copy.deepcopy(JUDGED)
     again["claims"][0][field] = value
-    (line,) = verdicts.changes(again, file)
+    (line,) = verdict_snapshot.changes(again, file)
     assert line.startswith(f"a: {field} was ")
 
 
 def test_a_weaker_method_is_seen(file: Path) -> None:
     again = copy.deepcopy(JUDGED)
     again["claims"][0]["evidence"]["method"] = "replayed"
-    assert verdicts.changes(again, file) == ["a: method was towers, is replayed"]
+    assert verdict_snapshot.changes(again, file) == ["a: method was towers, is replayed"]
 
 
 def test_new_lost_and_moved_claims_are_seen(file: Path) -> None:
     again = copy.deepcopy(JUDGED)
     again["claims"][0]["id"] = "z"
-    assert verdicts.changes(again, file) == ["a: no longer among the claims", "z: new, proved"]
+    assert verdict_snapshot.changes(again, file) == [
+        "a: no longer among the claims",
+        "z: new, proved",
+    ]
     moved = copy.deepcopy(JUDGED)
     moved["claims"].reverse()
-    assert len(verdicts.changes(moved, file)) == 1
+    assert len(verdict_snapshot.changes(moved, file)) == 1
 
 
 def test_no_snapshot_is_a_change(tmp_path: Path) -> None:
-    assert verdicts.changes(JUDGED, tmp_path / "new.toml") == [
+    assert verdict_snapshot.changes(JUDGED, tmp_path / "new.toml") == [
         "new.verdicts.json: there is no snapshot yet"
     ]
 
@@ -104,7 +107,7 @@ def test_no_snapshot_is_a_change(tmp_path: Path) -> None:
 def test_a_damaged_snapshot_is_bad_input(file: Path, text: str) -> None:
     file.with_name("lecture.verdicts.json").write_text(text)
     with pytest.raises(BadInputError, match="not a snapshot"):
-        verdicts.changes(JUDGED, file)
+        verdict_snapshot.changes(JUDGED, file)
 
 
 def test_snapshots_hold_no_times(file: Path) -> None:
@@ -115,10 +118,16 @@ def test_snapshots_hold_no_times(file: Path) -> None:
 
 def test_unsettled_and_tally() -> None:
     data = copy.deepcopy(JUDGED)
-    assert verdicts.unsettled(data) == []
+    assert verdict_snapshot.unsettled(data) == []
     data["claims"] += [claim("d", "held"), claim("e", "undecided")]
-    assert verdicts.unsettled(data) == ["d", "e"]
-    assert list(verdicts.tally([data])) == ["proved", "refuted", "held", "undecided", "remark"]
+    assert verdict_snapshot.unsettled(data) == ["d", "e"]
+    assert list(verdict_snapshot.tally([data])) == [
+        "proved",
+        "refuted",
+        "held",
+        "undecided",
+        "remark",
+    ]
 
 
 def test_what_met_with_an_accident_is_no_change_and_stays_as_it_was(file: Path) -> None:
@@ -126,13 +135,13 @@ def test_what_met_with_an_accident_is_no_change_and_stays_as_it_was(file: Path) 
     again = copy.deepcopy(JUDGED)
     again["claims"][0] |= {"verdict": "undecided", "accident": "killed"}
     again["claims"].append(claim("d", "refuted", accident="killed"))
-    assert verdicts.changes(again, file) == []
-    assert verdicts.unsettled(again) == ["a", "d"]
-    assert verdicts.accidents(again) == {"a": "killed", "d": "killed"}
+    assert verdict_snapshot.changes(again, file) == []
+    assert verdict_snapshot.unsettled(again) == ["a", "d"]
+    assert verdict_snapshot.accidents(again) == {"a": "killed", "d": "killed"}
     before = file.with_name("lecture.verdicts.json").read_text()
     again["claims"][1]["verdict"] = "conditional"
-    assert len(verdicts.changes(again, file)) == 1
-    verdicts.write_snapshot(again, file)
+    assert len(verdict_snapshot.changes(again, file)) == 1
+    verdict_snapshot.write_snapshot(again, file)
     after = file.with_name("lecture.verdicts.json").read_text()
     assert after == before.replace('"refuted"', '"conditional"')
 
@@ -140,6 +149,6 @@ def test_what_met_with_an_accident_is_no_change_and_stays_as_it_was(file: Path) 
 def test_without_a_snapshot_an_accident_is_left_out(tmp_path: Path) -> None:
     judged = copy.deepcopy(JUDGED)
     judged["claims"][1]["accident"] = "killed"
-    verdicts.write_snapshot(judged, tmp_path / "new.toml")
+    verdict_snapshot.write_snapshot(judged, tmp_path / "new.toml")
     data = json.loads((tmp_path / "new.verdicts.json").read_text())
     assert [entry["id"] for entry in data["claims"]] == ["a", "c"]

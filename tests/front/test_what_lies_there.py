@@ -6,8 +6,10 @@ from pathlib import Path
 
 import pytest
 
-from gainproof import cli, drift, places
+from gainproof import cli
 from gainproof.bad_input import BadInputError
+from gainproof.files import places
+from gainproof.subjects import drift
 
 LONG = "a" * 300  # file systems take 255 bytes; `Path.exists` raises OSError for it
 COMMANDS = [

@@ -6,7 +6,7 @@ from typing import Any
 
 import pytest
 
-from gainproof import witness_text
+from gainproof.verdicts import witness_text
 from gainproof.verify.judge.verdict_words import Shown
 
 WITNESS = {

@@ -7,8 +7,8 @@ import time
 
 import pytest
 
-from gainproof import progress
 from gainproof.commands.derive import _word_of_long_work
+from gainproof.jobs import progress
 
 
 def worked(monkeypatch: pytest.MonkeyPatch, *, terminal: bool, at_once: bool) -> None:

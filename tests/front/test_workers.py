@@ -11,12 +11,13 @@ from typing import Any
 
 import pytest
 
-from gainproof import workers
 from gainproof.bad_input import BadInputError
-from gainproof.claim_template import template
-from gainproof.process import Process
-from gainproof.tasks import DERIVING, TASKS
-from gainproof.workers import Job, JobError
+from gainproof.claims.template import template
+from gainproof.jobs import workers
+from gainproof.jobs.code_digest import modules_below
+from gainproof.jobs.process import Process
+from gainproof.jobs.tasks import TASKS
+from gainproof.jobs.workers import Job, JobError
 
 SUPPORT = Path(__file__).resolve().parents[1] / "support"
 UNKNOWN = Job("x", "derive", {"name": "random-velocty"})
@@ -77,7 +78,7 @@ def test_what_a_job_says_while_it_works_is_told() -> None:
     arguments = {"path": "t", "text": text, "models": [], "seconds": 60.0}
     job = Job("t", "judge", arguments, {"processes": 1})
     told: list[str] = []
-    (found,) = workers.run([job], on_told=lambda job, text: told.append(f"{job.label}: {text}"))
+    (found,) = workers.run([job], on_progress=lambda job, text: told.append(f"{job.label}: {text}"))
     assert len(found["claims"]) == 2
     assert told == ["t: 1 of 2 claims", "t: 2 of 2 claims"]
 
@@ -138,8 +139,8 @@ def test_what_derives_and_what_judges_have_different_processes() -> None:
     assert found["first"] != found["third"]
     imported = Job("", "imported", {"name": "sympy"})
     assert workers.run([derives, imported], limit=1)[1] is False
-    for task in DERIVING:
-        assert task in TASKS
+    for name, task in TASKS.items():
+        assert ("gainproof.subjects.deriving" in modules_below(task.module)) == task.derives, name
 
 
 def test_a_process_takes_job_after_job_and_keeps_by_key() -> None:
@@ -195,7 +196,7 @@ def test_done_is_told_of_every_job() -> None:
 def test_works_from_a_program_without_a_main_guard() -> None:
     """Unlike multiprocessing with spawn: the script of the user is not imported again."""
     script = (
-        "from gainproof import workers\n"
+        "from gainproof.jobs import workers\n"
         "workers.WORKER = 'odd_worker'\n"
         "print(workers.run([workers.Job('a', 'wait', {'seconds': 0})]))\n"
     )

@@ -8,8 +8,8 @@ from typing import Any
 
 import pytest
 
-from gainproof import workers
-from gainproof.workers import Job, JobError
+from gainproof.jobs import workers
+from gainproof.jobs.workers import Job, JobError
 
 JOBS = [Job(name, "wait", {"seconds": 60}) for name in ("first", "second", "third")]
 

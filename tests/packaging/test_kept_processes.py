@@ -10,9 +10,9 @@ from typing import Any
 import pytest
 from kept_processes import Keeper
 
-from gainproof import workers
-from gainproof.process import Process
-from gainproof.workers import Job, JobError
+from gainproof.jobs import workers
+from gainproof.jobs.process import Process
+from gainproof.jobs.workers import Job, JobError
 
 NOTHING: dict[str, Any] = {name: {} for name in ("domain", "programs", "towers", "kernels")}
 EXPECTED = NOTHING | {"subject": "x", "claims": [], "model": None}

@@ -14,14 +14,16 @@ from typing import Any
 
 import pytest
 
-from gainproof import bounds_ledger, derivations, places, workers
 from gainproof.bad_input import BadInputError
-from gainproof.cache import Cache, default_folder
 from gainproof.derive.catalogue import CATALOGUE
 from gainproof.derive.subject import Subject
-from gainproof.derived import Derived
-from gainproof.workers import Job
-from gainproof.workshop import Workshop, open_workshop
+from gainproof.files import places
+from gainproof.jobs import workers
+from gainproof.jobs.cache import Cache, default_folder
+from gainproof.jobs.session import Session, open_session
+from gainproof.jobs.workers import Job
+from gainproof.subjects import bounds_ledger, derivations
+from gainproof.subjects.derived import Derived
 
 OTHER_SEED = "4242"
 PROCESSORS = workers.processors
@@ -65,7 +67,7 @@ def derived(name: str) -> Derived:
     """
     if "PYTEST_XDIST_WORKER" in os.environ:
         prepare_all()
-    return derivations.known(name, open_workshop(quiet=True))
+    return derivations.known(name, open_session(quiet=True))
 
 
 def certificate(name: str) -> Mapping[str, Any]:
@@ -78,7 +80,7 @@ def report(name: str) -> Mapping[str, Any]:
     """The checker's report on the certificate just derived: of whoever asks first in a session, or
     that of `gainproof run` on the same certificate with the same code. Nobody changes it.
     """
-    return derivations.own_report(derived(name), with_the_users(open_workshop(quiet=True)))
+    return derivations.own_report(derived(name), with_the_users(open_session(quiet=True)))
 
 
 def models() -> list[Mapping[str, Any]]:
@@ -110,18 +112,18 @@ def _preparing() -> Exception | None:
 
 
 def _prepare() -> None:
-    shop = open_workshop(quiet=True)
+    session = open_session(quiet=True)
     with _one_process_at_a_time(default_folder() / "deriving.lock"):
         names = derivations.catalogue()
         assert set(names) >= ALIKE
-        derive_with_another_seed(shop, [name for name in names if name not in ALIKE])
-        derive_with_another_seed(with_the_users(shop), names)
+        derive_with_another_seed(session, [name for name in names if name not in ALIKE])
+        derive_with_another_seed(with_the_users(session), names)
 
 
-def with_the_users(shop: Workshop) -> Workshop:
-    """The workshop, which knows what the user's cache holds too."""
-    both = CacheOfTwo(shop.cache.folder, users=Cache(USERS_CACHE))
-    return Workshop(both, shop.progress, shop.code)
+def with_the_users(session: Session) -> Session:
+    """The session, which knows what the user's cache holds too."""
+    both = CacheOfTwo(session.cache.folder, users=Cache(USERS_CACHE))
+    return Session(both, session.progress, session.code)
 
 
 def take_over_trials(cache: Cache) -> None:
@@ -131,14 +133,14 @@ def take_over_trials(cache: Cache) -> None:
             shutil.copy(path, cache.folder)
 
 
-def derive_with_another_seed(shop: Workshop, names: Sequence[str]) -> None:
-    """The subjects with their files are in the cache of the workshop; what is not is derived."""
+def derive_with_another_seed(session: Session, names: Sequence[str]) -> None:
+    """The subjects with their files are in the cache of the session; what is not is derived."""
     assert workers.REPRODUCIBLE["PYTHONHASHSEED"] != OTHER_SEED
     with pytest.MonkeyPatch.context() as changed:
         changed.setitem(workers.REPRODUCIBLE, "PYTHONHASHSEED", OTHER_SEED)
         changed.setattr(workers, "processors", PROCESSORS)
         bounds = bounds_ledger.usable(places.generated_folder())
-        shop.ahead([derivations.everything_job(name, bounds) for name in names], _nothing)
+        session.ahead([derivations.everything_job(name, bounds) for name in names], _nothing)
 
 
 def _nothing(_: Job) -> list[Job]:

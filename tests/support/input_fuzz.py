@@ -22,7 +22,7 @@ from reader_campaign import CLAIMS, broken, files
 from reader_fuzz import random_text
 
 from gainproof import cli
-from gainproof.claim_template import template
+from gainproof.claims.template import template
 from gainproof.verify.judge.claim.file import read_claim_text
 from gainproof.verify.judge.judge import judge_file
 from gainproof.verify.judge.worker import Workers

@@ -8,10 +8,10 @@ from functools import cache
 from typing import Any
 
 from catalogue_subjects import certificate, derived
+from judged_derivations.relation import judge_statement
+from judged_derivations.surroundings import Surroundings, surroundings
 
 from gainproof.derive.catalogue import CATALOGUE, Entry
-from gainproof.verify.judge.derivations.relation import judge_statement
-from gainproof.verify.judge.derivations.surroundings import Surroundings, surroundings
 from gainproof.verify.judge.setting.quantities import steady_state
 
 DEGREES = {"least-squares-mean": 0, "least-squares-line": 1, "least-squares-parabola": 2}

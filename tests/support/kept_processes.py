@@ -20,16 +20,14 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 from typing import Any
 
-from gainproof import workers
-from gainproof.cache import FOLDER_VARIABLE
-from gainproof.process import BrokenOffError, Process
-from gainproof.tasks import DERIVING
+from gainproof.jobs import workers
+from gainproof.jobs.cache import FOLDER_VARIABLE
+from gainproof.jobs.process import BrokenOffError, Process
+from gainproof.jobs.tasks import TASKS, derives
 
 OWN_WORKER, OWN_SEED = workers.WORKER, workers.REPRODUCIBLE["PYTHONHASHSEED"]
 NOT_READ = ("PYTEST_CURRENT_TEST", FOLDER_VARIABLE)
 """Variables that differ from test to test and that no worker process looks at."""
-EXECUTING = frozenset({"derive_file", "package_file"})
-"""Tasks after which a process is not what it was: a file of the user's has been executed in it."""
 MOST_JOBS = 25
 """Of one process, so that what it keeps does not grow for the whole session."""
 
@@ -85,7 +83,7 @@ class Keeper:
     asked: int = 0
 
     def process(self) -> type[Any]:
-        """What stands in for `gainproof.process.Process`."""
+        """What stands in for `gainproof.jobs.process.Process`."""
         keeper = self
 
         class Kept(_Kept):
@@ -124,7 +122,7 @@ class Keeper:
 
 
 class _Kept:
-    """Like `gainproof.process.Process`; the interpreter is chosen when the first job is known."""
+    """Like the product's `Process`; the interpreter is chosen when the first job is known."""
 
     of: Keeper
 
@@ -143,12 +141,12 @@ class _Kept:
         self, request: Mapping[str, Any], tell: Callable[[str], object], *, last: bool = False
     ) -> dict[str, Any]:
         task = str(request["task"])
-        if task in EXECUTING:
+        if task in TASKS and TASKS[task].executes:  # after which a process is not what it was
             if self._new is None:
                 self._new = await Process.started(OWN_WORKER, self._settings)
             return await self._new.ask(request, tell, last=last)
         if self._one is None:
-            self._one = self.of.taken(self._settings, derives=task in DERIVING)
+            self._one = self.of.taken(self._settings, derives=derives(task))
         self.of.asked += 1
         self._one.jobs += 1
         loop, said = asyncio.get_running_loop(), json.dumps(request).encode() + b"\n"
@@ -159,9 +157,9 @@ class _Kept:
                 answer = json.loads(line)
             except ValueError:
                 raise BrokenOffError(self._how_it_ended()) from None
-            if "told" not in answer:
+            if "progress" not in answer:
                 return dict(answer)
-            tell(str(answer["told"]))
+            tell(str(answer["progress"]))
 
     def _how_it_ended(self) -> str:
         assert self._one is not None

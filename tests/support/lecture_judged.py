@@ -10,8 +10,8 @@ from typing import Any
 
 from catalogue_subjects import prepare_all, take_over_trials
 
-from gainproof import judgements
-from gainproof.workshop import open_workshop
+from gainproof.claims import judgements
+from gainproof.jobs.session import open_session
 
 LECTURE = "kosuge-slides"
 
@@ -26,8 +26,8 @@ def claims_of(source: str) -> list[dict[str, Any]]:
     """The same for a claim file of gainproof by its key."""
     if "PYTEST_XDIST_WORKER" in os.environ:
         prepare_all()
-    shop = open_workshop(quiet=True)
-    take_over_trials(shop.cache)
-    (judged,) = judgements.judge([judgements.find(source)], shop)
+    session = open_session(quiet=True)
+    take_over_trials(session.cache)
+    (judged,) = judgements.judge([judgements.find(source)], session)
     claims: list[dict[str, Any]] = judged["claims"]
     return claims

@@ -21,8 +21,8 @@ from gainproof.derive.quantity import (
     Quantity,
     Unit,
 )
-from gainproof.deriving import plain_subject
-from gainproof.rechecking import expected_of, recheck
+from gainproof.subjects.deriving import plain_subject
+from gainproof.subjects.rechecking import expected_of, recheck
 
 T, SIGMA = SAMPLING_INTERVAL.symbol, MEASUREMENT_DEVIATION.symbol
 SHAKE = Quantity("shake", "w", "strength", METRE)

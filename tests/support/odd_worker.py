@@ -9,42 +9,45 @@ import subprocess
 import sys
 import time
 
-from gainproof import tasks, worker
-from gainproof.desk import Desk
+from gainproof.jobs import tasks, worker
+from gainproof.jobs.tasks import Task
+from gainproof.jobs.worker_state import WorkerState
+
+NAMES = ("environment", "wait", "process", "imported", "several", "start_another")
 
 
-def environment(_: Desk, names: list[str]) -> dict[str, str | None]:
+def environment(names: list[str]) -> dict[str, str | None]:
     """Settings as this process sees them."""
     return {name: os.environ.get(name) for name in names}
 
 
-def wait(_: Desk, seconds: float) -> float:
+def wait(seconds: float) -> float:
     """Do nothing for a while: a job whose length is known."""
     time.sleep(seconds)
     return seconds
 
 
-def process(_: Desk) -> int:
+def process() -> int:
     """The number of this process."""
     return os.getpid()
 
 
-def imported(_: Desk, name: str) -> bool:
+def imported(name: str) -> bool:
     """Whether this process has imported a module."""
     return name in sys.modules
 
 
-def note(desk: Desk, key: str, value: int) -> int:
+def note(state: WorkerState, key: str, value: int) -> int:
     """What is kept under a key, if nothing was before the value."""
-    return desk.kept(key, lambda: value)
+    return state.kept(key, lambda: value)
 
 
-def several(_: Desk) -> list[object]:
+def several() -> list[object]:
     """What `wait` would answer, and something that it would not."""
     return [0, "known"]
 
 
-def start_another(_: Desk, seconds: float) -> float:
+def start_another(seconds: float) -> float:
     """Wait in a process that this one starts."""
     script = f"import time; time.sleep({seconds!r})"
     subprocess.run([sys.executable, "-c", script, "started-by-a-job"], check=True)
@@ -54,12 +57,7 @@ def start_another(_: Desk, seconds: float) -> float:
 if __name__ == "__main__":
     tasks.TASKS = {
         **tasks.TASKS,
-        "environment": environment,
-        "wait": wait,
-        "process": process,
-        "imported": imported,
-        "note": note,
-        "several": several,
-        "start_another": start_another,
+        **{name: Task(__name__, name) for name in NAMES},
+        "note": Task(__name__, "note", with_state=True),
     }
     worker.main()

@@ -6,7 +6,7 @@ from pathlib import Path
 
 import gainproof
 from gainproof.book.play import STYLE, section
-from gainproof.derived import Derived
+from gainproof.subjects.derived import Derived
 
 STATIC = Path(gainproof.__file__).resolve().parent / "book" / "static"
 COLOURS = {

@@ -9,12 +9,13 @@ from dataclasses import asdict, dataclass, field
 from pathlib import Path
 from typing import Any
 
-from gainproof import code_digest, given_file, places
 from gainproof.bad_input import BadInputError
 from gainproof.bench import machine
 from gainproof.bench.measure import SECONDS, SIZE, Options
 from gainproof.bench.memory import bandwidth
 from gainproof.bench.timing import ROUNDS
+from gainproof.files import input_file, places
+from gainproof.jobs import code_digest
 
 FORMAT = "gainproof bench 1"
 MOST_BYTES = 10**8
@@ -106,7 +107,7 @@ def _kept(path: Path, now: Mapping[str, Any]) -> tuple[list[dict[str, Any]], lis
     shown = places.shown(path)
     if not os.path.lexists(path):
         return [], []
-    content = given_file.content(path, MOST_BYTES)
+    content = input_file.content(path, MOST_BYTES)
     try:
         data = json.loads(content)
     except (ValueError, RecursionError):

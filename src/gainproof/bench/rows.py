@@ -9,7 +9,7 @@ from typing import Any
 
 from gainproof.bench.measure import Figures
 from gainproof.bench.subjects import Measured
-from gainproof.cancellations import Left, left
+from gainproof.pages.cancellations import Left, left
 
 
 def row(item: Measured, found: Figures, remaining: Mapping[str, Left]) -> dict[str, Any]:

@@ -8,7 +8,6 @@ import sys
 import tempfile
 from pathlib import Path
 
-from gainproof import named_files
 from gainproof.bad_input import BadInputError
 from gainproof.bench import results, table
 from gainproof.bench.measure import Options, figures
@@ -16,6 +15,7 @@ from gainproof.bench.page import page
 from gainproof.bench.results import Results
 from gainproof.bench.rows import remaining, row
 from gainproof.bench.subjects import measured_kernels, subject_names
+from gainproof.files import named_files
 
 PAGE, DATA = "bench.html", "bench.json"
 

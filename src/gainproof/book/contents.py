@@ -6,15 +6,19 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
-from gainproof import code_digest, derivations, judgements, places, verdicts
 from gainproof.bad_input import BadInputError
 from gainproof.book import kernel_pictures
-from gainproof.claim_proofs import checked
-from gainproof.claim_words import Said, claims_said
-from gainproof.derived import Derived
-from gainproof.everything import ahead, committed
-from gainproof.verdicts import Judgement
-from gainproof.workshop import Workshop
+from gainproof.claims import judgements
+from gainproof.claims.claim_proofs import checked
+from gainproof.claims.source_words import Said, claims_said
+from gainproof.files import places
+from gainproof.jobs import code_digest
+from gainproof.jobs.session import Session
+from gainproof.subjects import derivations
+from gainproof.subjects.derived import Derived
+from gainproof.verdicts import verdict_snapshot
+from gainproof.verdicts.verdict_snapshot import Judgement
+from gainproof.verification.findings import ahead, committed
 
 
 @dataclass(frozen=True)
@@ -34,25 +38,25 @@ class Contents:
     sampled: Mapping[str, Mapping[str, Any]]
 
 
-def gather(shop: Workshop) -> Contents:
+def gather(session: Session) -> Contents:
     """Everything, derived, checked and judged where that is not known already.
 
     Raises BadInputError where an accident kept a claim from being judged.
     """
     folder, files = places.generated_folder(), places.claim_files()
-    ahead(shop, folder, files)
-    subjects = derivations.derive(derivations.catalogue(), shop)
+    ahead(session, folder, files)
+    subjects = derivations.derive(derivations.catalogue(), session)
     pairs = [(committed(folder, subject.name), subject) for subject in subjects]
-    judged = judgements.judge(files, shop)
-    missing = [why for each in judged for why in verdicts.accidents(each).values()]
+    judged = judgements.judge(files, session)
+    missing = [why for each in judged for why in verdict_snapshot.accidents(each).values()]
     if missing:
         raise BadInputError(f"not judged, by accident: {missing[0]}; make the book again")
     asked = [job for subject in subjects for job in kernel_pictures.jobs(subject)]
-    sampled = shop.results("pictures of kernels", asked)
+    sampled = session.results("pictures of kernels", asked)
     return Contents(
         versions=code_digest.versions(),
         subjects=subjects,
-        reports=derivations.recheck(pairs, shop),
+        reports=derivations.recheck(pairs, session),
         judgements=judged,
         said=[claims_said(judgements.read(file)) for file in files],
         checked=[{claim["id"]: checked(claim) for claim in each["claims"]} for each in judged],

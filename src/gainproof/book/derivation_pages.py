@@ -14,13 +14,13 @@ from gainproof.book.how_checked import how
 from gainproof.book.mathematics import displayed
 from gainproof.book.page import Finding, Page
 from gainproof.book.prose_html import prose
-from gainproof.derived import Derived, DerivedStep
-from gainproof.formula_latex import formula_latex, indexed
-from gainproof.lecture import count, marks_of, model_sentence
-from gainproof.lecture_items import Item, items, numbers
-from gainproof.lecture_latex import MODEL_FIELDS, MODEL_SYMBOLS, matrix_latex
-from gainproof.prose import latex_math, plain_prose
-from gainproof.relation_text import Writer, relation_lines
+from gainproof.formulas.formula_latex import formula_latex, indexed
+from gainproof.formulas.prose import latex_math, plain_prose
+from gainproof.formulas.relation_text import Writer, relation_lines
+from gainproof.pages.lecture import count, marks_of, model_sentence
+from gainproof.pages.lecture_items import Item, items, numbers
+from gainproof.pages.lecture_latex import MODEL_FIELDS, MODEL_SYMBOLS, matrix_latex
+from gainproof.subjects.derived import Derived, DerivedStep
 
 _IN_WORDS = "\0"
 """Before a line without formulas, so that it is not taken for LaTeX."""

@@ -18,7 +18,7 @@ from gainproof.book.kernel_pictures import pictures
 from gainproof.book.page import Finding, Page
 from gainproof.book.plain_formulas import coded, set_line
 from gainproof.book.written_signature import written_signature
-from gainproof.derived import Derived
+from gainproof.subjects.derived import Derived
 
 _NAMED = re.compile(r"(?!Source: )[`\w]+: ")
 _WRITTEN = (

@@ -9,8 +9,8 @@ from typing import Any
 from markupsafe import Markup
 
 from gainproof.book.chart import axis_of, chart
-from gainproof.derived import Derived
-from gainproof.workers import Job
+from gainproof.jobs.workers import Job
+from gainproof.subjects.derived import Derived
 
 MOST_LINES = 4
 """Lines or dots of one picture; more could not be told apart."""

@@ -8,8 +8,8 @@ from typing import Any
 
 from gainproof.book import derivation_pages, kernel_pages, source_pages
 from gainproof.book.page import Page
-from gainproof.derived import Derived
-from gainproof.verdicts import Judgement, tally
+from gainproof.subjects.derived import Derived
+from gainproof.verdicts.verdict_snapshot import Judgement, tally
 
 
 def list_pages(

@@ -13,7 +13,7 @@ from itertools import groupby
 from markupsafe import Markup, escape
 
 from gainproof.book.mathematics import inline
-from gainproof.formula_latex import symbol_latex
+from gainproof.formulas.formula_latex import symbol_latex
 
 _GREEK = frozenset(
     {

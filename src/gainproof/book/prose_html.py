@@ -7,7 +7,7 @@ from collections.abc import Mapping
 from markupsafe import Markup, escape
 
 from gainproof.book.mathematics import inline
-from gainproof.prose import latex_math, pieces
+from gainproof.formulas.prose import latex_math, pieces
 
 
 def prose(

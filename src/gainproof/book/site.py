@@ -9,10 +9,10 @@ from typing import Any
 
 import jinja2
 
-from gainproof import atomic_file, given_file, named_files, places
 from gainproof.bad_input import BadInputError
 from gainproof.book.page import Page
-from gainproof.book.words import LANGUAGES, in_language
+from gainproof.files import atomic_file, input_file, named_files, places
+from gainproof.interface_words import LANGUAGES, in_language
 
 MARK = "gainproof-book.txt"
 """A file that every site has: a folder with other things in it is never written into."""
@@ -93,7 +93,7 @@ def require_own(folder: Path) -> None:
 
 def _is_mark(path: Path) -> bool:
     try:
-        return given_file.text(path, MOST_LISTED).startswith(_TOLD)
+        return input_file.text(path, MOST_LISTED).startswith(_TOLD)
     except BadInputError:
         return False
 
@@ -102,7 +102,7 @@ def _listed(folder: Path) -> set[str]:
     """The files of the site that is there."""
     if not _is_mark(folder / MARK):
         return set()
-    return set(given_file.text(folder / MARK, MOST_LISTED).splitlines()[1:]) - {""}
+    return set(input_file.text(folder / MARK, MOST_LISTED).splitlines()[1:]) - {""}
 
 
 def _renew(path: Path, content: bytes) -> None:

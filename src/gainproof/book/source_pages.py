@@ -11,12 +11,12 @@ from markupsafe import Markup, escape
 
 from gainproof.book.mathematics import displayed, inline
 from gainproof.book.page import Finding, Page
-from gainproof.book.words import LANGUAGES, in_language
-from gainproof.claim_words import Said
-from gainproof.errata_entries import Block, Entry, Member, entries, entry_blocks, source_line
-from gainproof.explanation import parts
-from gainproof.sentence_formulas import written
-from gainproof.verdicts import Judgement, tally
+from gainproof.claims.source_words import Said
+from gainproof.errata.errata_entries import Block, Entry, Member, entries, entry_blocks, source_line
+from gainproof.formulas.sentence_formulas import written
+from gainproof.interface_words import LANGUAGES, in_language
+from gainproof.verdicts.explanation import parts
+from gainproof.verdicts.verdict_snapshot import Judgement, tally
 
 Claim = Mapping[str, Any]
 

@@ -11,7 +11,7 @@ from gainproof.campaign import executors, state
 from gainproof.campaign.campaign import Campaign, Done
 from gainproof.campaign.options import require_jobs
 from gainproof.campaign.running import run
-from gainproof.progress import Progress
+from gainproof.jobs.progress import Progress
 
 
 def carry_out(campaign: Campaign, options: argparse.Namespace) -> int:

@@ -12,10 +12,10 @@ from importlib import import_module
 from multiprocessing import get_context, parent_process
 from types import FrameType
 
-from gainproof import interrupts
 from gainproof.bad_input import BadInputError
 from gainproof.campaign.options import EXECUTORS
-from gainproof.workers import processors
+from gainproof.jobs import interrupts
+from gainproof.jobs.workers import processors
 
 
 @contextmanager

@@ -7,8 +7,8 @@ from collections.abc import Callable, Sequence
 from concurrent.futures import Executor, as_completed
 from typing import Any
 
-from gainproof import interrupts
 from gainproof.campaign.campaign import Arguments, Campaign, Done
+from gainproof.jobs import interrupts
 
 
 def run(

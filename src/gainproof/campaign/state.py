@@ -16,9 +16,9 @@ from math import inf
 from pathlib import Path
 from typing import Any
 
-from gainproof import places
 from gainproof.bad_input import BadInputError
 from gainproof.campaign.campaign import Arguments, Campaign, Done
+from gainproof.files import places
 
 Keep = Callable[[Done], None]
 

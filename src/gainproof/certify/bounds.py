@@ -6,14 +6,14 @@ from collections import Counter
 from collections.abc import Callable
 from time import perf_counter
 
+from gainproof.campaign.printed_bound import PrintedBound, other_bounds, printed_bounds
 from gainproof.certify import gappa
 from gainproof.certify.cover import Cover
 from gainproof.certify.expression import NotExportedError
 from gainproof.certify.outcome import Outcome
-from gainproof.certify.printed_bound import PrintedBound, other_bounds, printed_bounds
 from gainproof.certify.rounding_bound import covered, steps_of
 from gainproof.certify.subjects import Subject
-from gainproof.progress import Progress
+from gainproof.jobs.progress import Progress
 
 NAME, PROGRAM = "gappa", gappa.PROGRAM
 OTHERS = "other bounds"

@@ -19,16 +19,16 @@ from pathlib import Path
 from typing import Any
 
 from gainproof.bad_input import BadInputError
+from gainproof.campaign.printed_bound import PrintedBound, printed_bounds
 from gainproof.certify import bounds, coqc
 from gainproof.certify.expression import NotExportedError
 from gainproof.certify.outcome import Outcome
-from gainproof.certify.printed_bound import PrintedBound, printed_bounds
 from gainproof.certify.reading import statements
 from gainproof.certify.rounding_bound import steps_of
 from gainproof.certify.subjects import Subject, chosen
 from gainproof.certify.tools import TOOLS, Tool
-from gainproof.code_digest import of_files
-from gainproof.places import package_folder
+from gainproof.files.places import package_folder
+from gainproof.jobs.code_digest import of_files
 
 Portion = tuple[str, str, list[str], str]
 """Tool, subject, names of statements or outputs (none: all that there is), and a digest."""

@@ -7,8 +7,8 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
-from gainproof import places
 from gainproof.bad_input import unknown_name
+from gainproof.files import places
 
 
 @dataclass(frozen=True)

@@ -39,9 +39,9 @@ def run(options: argparse.Namespace) -> int:
     from importlib.util import find_spec
     from pathlib import Path
 
-    from gainproof import places
     from gainproof.bad_input import BadInputError
-    from gainproof.workshop import open_workshop
+    from gainproof.files import places
+    from gainproof.jobs.session import open_session
 
     if options.exercises is not None and not 1 <= options.exercises <= MOST_SHEETS:
         raise BadInputError(
@@ -61,8 +61,8 @@ def run(options: argparse.Namespace) -> int:
     folder = Path(options.out)
     site.require_own(folder)
     places.require_writable(folder)
-    shop = open_workshop(fresh=options.fresh)
-    found = contents.gather(shop)
+    session = open_session(fresh=options.fresh)
+    found = contents.gather(session)
     more = None
     if options.exercises is not None:
         from gainproof.book.exercises.making_sheets import exercises
@@ -71,13 +71,13 @@ def run(options: argparse.Namespace) -> int:
             found.subjects,
             options.exercises,
             options.seed,
-            shop,
+            session,
             notebooks=options.notebooks,
         )
-    made = making.build(found, folder, shop.progress.say_sometimes, more)
+    made = making.build(found, folder, session.progress.say_sometimes, more)
     pages = sum(path.endswith(".html") for path in made)
     size = sum(map(len, made.values())) / 1e6
-    print(f"{pages} pages, {len(made)} files, {size:.1f} MB ({shop.progress.elapsed():.1f} s)")
+    print(f"{pages} pages, {len(made)} files, {size:.1f} MB ({session.progress.elapsed():.1f} s)")
     links, wrong = site_links.broken(made)
     print(f"{links} links within it, {len(wrong)} broken")
     for link in wrong:

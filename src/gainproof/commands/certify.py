@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import argparse
 
-from gainproof.commands import time_limit
+from gainproof.claims import time_limit
 
 HELP = "put certificates and error bounds before Coq, Gappa, Singular and python-flint"
 DESCRIPTION = """\

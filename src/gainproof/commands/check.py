@@ -6,7 +6,7 @@ import argparse
 from collections.abc import Mapping, Sequence
 from typing import Any
 
-from gainproof.commands import time_limit
+from gainproof.claims import time_limit
 
 HELP = "judge the claims of a claim file, or begin one"
 DESCRIPTION = """\
@@ -66,25 +66,28 @@ def run(options: argparse.Namespace) -> int:
 def _check(options: argparse.Namespace) -> int:
     import sys
 
-    from gainproof import errata, judgements, places, verdicts
     from gainproof.bad_input import BadInputError, harmless, listed
-    from gainproof.claim_words import claim_words, claims_said
-    from gainproof.workshop import open_workshop
+    from gainproof.claims import judgements
+    from gainproof.claims.source_words import claim_words, claims_said
+    from gainproof.errata import errata_sheet
+    from gainproof.files import places
+    from gainproof.jobs.session import open_session
+    from gainproof.verdicts import verdict_snapshot
 
     if options.keep_going and options.errata is not None:
         raise BadInputError("an errata sheet is made of files without errors: not --keep-going")
     _say_what_is_not_limited()
-    sheet = errata.target(options.errata) if options.errata else None
+    sheet = errata_sheet.target(options.errata) if options.errata else None
     files = (
         [judgements.find(options.file)] if options.file is not None else list(places.claim_files())
     )
-    shop = open_workshop(fresh=options.fresh, only_terminal=True)
-    judged = judgements.judge(files, shop, options.seconds, keep_going=options.keep_going)
+    session = open_session(fresh=options.fresh, only_terminal=True)
+    judged = judgements.judge(files, session, options.seconds, keep_going=options.keep_going)
     texts = [judgements.read(file) for file in files]
     if sheet is not None:
-        errata.write(judged, [claims_said(text) for text in texts], sheet)
+        errata_sheet.write(judged, [claims_said(text) for text in texts], sheet)
     if options.errata == "" and not options.json:
-        print(errata.sheet(judged, [claims_said(text) for text in texts]), end="")
+        print(errata_sheet.sheet(judged, [claims_said(text) for text in texts]), end="")
     else:
         named = [{claim["id"] for claim in judgement["claims"]} for judgement in judged]
         words = [claim_words(text, ids) for text, ids in zip(texts, named, strict=True)]
@@ -98,16 +101,16 @@ def _check(options: argparse.Namespace) -> int:
         print(f"gainproof: {harmless(listed(errors))}", file=sys.stderr)
     if errors:
         return 2
-    return 1 if any(verdicts.unsettled(judgement) for judgement in judged) else 0
+    return 1 if any(verdict_snapshot.unsettled(judgement) for judgement in judged) else 0
 
 
 def _say_accidents(judged: Sequence[Mapping[str, Any]]) -> None:
     import sys
 
-    from gainproof import verdicts
+    from gainproof.verdicts import verdict_snapshot
 
     for judgement in judged:
-        found = verdicts.accidents(judgement)
+        found = verdict_snapshot.accidents(judgement)
         if found:
             key, why = judgement["source"]["key"], next(iter(found.values()))
             sys.stdout.flush()
@@ -138,18 +141,18 @@ def _say_what_is_not_limited() -> None:
 
 def _begun(options: argparse.Namespace) -> str:
     """What to say, or the draft itself, after a claim file was begun."""
-    from gainproof import beginning
     from gainproof.bad_input import BadInputError
+    from gainproof.claims import new_file
 
     if options.file is not None or options.json or options.errata is not None:
         raise BadInputError("--new and --draft begin a claim file; they do not judge one")
     if options.new is not None and (options.draft is not None or options.out is not None):
         raise BadInputError("--new writes a template; a draft is --draft PAPER.tex --out NEW.toml")
     if options.new is not None:
-        return beginning.begin(options.new)
+        return new_file.begin(options.new)
     if options.draft is None:
         raise BadInputError("--out says where to write a draft: --draft PAPER.tex is missing")
-    return beginning.begin_from(options.draft, options.out)
+    return new_file.begin_from(options.draft, options.out)
 
 
 def _shown(
@@ -160,11 +163,12 @@ def _shown(
     """What goes to standard output: data or the table."""
     import json
 
-    from gainproof import page, verdict_text
+    from gainproof import terminal_text
+    from gainproof.verdicts import verdict_text
 
     if options.json:
         return json.dumps(judged[0] if options.file is not None else judged, indent=2) + "\n"
-    columns = page.width()
+    columns = terminal_text.width()
     return "\n".join(
         verdict_text.overview(judgement, columns, said)
         for judgement, said in zip(judged, words, strict=True)

@@ -16,7 +16,8 @@ def configure(parser: argparse.ArgumentParser) -> None:
 
 def run(options: argparse.Namespace) -> int:
     """0, or 2 for a name that nothing has."""
-    from gainproof import citing, page
+    from gainproof import terminal_text
+    from gainproof.pages import citing
 
-    print(citing.citation(options.name, page.width()), end="")
+    print(citing.citation(options.name, terminal_text.width()), end="")
     return 0

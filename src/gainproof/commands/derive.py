@@ -8,7 +8,7 @@ from contextlib import contextmanager
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
-    from gainproof.derived import Derived
+    from gainproof.subjects.derived import Derived
 
 HELP = "print a derivation, each step checked"
 DESCRIPTION = """\
@@ -38,7 +38,7 @@ def _word_of_long_work(text: str) -> Iterator[None]:
     import sys
     from threading import Timer
 
-    from gainproof.progress import EVERY, Progress
+    from gainproof.jobs.progress import EVERY, Progress
 
     progress = Progress(quiet=not sys.stderr.isatty())
     timer = Timer(EVERY, progress.say, (text,))
@@ -52,21 +52,25 @@ def _word_of_long_work(text: str) -> Iterator[None]:
 
 def run(options: argparse.Namespace) -> int:
     """0 if the checker accepts every step, else 1."""
-    from gainproof import derivations, lecture, lecture_latex, page
-    from gainproof.workshop import open_workshop
+    from gainproof import terminal_text
+    from gainproof.jobs.session import open_session
+    from gainproof.pages import lecture, lecture_latex
+    from gainproof.subjects import derivations
 
     if options.notebook is not None:
         _require_notebook(options.notebook)
-    shop = open_workshop(fresh=options.fresh, quiet=True)
+    session = open_session(fresh=options.fresh, quiet=True)
     with _word_of_long_work(f"deriving {options.subject}"):
-        derived = derivations.one(options.subject, shop)
-        report = derivations.own_report(derived, shop)
+        derived = derivations.one(options.subject, session)
+        report = derivations.own_report(derived, session)
     if options.notebook is not None:
         _write_notebook(options.notebook, options.subject, derived)
     elif options.latex:
         print(lecture_latex.document(derived, report), end="")
     else:
-        text = lecture.page(derived, report, with_steps=options.steps, columns=page.width())
+        text = lecture.page(
+            derived, report, with_steps=options.steps, columns=terminal_text.width()
+        )
         print(text, end="")
     return 0 if report["accepted"] else 1
 
@@ -84,8 +88,8 @@ def _require_notebook(name: str) -> None:
 def _write_notebook(name: str, subject: str, derived: Derived) -> None:
     from pathlib import Path
 
-    from gainproof import atomic_file, places
     from gainproof.bad_input import BadInputError
+    from gainproof.files import atomic_file, places
     from gainproof.notebook.cells import notebook
     from gainproof.notebook.derivation_notebook import derivation_cells
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import argparse
 
-from gainproof.commands import time_limit
+from gainproof.claims import time_limit
 
 HELP = "print the whole proof or witness of one claim"
 DESCRIPTION = """\
@@ -29,18 +29,19 @@ def run(options: argparse.Namespace) -> int:
     """
     import sys
 
-    from gainproof import judgements, page
-    from gainproof.claim_proofs import checked
-    from gainproof.claim_words import claim_words
-    from gainproof.explanation import explanation
-    from gainproof.workshop import open_workshop
+    from gainproof import terminal_text
+    from gainproof.claims import judgements
+    from gainproof.claims.claim_proofs import checked
+    from gainproof.claims.source_words import claim_words
+    from gainproof.jobs.session import open_session
+    from gainproof.verdicts.explanation import explanation
 
     file = judgements.find(options.file)
-    shop = open_workshop(fresh=options.fresh, quiet=True)
-    claim = judgements.judge_claim(file, options.claim, shop, options.seconds)
+    session = open_session(fresh=options.fresh, quiet=True)
+    claim = judgements.judge_claim(file, options.claim, session, options.seconds)
     words = claim_words(judgements.read(file)).get(options.claim, "")
     good, said = checked(claim)
-    print(explanation(claim, page.width(), words, said), end="")
+    print(explanation(claim, terminal_text.width(), words, said), end="")
     if claim["accident"]:
         print(
             f"gainproof: not judged, by accident (ask again): {claim['accident']}", file=sys.stderr

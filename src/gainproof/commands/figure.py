@@ -28,9 +28,9 @@ def run(options: argparse.Namespace) -> int:
     import json
     from pathlib import Path
 
-    from gainproof import places
     from gainproof.bad_input import BadInputError
     from gainproof.figures import catalogue, writing
+    from gainproof.files import places
 
     if "\0" in (options.out or ""):
         raise BadInputError(f"--out takes the name of a folder, got {options.out!r}")

@@ -8,9 +8,9 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
-    from gainproof.drift import Difference
+    from gainproof.jobs.session import Session
     from gainproof.standalone.making import Remark
-    from gainproof.workshop import Workshop
+    from gainproof.subjects.drift import Difference
 
 HELP = "write kernels and certificates, or a package of your own with its tests"
 DESCRIPTION = """\
@@ -60,27 +60,28 @@ def run(options: argparse.Namespace) -> int:
     """0; 1 on a difference with --check, on a bound that grew, on a test that fails with --test, on
     digits lost without --allow-loss.
     """
-    from gainproof import derivations
     from gainproof.bad_input import BadInputError
-    from gainproof.workshop import open_workshop
+    from gainproof.jobs.session import open_session
+    from gainproof.subjects import derivations
 
-    shop = open_workshop(fresh=options.fresh, only_terminal=options.out is not None)
+    session = open_session(fresh=options.fresh, only_terminal=options.out is not None)
     if options.out is not None:
-        return _package(options, shop)
+        return _package(options, session)
     if options.test:
         raise BadInputError("--test runs the tests of a package: give --out DIR")
     if set(options.target) - {"numpy"}:
         raise BadInputError("--target puts files into a package: give --out DIR")
     if any(map(derivations.is_file, options.subjects)):
         raise BadInputError("kernels of your own need a place: give --out DIR")
-    return _own_folder(options, shop)
+    return _own_folder(options, session)
 
 
-def _own_folder(options: argparse.Namespace, shop: Workshop) -> int:
-    from gainproof import bounds_ledger, drift, generated_files, places
+def _own_folder(options: argparse.Namespace, session: Session) -> int:
+    from gainproof.files import places
+    from gainproof.subjects import bounds_ledger, drift, generated_files
 
     folder = places.generated_folder()
-    files = generated_files.fresh(options.subjects, shop)
+    files = generated_files.fresh(options.subjects, session)
     only = bool(options.subjects)
     differences = drift.compare(files, folder, only=only, exactly=not options.check)
     worse = bounds_ledger.worse(folder, files[bounds_ledger.NAME])
@@ -95,14 +96,14 @@ def _own_folder(options: argparse.Namespace, shop: Workshop) -> int:
     return _said(written, len(files), folder)
 
 
-def _package(options: argparse.Namespace, shop: Workshop) -> int:
+def _package(options: argparse.Namespace, session: Session) -> int:
     from gainproof.standalone import making, record, testing
 
     if options.test:
         testing.require_pytest()
     folder = Path(options.out)
     targets = [target for target in making.TARGETS if target in options.target]
-    made = making.fresh(options.subjects, shop, folder, targets)
+    made = making.fresh(options.subjects, session, folder, targets)
     files = made.files
     if options.check:
         cure = f"`{made.command}` writes them"
@@ -116,7 +117,7 @@ def _package(options: argparse.Namespace, shop: Workshop) -> int:
 
 def _refused(remarks: Sequence[Remark], allowed: bool) -> bool:
     """Whether nothing may be written, after what each output can lose was said."""
-    from gainproof.page import filled
+    from gainproof.terminal_text import filled
 
     for remark in remarks:
         print("\n".join(filled(remark.text, "", "  ")))
@@ -145,7 +146,7 @@ def _checked(count: int, differences: Sequence[Difference], cure: str) -> int:
 
 
 def _said(written: int, count: int, folder: Path) -> int:
-    from gainproof import places
+    from gainproof.files import places
 
     print(f"{written} of {count} files written to {places.shown(folder)}, the rest unchanged")
     return 0

@@ -23,10 +23,11 @@ def configure(parser: argparse.ArgumentParser) -> None:
 
 def run(options: argparse.Namespace) -> int:
     """0."""
-    from gainproof import cancellations, citing, page
+    from gainproof import terminal_text
+    from gainproof.pages import cancellations, citing
 
     if options.cancellations:
-        print(cancellations.page(page.width()), end="")
+        print(cancellations.page(terminal_text.width()), end="")
         return 0
-    print(citing.listing(page.width()), end="")
+    print(citing.listing(terminal_text.width()), end="")
     return 0

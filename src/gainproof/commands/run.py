@@ -27,20 +27,21 @@ def run(options: argparse.Namespace) -> int:
     import sys
     from pathlib import Path
 
-    from gainproof import places, report
     from gainproof.bad_input import BadInputError
-    from gainproof.everything import find
-    from gainproof.workshop import open_workshop
+    from gainproof.files import places
+    from gainproof.jobs.session import open_session
+    from gainproof.verification import report
+    from gainproof.verification.findings import find
 
     folder = Path(options.report)
     try:
         places.require_writable(folder)
     except BadInputError as error:
         print(f"gainproof: {error}; the summary will be printed", file=sys.stderr)
-    shop = open_workshop(fresh=options.fresh)
-    findings = find(shop, accept=options.accept)
+    session = open_session(fresh=options.fresh)
+    findings = find(session, accept=options.accept)
     print(report.summary(findings), end="")
-    seconds = f"{shop.progress.elapsed():.1f} s"
+    seconds = f"{session.progress.elapsed():.1f} s"
     try:
         report.write(findings, folder)
     except BadInputError as error:

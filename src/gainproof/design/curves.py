@@ -8,8 +8,8 @@ from numpy.typing import NDArray
 from gainproof.design.named_filter import NamedFilter
 from gainproof.design.named_filters import named_filters
 from gainproof.design.sheet import Sheet
-from gainproof.figures.table import Column, Table
 from gainproof.fixed_gain import three_states, two_states
+from gainproof.plots.table import Column, Table
 
 Reals = NDArray[np.float64]
 POINTS = 241

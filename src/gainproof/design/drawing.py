@@ -6,8 +6,8 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from gainproof.figures import canvas
-from gainproof.figures.table import Table
+from gainproof.plots import canvas
+from gainproof.plots.table import Table
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure

@@ -9,7 +9,7 @@ from collections.abc import Iterator, Sequence
 from gainproof.design.belonging import Belonging
 from gainproof.design.sheet import NOT_TOLD, Absent, Row, Sheet
 from gainproof.design.units import Units, in_units
-from gainproof.page import width as columns
+from gainproof.terminal_text import width as columns
 
 GAINS = ("alpha", "beta", "gamma")
 TITLES = {2: "alpha-beta filters", 3: "alpha-beta-gamma filters"}

@@ -4,13 +4,13 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from gainproof import places
 from gainproof.bad_input import BadInputError
 from gainproof.design.curves import curves
 from gainproof.design.drawing import draw
 from gainproof.design.sheet import Sheet
-from gainproof.figures import canvas
 from gainproof.figures.writing import write
+from gainproof.files import places
+from gainproof.plots import canvas
 
 ENDINGS = (".svg", ".png", ".csv")
 

@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from gainproof.figures.table import Reals, Table
+from gainproof.plots.table import Reals, Table
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure

@@ -6,8 +6,8 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
-from gainproof.figures import canvas
-from gainproof.figures.table import Table
+from gainproof.plots import canvas
+from gainproof.plots.table import Table
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure

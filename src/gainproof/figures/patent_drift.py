@@ -16,7 +16,7 @@ from gainproof.figures.patent_scene import (
     SEED,
     polar,
 )
-from gainproof.figures.table import Column, Reals, Table
+from gainproof.plots.table import Column, Reals, Table
 from gainproof.tracking.conversion import converted
 from gainproof.tracking.gains import (
     Point,

@@ -13,7 +13,7 @@ from gainproof.figures.patent_runs import (
     settled,
 )
 from gainproof.figures.patent_scene import INTERVAL, RUNS, SAMPLES, SEED, SETTLED, seen
-from gainproof.figures.table import Column, Reals, Table, Words
+from gainproof.plots.table import Column, Reals, Table, Words
 
 PLOTTED = 2
 """The first sample that is filtered."""

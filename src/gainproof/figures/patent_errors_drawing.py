@@ -10,7 +10,7 @@ from gainproof.figures.lecture.look import framed
 from gainproof.figures.patent_look import ENDS, LOOKS
 from gainproof.figures.patent_runs import NOMINAL_FILTERS, OTHERS
 from gainproof.figures.patent_scene import NOMINAL, PATHS, RUNS
-from gainproof.figures.table import Table
+from gainproof.plots.table import Table
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes

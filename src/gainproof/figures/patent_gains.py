@@ -16,8 +16,8 @@ from gainproof.figures.patent_scene import (
     nominal_points,
     polar,
 )
-from gainproof.figures.table import Column, Reals, Table
 from gainproof.generated import updated_gains
+from gainproof.plots.table import Column, Reals, Table
 from gainproof.tracking.conversion import converted
 from gainproof.tracking.gains import (
     Point,

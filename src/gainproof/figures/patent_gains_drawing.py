@@ -6,12 +6,12 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from gainproof.figures import canvas
 from gainproof.figures.lecture import look
 from gainproof.figures.lecture.look import DASHED, DOTTED, GREY
 from gainproof.figures.patent_look import ENDS, NOMINAL_COLOURS
 from gainproof.figures.patent_scene import NOMINAL
-from gainproof.figures.table import Table
+from gainproof.plots import canvas
+from gainproof.plots.table import Table
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes

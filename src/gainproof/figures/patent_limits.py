@@ -6,12 +6,12 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from gainproof.figures.canvas import logarithmic
 from gainproof.figures.lecture.look import DASH_DOT, DASHED, DOTTED
 from gainproof.figures.patent_look import ENDS, NOMINAL_COLOURS
 from gainproof.figures.patent_scene import nominal_points
-from gainproof.figures.table import Column, Table, decades
 from gainproof.generated import updated_gains
+from gainproof.plots.canvas import logarithmic
+from gainproof.plots.table import Column, Table, decades
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure

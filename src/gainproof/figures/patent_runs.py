@@ -17,7 +17,7 @@ from gainproof.figures.patent_scene import (
     nominal_points,
     seen,
 )
-from gainproof.figures.table import Reals
+from gainproof.plots.table import Reals
 from gainproof.tracking.arrays import Ints
 from gainproof.tracking.gains import (
     Point,

@@ -11,7 +11,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from gainproof.figures.table import Reals
+from gainproof.plots.table import Reals
 from gainproof.tracking.conversion import DEFAULT, converted
 from gainproof.tracking.gains import Point, exact_point
 from gainproof.tracking.measured import Measured, Polar

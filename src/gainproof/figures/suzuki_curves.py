@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from gainproof.figures.table import Column, Table, decades, grid
+from gainproof.plots.table import Column, Table, decades, grid
 from gainproof.position_velocity import velocity_ratio_for
 from gainproof.position_velocity.variance import position_variance
 

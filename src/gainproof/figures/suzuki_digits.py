@@ -8,7 +8,7 @@ import numpy as np
 
 from gainproof.figures.suzuki_curves import POSITION, VELOCITY
 from gainproof.figures.suzuki_printed import printed_form
-from gainproof.figures.table import Column, Reals, Table, decades, grid
+from gainproof.plots.table import Column, Reals, Table, decades, grid
 from gainproof.position_velocity.process_noise import DEFAULT, kernels
 
 QUANTITIES: Mapping[str, str] = {

@@ -6,8 +6,8 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from gainproof.figures.canvas import logarithmic
-from gainproof.figures.table import Table
+from gainproof.plots.canvas import logarithmic
+from gainproof.plots.table import Table
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure

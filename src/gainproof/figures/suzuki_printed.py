@@ -16,7 +16,7 @@ from fractions import Fraction
 from functools import cache
 from typing import Any
 
-from gainproof import places
+from gainproof.files import places
 from gainproof.verify.judge.claim.file import read_claim_file
 from gainproof.verify.judge.formula import Relation
 

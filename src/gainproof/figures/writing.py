@@ -5,11 +5,11 @@ from __future__ import annotations
 from collections.abc import Mapping
 from pathlib import Path
 
-from gainproof import atomic_file, places
 from gainproof.bad_input import BadInputError
-from gainproof.figures.canvas import pictures
 from gainproof.figures.entry import Entry
-from gainproof.figures.table import Table
+from gainproof.files import atomic_file, places
+from gainproof.plots.canvas import pictures
+from gainproof.plots.table import Table
 
 
 def files(entry: Entry, table: Table, drawn: bool = True) -> dict[str, bytes]:

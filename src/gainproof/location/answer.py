@@ -8,8 +8,8 @@ import math
 import sys
 from pathlib import Path
 
-from gainproof import named_files, places
 from gainproof.bad_input import BadInputError
+from gainproof.files import named_files, places
 from gainproof.location.doppler import carrier_of
 from gainproof.location.errors import LocationError
 from gainproof.location.estimate import DEFAULT, FALSE_ALARM, locate

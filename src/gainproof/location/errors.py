@@ -2,11 +2,23 @@
 
 from __future__ import annotations
 
+from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
-    from gainproof.location.observability import Direction
     from gainproof.location.result import Convergence
+
+
+@dataclass(frozen=True)
+class Direction:
+    """One direction that is not observed: its parts of position and velocity, in m and m/s, and the
+    range biases that go with it, in m; words say it.
+    """
+
+    position: tuple[float, ...]
+    velocity: tuple[float, ...]
+    biases: tuple[tuple[str, float], ...]
+    words: str
 
 
 class LocationError(ValueError):

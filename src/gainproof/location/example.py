@@ -11,7 +11,7 @@ from pathlib import Path
 
 import numpy as np
 
-from gainproof import named_files
+from gainproof.files import named_files
 from gainproof.fixed_gain.arguments import Reals
 from gainproof.location.measurement import seen
 from gainproof.location.noise import diagonal

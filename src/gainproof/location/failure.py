@@ -6,6 +6,7 @@ import numpy as np
 
 from gainproof.fixed_gain.arguments import Reals
 from gainproof.location.errors import (
+    Direction,
     DivergedError,
     LocationError,
     OnStationError,
@@ -15,7 +16,6 @@ from gainproof.location.gauss_newton import DEFICIENT, ON_STATION, Iterated
 from gainproof.location.geometry_words import listed, motion_words, shape_words
 from gainproof.location.measurement import seen
 from gainproof.location.observability import (
-    Direction,
     Observability,
     observability,
     weakest,

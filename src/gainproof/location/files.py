@@ -6,8 +6,8 @@ from pathlib import Path
 
 import numpy as np
 
-from gainproof import places
 from gainproof.bad_input import BadInputError, nearest
+from gainproof.files import places
 from gainproof.fixed_gain.arguments import Reals
 from gainproof.location.columns import OBSERVATION_COLUMNS, STATION_COLUMNS
 from gainproof.location.doppler import with_rates

@@ -7,6 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from gainproof.fixed_gain.arguments import Reals
+from gainproof.location.errors import Direction
 from gainproof.location.gauss_newton import rank_tolerance
 from gainproof.location.geometry_words import listed
 from gainproof.location.measurement import seen
@@ -15,18 +16,6 @@ from gainproof.location.problem import Linear, Problem, jacobian, linearised, re
 AXES = "xyz"
 NOTHING = 1e-6
 """A part of a direction below this share of the whole is not told."""
-
-
-@dataclass(frozen=True)
-class Direction:
-    """One direction that is not observed: its parts of position and velocity, in m and m/s, and the
-    range biases that go with it, in m; words say it.
-    """
-
-    position: tuple[float, ...]
-    velocity: tuple[float, ...]
-    biases: tuple[tuple[str, float], ...]
-    words: str
 
 
 @dataclass(frozen=True)

@@ -12,7 +12,7 @@ from gainproof.location.geometry_words import listed
 from gainproof.location.methods import method_of
 from gainproof.location.result import Convergence, Location
 from gainproof.location.selection import Decision, Selection
-from gainproof.page import width as columns
+from gainproof.terminal_text import width as columns
 
 AXES = "xyz"
 

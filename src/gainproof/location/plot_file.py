@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from gainproof.figures import canvas
 from gainproof.location.drawing import SIZE, draw
 from gainproof.location.result import Location
 from gainproof.location.stations import Stations
+from gainproof.plots import canvas
 
 ENDINGS = (".svg", ".png")
 

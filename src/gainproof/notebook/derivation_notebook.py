@@ -7,10 +7,10 @@ import inspect
 from collections.abc import Iterator, Mapping, Sequence
 from typing import Any
 
-from gainproof.derived import Derived
-from gainproof.lecture_items import Item, items, numbers
 from gainproof.notebook.cells import Cell
 from gainproof.notebook.markup import lines_of, markdown_escaped, model_lines, sentence
+from gainproof.pages.lecture_items import Item, items, numbers
+from gainproof.subjects.derived import Derived
 
 _TRIED = ("0.5", "1.0", "2.0", "5.0")
 """Arguments that are tried, each for all inputs; a kernel that takes none of them is only named."""

@@ -8,11 +8,12 @@ from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
 from typing import Any, TypeVar
 
-from gainproof import derivations, judgements, lecture, rechecking
 from gainproof.bad_input import unknown_name
-from gainproof.claim_words import claim_words
-from gainproof.commands.time_limit import DEFAULT
-from gainproof.derived import Derived, DerivedStep
+from gainproof.claims import judgements
+from gainproof.claims.source_words import claim_words
+from gainproof.claims.time_limit import DEFAULT
+from gainproof.formulas.prose import plain_prose
+from gainproof.jobs.session import open_session
 from gainproof.notebook.judged_file import JudgedFile
 from gainproof.notebook.markup import (
     derived_html,
@@ -21,10 +22,11 @@ from gainproof.notebook.markup import (
     relation,
     step_latex,
 )
-from gainproof.page import WIDTH
-from gainproof.prose import plain_prose
+from gainproof.pages import lecture
+from gainproof.subjects import derivations, rechecking
+from gainproof.subjects.derived import Derived, DerivedStep
+from gainproof.terminal_text import WIDTH
 from gainproof.verify.certificate import check_statement
-from gainproof.workshop import open_workshop
 
 Result = TypeVar("Result")
 
@@ -142,9 +144,9 @@ def derivation(name_or_file: str, *, fresh: bool = False) -> Derivation:
     """See `gainproof.derivation`."""
 
     def work() -> Derivation:
-        shop = open_workshop(fresh=fresh, quiet=True)
-        derived = derivations.one(name_or_file, shop)
-        return Derivation(derived, derivations.own_report(derived, shop))
+        session = open_session(fresh=fresh, quiet=True)
+        derived = derivations.one(name_or_file, session)
+        return Derivation(derived, derivations.own_report(derived, session))
 
     return _beside_a_loop(work)
 
@@ -154,8 +156,8 @@ def check(file: str, *, seconds: float = DEFAULT, fresh: bool = False) -> Judged
 
     def work() -> JudgedFile:
         path = judgements.find(file)
-        shop = open_workshop(fresh=fresh, quiet=True)
-        (judged,) = judgements.judge([path], shop, seconds)
+        session = open_session(fresh=fresh, quiet=True)
+        (judged,) = judgements.judge([path], session, seconds)
         return JudgedFile(judged, claim_words(judgements.read(path)))
 
     return _beside_a_loop(work)

@@ -6,13 +6,13 @@ from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from typing import Any
 
-from gainproof import verdict_text
 from gainproof.bad_input import unknown_name
-from gainproof.explanation import explanation
 from gainproof.notebook.markup import html_escaped
-from gainproof.page import WIDTH
-from gainproof.verdict_reason import reason
-from gainproof.verdicts import Judgement
+from gainproof.terminal_text import WIDTH
+from gainproof.verdicts import verdict_text
+from gainproof.verdicts.explanation import explanation
+from gainproof.verdicts.verdict_reason import reason
+from gainproof.verdicts.verdict_snapshot import Judgement
 
 
 @dataclass(frozen=True, repr=False)

@@ -7,13 +7,13 @@ import html
 import re
 from collections.abc import Callable, Mapping
 
-from gainproof.derived import Derived, DerivedStep
-from gainproof.formula_latex import formula_latex, indexed
-from gainproof.lecture import count, model_sentence
-from gainproof.lecture_items import Item, items, numbers
-from gainproof.lecture_latex import MODEL_FIELDS, MODEL_SYMBOLS, matrix_latex
-from gainproof.prose import latex_math, pieces
-from gainproof.relation_text import Writer, relation_lines
+from gainproof.formulas.formula_latex import formula_latex, indexed
+from gainproof.formulas.prose import latex_math, pieces
+from gainproof.formulas.relation_text import Writer, relation_lines
+from gainproof.pages.lecture import count, model_sentence
+from gainproof.pages.lecture_items import Item, items, numbers
+from gainproof.pages.lecture_latex import MODEL_FIELDS, MODEL_SYMBOLS, matrix_latex
+from gainproof.subjects.derived import Derived, DerivedStep
 
 Marks = Mapping[str, str]
 _IN_WORDS = "\0"
@@ -110,8 +110,8 @@ def model_lines(derived: Derived, escaped: Callable[[str], str]) -> list[str]:
     return [lead, "$$" + r", \quad ".join(shown) + "$$"]
 
 
-def derived_html(derived: Derived, marks: Marks | None = None) -> str:
-    """A derivation as HTML with LaTeX in it, each step with the checker's word if that is known."""
+def derived_html(derived: Derived, marks: Marks) -> str:
+    """A derivation as HTML with LaTeX in it, each step with the checker's word."""
     found = items(derived.steps)
     known = numbers(found)
     parts = [
@@ -129,11 +129,10 @@ def derived_html(derived: Derived, marks: Marks | None = None) -> str:
         formulas = "".join(
             f"<div>{line}</div>" for line in lines_of(item, derived.symbols, html_escaped)
         )
-        mark = f" <em>[{html_escaped(item.mark(marks))}]</em>" if marks is not None else ""
+        mark = f" <em>[{html_escaped(item.mark(marks))}]</em>"
         parts.append(f"<p><b>{item.number}.</b> {said}</p>{formulas}<p>{why}{mark}</p>")
-    if marks is not None:
-        tally = count(marks[step.id] for step in derived.steps)
-        parts.append(f"<p>{len(derived.steps)} steps: {html_escaped(tally)}.</p>")
+    tally = count(marks[step.id] for step in derived.steps)
+    parts.append(f"<p>{len(derived.steps)} steps: {html_escaped(tally)}.</p>")
     return "\n".join(parts)
 
 

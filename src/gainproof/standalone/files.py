@@ -7,9 +7,9 @@ from pathlib import Path
 from typing import Any
 
 from gainproof.derive.printer.package import beside
-from gainproof.generated_files import together
 from gainproof.standalone.licence import LICENCE
 from gainproof.standalone.readme import readme
+from gainproof.subjects.generated_files import together
 
 SHIPPED = Path(__file__).with_name("shipped")
 IN_C = Path(__file__).with_name("in_c")

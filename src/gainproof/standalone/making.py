@@ -11,11 +11,13 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
-from gainproof import bounds_ledger, derivations, places, workers
 from gainproof.bad_input import BadInputError
-from gainproof.derived import derived_from
+from gainproof.files import places
+from gainproof.jobs import workers
+from gainproof.jobs.session import Session
 from gainproof.standalone.files import package_files
-from gainproof.workshop import Workshop
+from gainproof.subjects import bounds_ledger, derivations
+from gainproof.subjects.derived import derived_from
 
 TARGETS = ("c", "fpcore")
 """What there may be besides NumPy modules; also the folders in which it lies."""
@@ -44,7 +46,7 @@ class Package:
 
 
 def fresh(
-    subjects: Sequence[str], shop: Workshop, folder: Path, targets: Sequence[str] = ()
+    subjects: Sequence[str], session: Session, folder: Path, targets: Sequence[str] = ()
 ) -> Package:
     """The package; no subjects are all of the catalogue, `targets` what there is besides NumPy
     modules. Raises BadInputError, also for a derivation that the checker rejects.
@@ -53,10 +55,10 @@ def fresh(
     places.require_folder(folder)
     chosen = list(subjects) or derivations.catalogue()
     derivations.require_names([each for each in chosen if not derivations.is_file(each)])
-    found = _packaged(chosen, shop)
+    found = _packaged(chosen, session)
     derived = [derived_from(each["derived"]) for each in found]
     pairs = [(each.certificate, each) for each in derived]
-    for subject, report in zip(chosen, derivations.recheck(pairs, shop), strict=True):
+    for subject, report in zip(chosen, derivations.recheck(pairs, session), strict=True):
         if not report["accepted"]:
             said = "the checker rejects the derivation, no kernel is written"
             if report["given_up"]:
@@ -97,17 +99,17 @@ def command(subjects: Sequence[str], name: str, targets: Sequence[str] = ()) -> 
     return " ".join(["gainproof generate", *words, "--out", name, *aims])
 
 
-def _packaged(chosen: Sequence[str], shop: Workshop) -> list[dict[str, Any]]:
+def _packaged(chosen: Sequence[str], session: Session) -> list[dict[str, Any]]:
     """Each subject derived, with its part of the package."""
     jobs = []
-    known = bounds_ledger.usable(places.generated_folder(), shop.cache.fresh)
+    known = bounds_ledger.usable(places.generated_folder(), session.cache.fresh)
     for subject in chosen:
         if derivations.is_file(subject):
-            jobs.append(derivations.file_job("package_file", Path(subject), shop.cache))
+            jobs.append(derivations.file_job("package_file", Path(subject), session.cache))
         else:
             arguments = dict(derivations.print_job(subject, known).arguments)
             jobs.append(workers.Job(subject, "package_one", arguments))
-    return shop.results("derived and printed", jobs)
+    return session.results("derived and printed", jobs)
 
 
 def _require_apart(chosen: Sequence[str], parts: Sequence[dict[str, Any]]) -> None:

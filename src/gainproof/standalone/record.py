@@ -6,9 +6,10 @@ import os
 from collections.abc import Iterable, Mapping
 from pathlib import Path
 
-from gainproof import drift, given_file, named_files, places
 from gainproof.bad_input import BadInputError
-from gainproof.drift import Difference
+from gainproof.files import input_file, named_files, places
+from gainproof.subjects import drift
+from gainproof.subjects.drift import Difference
 
 RECORD = "FILES.txt"
 MOST_BYTES = 10**6
@@ -29,7 +30,7 @@ def recorded(folder: Path) -> frozenset[str]:
     if not os.path.lexists(path):
         return frozenset()
     try:
-        first, *names = given_file.text(path, MOST_BYTES).splitlines()
+        first, *names = input_file.text(path, MOST_BYTES).splitlines()
     except BadInputError:
         first, names = "", []
     if first != FIRST:

@@ -8,8 +8,8 @@ import sys
 from importlib.util import find_spec
 from pathlib import Path
 
-from gainproof import places
 from gainproof.bad_input import BadInputError
+from gainproof.files import places
 
 
 def require_pytest() -> None:

@@ -9,8 +9,8 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from pathlib import Path
 
-from gainproof import given_file, places
 from gainproof.bad_input import BadInputError, nearest
+from gainproof.files import input_file, places
 from gainproof.tables import cell_text
 from gainproof.tables.kind import LEAST_DEVIATION, MOST_DEVIATION, Kind
 
@@ -76,7 +76,7 @@ def read(path: Path, kinds: Mapping[str, Kind]) -> CsvTable:
 
 def text_of(path: Path, file: str) -> str:
     """The file's text. Raises BadInputError where it cannot be read."""
-    text = given_file.text(path, LARGEST_FILE).removeprefix("\ufeff")
+    text = input_file.text(path, LARGEST_FILE).removeprefix("\ufeff")
     if "\0" in text:
         raise BadInputError(f"{file}: cannot be read: is no text")
     return text

@@ -11,9 +11,9 @@ from itertools import count
 from pathlib import Path
 from typing import Any
 
-from gainproof import named_files, places
 from gainproof.bad_input import BadInputError
-from gainproof.progress import Progress
+from gainproof.files import named_files, places
+from gainproof.jobs.progress import Progress
 from gainproof.tables.cell_text import decimal
 from gainproof.tracking.association import require_scipy
 from gainproof.tracking.conversion import NoCovarianceError

@@ -9,7 +9,7 @@ from pathlib import Path
 
 import numpy as np
 
-from gainproof import named_files
+from gainproof.files import named_files
 from gainproof.tracking.arrays import Reals
 
 FILE = "detections.csv"

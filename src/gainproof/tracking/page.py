@@ -5,7 +5,7 @@ from __future__ import annotations
 import textwrap
 from collections.abc import Sequence
 
-from gainproof.page import width as columns
+from gainproof.terminal_text import width as columns
 from gainproof.tracking.files import FromFile
 from gainproof.tracking.settings import Settings
 from gainproof.tracking.summary import Course

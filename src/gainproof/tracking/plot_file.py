@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from gainproof.figures import canvas
+from gainproof.plots import canvas
 from gainproof.tracking.drawing import SIZE, draw
 from gainproof.tracking.scans import Scans
 from gainproof.tracking.tracker import Followed

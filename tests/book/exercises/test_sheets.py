@@ -10,6 +10,8 @@ from typing import Any
 
 import pytest
 from catalogue_subjects import certificate, derived
+from judged_derivations.relation import judge_statement
+from judged_derivations.surroundings import surroundings
 from one_of_each import cases
 
 from gainproof.bad_input import BadInputError
@@ -21,12 +23,10 @@ from gainproof.book.exercises.sheet_lines import answer, region, seal, sheet_lin
 from gainproof.book.exercises.sheet_notebook import key_cells, sheet_cells
 from gainproof.book.exercises.sheet_pages import key_file, sheet_pages
 from gainproof.book.exercises.tower_values import tower_values
-from gainproof.derived import Derived
-from gainproof.lecture_items import items
 from gainproof.notebook.cells import notebook
-from gainproof.rechecking import expected_of, recheck
-from gainproof.verify.judge.derivations.relation import judge_statement
-from gainproof.verify.judge.derivations.surroundings import surroundings
+from gainproof.pages.lecture_items import items
+from gainproof.subjects.derived import Derived
+from gainproof.subjects.rechecking import expected_of, recheck
 
 SUBJECTS = ("random-velocity", "least-squares-line", "filter-step")
 SEEDS = cases([1, 2, 3], lambda seed: seed == 1)

@@ -7,12 +7,12 @@ from pathlib import Path
 import pytest
 from browser import needs_browser, opened
 
-from gainproof import derivations
 from gainproof.book import site
 from gainproof.book.derivation_pages import derivation_page
 from gainproof.book.play import section
 from gainproof.generated import random_velocity
-from gainproof.workshop import open_workshop
+from gainproof.jobs.session import open_session
+from gainproof.subjects import derivations
 
 pytestmark = needs_browser
 
@@ -21,10 +21,10 @@ pytestmark = needs_browser
 def page(all_derived: object, tmp_path_factory: pytest.TempPathFactory) -> Path:
     """The page of one derivation in a site that has no other."""
     del all_derived
-    shop = open_workshop(quiet=True)
-    subject = derivations.known("random-velocity", shop)
+    session = open_session(quiet=True)
+    subject = derivations.known("random-velocity", session)
     made, play = (
-        derivation_page(subject, derivations.own_report(subject, shop), []),
+        derivation_page(subject, derivations.own_report(subject, session), []),
         section(subject),
     )
     assert play is not None

@@ -17,8 +17,8 @@ from gainproof.derive.any_three_state.any_three_state import derive_any_three_st
 from gainproof.derive.any_two_state import printed
 from gainproof.derive.expression import real
 from gainproof.derive.model import Model
-from gainproof.deriving import plain_subject
-from gainproof.rechecking import expected_of, recheck
+from gainproof.subjects.deriving import plain_subject
+from gainproof.subjects.rechecking import expected_of, recheck
 from gainproof.verify.certificate import check
 
 R = real("r")

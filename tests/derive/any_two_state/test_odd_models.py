@@ -20,8 +20,8 @@ from gainproof.derive.any_two_state import printed
 from gainproof.derive.any_two_state.any_two_state import derive_any_two_state
 from gainproof.derive.expression import real
 from gainproof.derive.model import Model
-from gainproof.deriving import plain_subject
-from gainproof.rechecking import expected_of, recheck
+from gainproof.subjects.deriving import plain_subject
+from gainproof.subjects.rechecking import expected_of, recheck
 from gainproof.verify.certificate import check
 
 R, S = real("r"), real("s_squared")

@@ -27,9 +27,9 @@ from gainproof.derive.own_expressions.parts import NotReadError, Parts
 from gainproof.derive.own_expressions.subject import derive_expressions
 from gainproof.derive.printer.graph import Graph, GraphBuilder, Node
 from gainproof.derive.quantity import KILOGRAM, METRE, ONE, SECOND, Quantity, Unit
-from gainproof.deriving import plain_subject
-from gainproof.own_file import build_own_file
-from gainproof.rechecking import expected_of, recheck
+from gainproof.subjects.deriving import plain_subject
+from gainproof.subjects.own_file import built, defined
+from gainproof.subjects.rechecking import expected_of, recheck
 
 GALLERY = Path(__file__).resolve().parents[3] / "docs" / "expressions"
 LENGTH = Quantity("x", "x", "a length", METRE)
@@ -83,7 +83,7 @@ def test_expressions_are_proved(given: ExpressionSet) -> None:
 
 @pytest.mark.parametrize("path", sorted(GALLERY.glob("*.py")), ids=lambda path: path.stem)
 def test_the_gallery_is_proved(path: Path) -> None:
-    derived = plain_subject(build_own_file(str(path)))
+    derived = plain_subject(built(str(path), *defined(str(path))))
     assert recheck(derived.certificate, expected_of(derived))["accepted"]
 
 

@@ -20,10 +20,10 @@ from one_of_each import cases
 
 from gainproof.derive.printer.kernel import Kernel
 from gainproof.derive.subject import Subject
-from gainproof.deriving import plain_subject
-from gainproof.generating import printed
-from gainproof.own_file import build_own_file
-from gainproof.rechecking import expected_of, recheck
+from gainproof.subjects.deriving import plain_subject
+from gainproof.subjects.generating import printed
+from gainproof.subjects.own_file import built, defined
+from gainproof.subjects.rechecking import expected_of, recheck
 from gainproof.verify.oracles.distance import relative_error
 from gainproof.verify.oracles.enclosure import enclose
 from gainproof.verify.oracles.state_space import SteadyState, state_space
@@ -54,7 +54,7 @@ class Made:
 
 @cache
 def made(name: str) -> Made:
-    subject = build_own_file(str(FOLDER / f"{name}.py"))
+    subject = built(str(FOLDER / f"{name}.py"), *defined(str(FOLDER / f"{name}.py")))
     derived = plain_subject(subject)
     report = recheck(derived.certificate, expected_of(derived))
     return Made(subject, report, printed(subject, derived.certificate, {})["files"])

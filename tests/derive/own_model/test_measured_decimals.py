@@ -17,8 +17,8 @@ from gainproof.derive.any_two_state import printed
 from gainproof.derive.own_model.choice import derive_own_model
 from gainproof.derive.steady_state.towers import surd
 from gainproof.derive.subject import Subject
-from gainproof.deriving import plain_subject
-from gainproof.rechecking import expected_of, recheck
+from gainproof.subjects.deriving import plain_subject
+from gainproof.subjects.rechecking import expected_of, recheck
 
 Rows = list[list[sp.Rational]]
 

@@ -16,7 +16,7 @@ from gainproof.derive.printer.kernel import Input, Kernel, Output, Requirement, 
 from gainproof.derive.printer.lost_digits import with_losses
 from gainproof.derive.printer.together import groups, prove_all
 from gainproof.derive.printer.write import module_files
-from gainproof.deriving import build
+from gainproof.subjects.deriving import build
 
 
 @pytest.mark.parametrize("name", ["random-velocity", "polar-coordinates"])

@@ -8,10 +8,10 @@ from typing import Any
 
 import mpmath
 from catalogue_subjects import derived
+from judged_derivations.relation import judge_relation
+from judged_derivations.surroundings import Surroundings, surroundings
 
 from gainproof.derive.catalogue import CATALOGUE
-from gainproof.verify.judge.derivations.relation import judge_relation
-from gainproof.verify.judge.derivations.surroundings import Surroundings, surroundings
 from gainproof.verify.judge.setting.quantities import steady_state
 from gainproof.verify.judge.verdict import Finding
 from mutation.campaign import INDEX_POINTS, SAMPLE_POINTS, Relation

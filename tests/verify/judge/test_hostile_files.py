@@ -12,8 +12,8 @@ from pathlib import Path
 import pytest
 from one_of_each import cases
 
-from gainproof import judgements
 from gainproof.bad_input import BadInputError
+from gainproof.claims import judgements
 from gainproof.verify.judge.claim.file import ClaimFileError, read_claim_file, read_claim_text
 from gainproof.verify.judge.judge import judge_file
 from gainproof.verify.judge.repair.task import OVERTIME, SECONDS

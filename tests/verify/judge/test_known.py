@@ -16,10 +16,11 @@ import pytest
 from claim_texts import MODELS
 from matrix_claims import claim, text_of
 
-from gainproof import code_digest, places
-from gainproof.cache import Cache
-from gainproof.code_digest import modules_below
-from gainproof.judging import KeptTrials
+from gainproof.claims.judging import KeptTrials
+from gainproof.files import places
+from gainproof.jobs import code_digest
+from gainproof.jobs.cache import Cache
+from gainproof.jobs.code_digest import modules_below
 from gainproof.verify.judge.claim.file import read_claim_text
 from gainproof.verify.judge.judge import judge_file
 from gainproof.verify.judge.known import NOT_READ, Digests, KnownTrials

@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Sequence
 from pathlib import Path
 
-from gainproof import derivations
 from gainproof.book.exercises.planting import Planted, plant
 from gainproof.book.exercises.sheet_notebook import key_cells, sheet_cells
 from gainproof.book.exercises.sheet_pages import (
@@ -17,16 +16,17 @@ from gainproof.book.exercises.sheet_pages import (
     words_on_others,
 )
 from gainproof.book.more import More
-from gainproof.derived import Derived
+from gainproof.jobs.session import Session
 from gainproof.notebook.cells import notebook
-from gainproof.workshop import Workshop
+from gainproof.subjects import derivations
+from gainproof.subjects.derived import Derived
 
 _STATIC = Path(__file__).resolve().parent.parent / "static"
 SOUND = frozenset({"proved", "cited", "definition"})
 
 
 def exercises(
-    subjects: Sequence[Derived], count: int, seed: int, shop: Workshop, *, notebooks: bool = False
+    subjects: Sequence[Derived], count: int, seed: int, session: Session, *, notebooks: bool = False
 ) -> More:
     """So many sheets with their list and their key, as notebooks too if these are wanted.
 
@@ -34,7 +34,7 @@ def exercises(
     what writes notebooks is missing.
     """
     sheets = plant(subjects, count, seed)
-    reports = derivations.recheck([(s.derived.certificate, s.derived) for s in sheets], shop)
+    reports = derivations.recheck([(s.derived.certificate, s.derived) for s in sheets], session)
     for sheet, report in zip(sheets, reports, strict=True):
         require_sound(sheet, report)
     return More(

@@ -13,10 +13,10 @@ from gainproof.bad_input import BadInputError
 from gainproof.book.exercises.mutation import mutants
 from gainproof.book.exercises.refutation import Witness, agree, refuted
 from gainproof.book.exercises.tower_values import TowerValues, tower_values
-from gainproof.derived import Derived, DerivedStep
-from gainproof.formula_latex import formula_latex, indexed
-from gainproof.lecture_items import Item, items
-from gainproof.relation_text import Writer, relation_lines
+from gainproof.formulas.formula_latex import formula_latex, indexed
+from gainproof.formulas.relation_text import Writer, relation_lines
+from gainproof.pages.lecture_items import Item, items
+from gainproof.subjects.derived import Derived, DerivedStep
 from gainproof.verify.certificate import check_statement
 from gainproof.verify.judge.exact.graph_writing import graph_of
 from gainproof.verify.judge.exact.limits import Malformed, Undecided

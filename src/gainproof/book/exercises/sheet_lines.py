@@ -13,8 +13,8 @@ from gainproof.book.exercises.planting import Planted, parts
 from gainproof.book.exercises.sealed import Sealed, sealed
 from gainproof.book.exercises.told import error_sentence, witness_sentence
 from gainproof.book.prose_html import prose
-from gainproof.derived import Derived
-from gainproof.lecture_items import items, numbers
+from gainproof.pages.lecture_items import items, numbers
+from gainproof.subjects.derived import Derived
 
 RULE = (
     "Mark one line and check it. The first mark counts: 1 point for the wrong line, half a point "

@@ -7,9 +7,9 @@ from collections.abc import Sequence
 from gainproof.book.exercises.planting import Planted
 from gainproof.book.exercises.sealed import Sealed
 from gainproof.book.exercises.sheet_lines import HONESTY, RULE, answer, seal
-from gainproof.lecture_items import items, numbers
 from gainproof.notebook.cells import Cell
 from gainproof.notebook.markup import display, lines_of, markdown_escaped, relation, sentence
+from gainproof.pages.lecture_items import items, numbers
 
 _WIDTH = 60
 

@@ -18,8 +18,8 @@ from gainproof.book.exercises.sheet_lines import (
 )
 from gainproof.book.exercises.told import witness_sentence
 from gainproof.book.page import Finding, Page
-from gainproof.lecture import count, marks_of
-from gainproof.prose import plain_prose
+from gainproof.formulas.prose import plain_prose
+from gainproof.pages.lecture import count, marks_of
 
 SCRIPT = "exercises.js"
 KEY = "answers"

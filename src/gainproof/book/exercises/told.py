@@ -6,8 +6,8 @@ from collections.abc import Mapping
 
 from gainproof.book.exercises.planting import Planted
 from gainproof.book.exercises.refutation import Witness
-from gainproof.formula_text import plain_name
-from gainproof.witness_text import at_point, ball
+from gainproof.formulas.formula_text import plain_name
+from gainproof.verdicts.witness_text import at_point, ball
 
 
 def witness_sentence(witness: Witness, symbols: Mapping[str, str]) -> str:

@@ -7,12 +7,19 @@ from dataclasses import dataclass
 from fractions import Fraction
 from typing import Any
 
-from gainproof.verify.judge.derivations.tower_elements import add_roots, element_of
 from gainproof.verify.judge.exact.box import Box
 from gainproof.verify.judge.exact.calculus import differentiated, rebuilt, substituted
-from gainproof.verify.judge.exact.expression import Expr, symbol, symbols_of
+from gainproof.verify.judge.exact.expression import (
+    Expr,
+    add,
+    mul,
+    number,
+    power,
+    symbol,
+    symbols_of,
+)
 from gainproof.verify.judge.exact.graph import rational
-from gainproof.verify.judge.exact.limits import Undecided
+from gainproof.verify.judge.exact.limits import Malformed, Undecided
 from gainproof.verify.judge.exact.witness import inside
 
 _PATTERNS = tuple(
@@ -109,3 +116,35 @@ def _box(parameter: Mapping[str, str]) -> Box:
     if parameter.get("above") == "0":
         return Box(lower=Fraction(0))
     raise Undecided(f"a domain of another kind: {parameter}")
+
+
+def add_roots(values: dict[str, Expr], tower: Mapping[str, Any] | None) -> None:
+    """Every root of the tower is the positive root of its radicand: a definition, not a claim."""
+    if tower is None:
+        return
+    names = [p["symbol"] for p in tower["parameters"]] + [g["symbol"] for g in tower["generators"]]
+    for generator in tower["generators"]:
+        radicand = _polynomial(generator["radicand"], names, values)
+        values[generator["symbol"]] = power(radicand, Fraction(1, generator["power"]))
+
+
+def _polynomial(entries: Any, names: Sequence[str], values: Mapping[str, Expr]) -> Expr:
+    terms = []
+    for coefficient, exponents in entries:
+        factors = [number(rational(coefficient))]
+        for name, exponent in zip(names, exponents, strict=True):
+            if exponent:
+                if name not in values:
+                    raise Malformed(f"{name} is used before it is defined")
+                factors.append(power(values[name], exponent))
+        terms.append(mul(*factors))
+    return add(*terms) if terms else number(0)
+
+
+def element_of(tower: Mapping[str, Any], name: str, values: Mapping[str, Expr]) -> Expr:
+    """A named element of a tower in terms of its parameter and roots."""
+    element = tower["elements"][name]
+    names = [p["symbol"] for p in tower["parameters"]] + [g["symbol"] for g in tower["generators"]]
+    top = _polynomial(element["num"], names, values)
+    bottom = _polynomial(element["den"], names, values)
+    return top / bottom

@@ -8,10 +8,10 @@ from __future__ import annotations
 from dataclasses import dataclass
 from pathlib import Path
 
-from gainproof import places
 from gainproof.book.play.fragment import fragment
 from gainproof.book.play.subjects import subject_of
-from gainproof.derived import Derived
+from gainproof.files import places
+from gainproof.subjects.derived import Derived
 
 OWN = ("filter", "families", "drawing", "panels")
 STYLE = "play.css"

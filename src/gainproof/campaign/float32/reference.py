@@ -14,7 +14,7 @@ from functools import cache
 from gainproof.campaign.float32.kernels import Swept
 from gainproof.derive.printer.kernel import Kernel, Output
 from gainproof.derive.subject import Subject
-from gainproof.deriving import build
+from gainproof.subjects.deriving import build
 
 
 @dataclass(frozen=True)

@@ -13,7 +13,7 @@ from gainproof.bad_input import BadInputError
 from gainproof.campaign.float64.compiled import Compared, Measure, measure_of
 from gainproof.campaign.float64.kernels import sampled
 from gainproof.derive.printer.kernel import Kernel
-from gainproof.deriving import build
+from gainproof.subjects.deriving import build
 
 AT_ONCE = 1 << 16
 """Points that are given to the kernel together."""

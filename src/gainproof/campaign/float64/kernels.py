@@ -18,8 +18,8 @@ from gainproof.campaign.float32.kernels import (
     swept_kernels,
 )
 from gainproof.campaign.float32.traced import computed
-from gainproof.certify.printed_bound import PrintedBound, printed_bounds
-from gainproof.places import generated_folder
+from gainproof.campaign.printed_bound import PrintedBound, printed_bounds
+from gainproof.files.places import generated_folder
 
 DEFAULT = tuple(
     f"{family}.gains"

@@ -15,7 +15,7 @@ from gainproof.figures.doppler.example import (
     SETS,
 )
 from gainproof.figures.lecture import look
-from gainproof.figures.table import Table
+from gainproof.plots.table import Table
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import numpy as np
 
-from gainproof.figures.table import Column, Table, Words
 from gainproof.location.drawing import LEVELS, ellipse
 from gainproof.location.example import POSITION, STATIONS, VELOCITY
 from gainproof.location.monte_carlo import (
@@ -16,6 +15,7 @@ from gainproof.location.monte_carlo import (
     simulate,
 )
 from gainproof.location.selection import detection, threshold
+from gainproof.plots.table import Column, Table, Words
 
 SEED, FALSE_ALARM = 1, 0.05
 SETS = (

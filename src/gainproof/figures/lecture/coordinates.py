@@ -7,8 +7,8 @@ from __future__ import annotations
 
 import numpy as np
 
-from gainproof.figures.table import Column, Table, Words
 from gainproof.generated import polar_coordinates
+from gainproof.plots.table import Column, Table, Words
 
 ELEVATION_DEGREES, BEARING_DEGREES = 36.0, 50.0
 RANGE, ELEVATION, BEARING = 10e3, np.deg2rad(ELEVATION_DEGREES), np.deg2rad(BEARING_DEGREES)

@@ -10,7 +10,7 @@ import numpy as np
 from gainproof.figures.lecture import look
 from gainproof.figures.lecture.coordinates import BEARING, ELEVATION
 from gainproof.figures.lecture.diagram import Box, arrow, put
-from gainproof.figures.table import Reals, Table
+from gainproof.plots.table import Reals, Table
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes

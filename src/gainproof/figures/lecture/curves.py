@@ -8,8 +8,8 @@ from typing import Any
 import numpy as np
 
 from gainproof.figures.lecture.turn import GAINS
-from gainproof.figures.table import Column, Reals, Table
 from gainproof.generated import alpha_beta
+from gainproof.plots.table import Column, Reals, Table
 
 LEAST_LAGS = {"mv": 0.25, "nps": 0.5, "ra": 0.5, "rv": 0.6036}
 """Above these, beta being 1 over the lag, the filters are stable: MV for beta < 4, NP-S and RA for

@@ -8,7 +8,7 @@ from gainproof.figures.lecture import look
 from gainproof.figures.lecture.curves import COMPARED
 from gainproof.figures.lecture.look import Look
 from gainproof.figures.lecture.turn import GAINS
-from gainproof.figures.table import Table
+from gainproof.plots.table import Table
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure

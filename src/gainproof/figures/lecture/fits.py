@@ -6,8 +6,8 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from gainproof.figures.lecture import fixed_gain_track
-from gainproof.figures.table import Column, Reals, Table
 from gainproof.generated import least_squares_line, least_squares_mean
+from gainproof.plots.table import Column, Reals, Table
 
 SAMPLES = 25
 DEVIATION = 8.0

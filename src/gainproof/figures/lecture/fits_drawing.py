@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any
 from gainproof.figures.lecture import look
 from gainproof.figures.lecture.fits import DEVIATION, FIRST, INTERVAL, SPEED, STANDING
 from gainproof.figures.lecture.look import Look
-from gainproof.figures.table import Table
+from gainproof.plots.table import Table
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes

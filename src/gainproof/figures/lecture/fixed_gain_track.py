@@ -8,8 +8,8 @@ from __future__ import annotations
 
 import numpy as np
 
-from gainproof.figures.table import Reals
 from gainproof.generated import filter_step, least_squares_line
+from gainproof.plots.table import Reals
 
 
 def followed(measured: Reals, alpha: Reals, beta: Reals) -> tuple[Reals, Reals]:

@@ -10,7 +10,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from gainproof.figures.table import Reals
+from gainproof.plots.table import Reals
 
 PLANE = np.eye(2)
 

@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from gainproof.figures.table import Table, Words
+from gainproof.plots.table import Table, Words
 
 
 @dataclass(frozen=True)

@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING
 
 from gainproof.figures.lecture.diagram import Box, arrow, empty_axes, put
 from gainproof.figures.lecture.relations import ORDER
-from gainproof.figures.table import Table
+from gainproof.plots.table import Table
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure

@@ -11,8 +11,8 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import ArrayLike
 
-from gainproof.figures.table import Reals
 from gainproof.generated import polar_coordinates
+from gainproof.plots.table import Reals
 
 STANDARD_GRAVITY = 9.80665
 

@@ -11,8 +11,8 @@ import numpy as np
 
 from gainproof.figures.lecture import fixed_gain_track, kalman_track
 from gainproof.figures.lecture.scene import Scene, Seen, seen
-from gainproof.figures.table import Column, Reals, Table
 from gainproof.generated import alpha_beta
+from gainproof.plots.table import Column, Reals, Table
 
 RUNS = 100
 SEED = 18

@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 from claim_texts import MODELS, SOLVED, algebra, claim_file, judged
 
-from gainproof.verdict_reason import reasons
+from gainproof.verdicts.verdict_reason import reasons
 from gainproof.verify.judge.judge import judge_file
 
 PARABOLA = """

@@ -11,7 +11,7 @@ from __future__ import annotations
 import pytest
 from claim_texts import judged
 
-from gainproof.verdict_text import overview
+from gainproof.verdicts.verdict_text import overview
 
 FORMS = {
     "white": (r"{s} T^3/3", r"{s} T^2/2", r"{s} T"),

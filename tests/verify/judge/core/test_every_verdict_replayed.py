@@ -14,8 +14,8 @@ from one_of_each import cases
 from samples import samples
 from small_claims import judged
 
-from gainproof import places
-from gainproof.claim_proofs import DECIDED, NOT_AGAIN, checked
+from gainproof.claims.claim_proofs import DECIDED, NOT_AGAIN, checked
+from gainproof.files import places
 
 SOURCES = ("kosuge-slides", "kosuge-doppler", "patent-4869403", "suzuki")
 """Those that have refuted and conditional claims, and claims on every kind of setting."""

@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 from claim_texts import judged
 
-from gainproof.verdict_reason import ANY_FILTER, reasons
+from gainproof.verdicts.verdict_reason import ANY_FILTER, reasons
 
 SETTING = """
 [settings.s]

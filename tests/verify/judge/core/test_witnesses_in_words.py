@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 from small_claims import judged
 
-from gainproof.witness_text import in_words
+from gainproof.verdicts.witness_text import in_words
 
 FALLING = "about = ['3 - 2 x', 'x']\ntrend = 'increasing'\ntext = 'it rises'"
 ROWS = r"\begin{pmatrix} x & 1 \end{pmatrix} = \begin{pmatrix} x & 2 \end{pmatrix}"

@@ -7,7 +7,7 @@ import re
 import pytest
 from small_claims import check, judged
 
-from gainproof.verdict_reason import reasons
+from gainproof.verdicts.verdict_reason import reasons
 
 ROOT = "\ngiven = ['x^2 = 3x - 1']\ndomain = '0 < x < "
 

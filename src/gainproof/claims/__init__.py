@@ -1,0 +1,1 @@
+"""Claim files: begun, drafted from LaTeX, read and judged."""

@@ -1,0 +1,3 @@
+"""Signals that end a program; systems lack some. Imports nothing: `start` reads it first."""
+
+SIGNALS = ("SIGINT", "SIGTERM", "SIGHUP")

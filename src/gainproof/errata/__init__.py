@@ -1,0 +1,1 @@
+"""Errata sheets of a source."""

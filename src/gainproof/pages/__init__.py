@@ -1,0 +1,1 @@
+"""Pages of text: derivations, listings, the report of a run."""

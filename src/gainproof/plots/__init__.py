@@ -1,0 +1,1 @@
+"""What plots are made of: named columns, and the canvas of Matplotlib."""

@@ -1,0 +1,1 @@
+"""Subjects of the catalogue and of own files: derived, printed, checked."""

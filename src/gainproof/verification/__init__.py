@@ -1,0 +1,1 @@
+"""`gainproof run`: everything derived, compared, checked and judged, and the report on it."""
