@@ -1,4 +1,4 @@
-"""The rooms of the front door build on each other: no imports run in a circle, also within functions."""
+"""The rooms of the front door build on each other: no circle of imports, also within functions."""
 
 from __future__ import annotations
 
