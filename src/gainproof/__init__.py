@@ -1,11 +1,13 @@
 """gainproof: steady-state gains of tracking filters, derived, proved, printed and judged.
 
     import gainproof
+    gainproof.ask(r"\\beta = \\frac{\\alpha^2}{2 - \\alpha}")   # the verdict on a formula
     gainproof.derivation("random-velocity")   # a derivation, each step with the checker's word
     gainproof.check("my-paper.toml")          # verdicts on the claims of a file
 
-Both show themselves in a notebook and print as the commands `gainproof derive` and `gainproof
-check` do. Kernels are plain functions, with docstrings, in `gainproof.generated`.
+All show themselves in a notebook and print as the commands `gainproof ask`, `gainproof derive` and
+`gainproof check` do; `Judge` answers many formulas. Kernels are plain
+functions, with docstrings, in `gainproof.generated`.
 
 Three folders lie under this name: `gainproof.derive` (what is true, and why), `gainproof.generated`
 (NumPy kernels) and `gainproof.verify` (how we know). Importing `gainproof` imports none of them.
@@ -17,10 +19,79 @@ from gainproof.version import VERSION as __version__
 
 TYPE_CHECKING = False  # to checkers of types it is true; `typing` takes a while to import
 if TYPE_CHECKING:
+    from collections.abc import Mapping, Sequence
+
+    from gainproof.answers.answer import Answer
+    from gainproof.answers.judge import Judge as Judge
     from gainproof.notebook.front_door import Derivation
     from gainproof.notebook.judged_file import JudgedFile
 
-__all__ = ["__version__", "check", "derivation"]
+__all__ = ["Judge", "__version__", "ask", "check", "derivation"]
+
+
+def __getattr__(name: str) -> object:
+    """`Judge`, imported when it is asked for."""
+    if name == "Judge":
+        from gainproof.answers.judge import Judge
+
+        return Judge
+    raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
+
+
+def ask(
+    formula: str,
+    *,
+    symbols: Mapping[str, str] | None = None,
+    model: str | None = None,
+    domain: str | None = None,
+    given: Sequence[str] = (),
+    conventions: Mapping[str, str] | None = None,
+    seconds: float | None = None,
+) -> Answer:
+    """The verdict on a formula: whether it is right, where, and what it should say.
+
+    Parameters
+    ----------
+    formula : str
+        LaTeX or plain text.
+    symbols : mapping, optional
+        What symbols are, by their LaTeX: a quantity ("filter_gain.1"), a unit with a condition
+        ("m > 0"), "integer" with a condition, or a definition ("= a + b"). What is not said is
+        understood as the field uses it, and listed in `Answer.assumed`.
+    model : str, optional
+        A name of `gainproof list`, "search", "fixed" (a filter with any gains), "none" (real
+        numbers).
+    domain : str, optional
+        Conditions under which the formula is claimed.
+    given : sequence of str
+        Equations and inequalities that are hypotheses.
+    conventions : mapping, optional
+        Such as {"gain": "predictor"}; what is left open is searched.
+    seconds : float, optional
+        Processor time, after which the verdict is undecided; None: as for `gainproof ask`.
+
+    Returns
+    -------
+    Answer
+        verdict, assumed, domain, witness, repairs, reading, certificate.
+
+    Raises
+    ------
+    gainproof.bad_input.BadInputError
+        For a formula that cannot be read, with a mark under the place, and for other bad input.
+    """
+    from gainproof.answers.judge import Judge
+    from gainproof.claims.time_limit import DEFAULT
+
+    with Judge(seconds=DEFAULT if seconds is None else seconds) as judge:
+        return judge.ask(
+            formula,
+            symbols=symbols,
+            model=model,
+            domain=domain,
+            given=given,
+            conventions=conventions,
+        )
 
 
 def derivation(name_or_file: str, *, fresh: bool = False) -> Derivation:

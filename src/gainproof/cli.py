@@ -18,6 +18,7 @@ from typing import NoReturn
 
 from gainproof.bad_input import BadInputError, harmless, unknown_name
 from gainproof.commands import (
+    ask,
     bench,
     book,
     campaign,
@@ -38,6 +39,7 @@ from gainproof.jobs.resource_limits import lack
 from gainproof.version import VERSION
 
 COMMANDS: Mapping[str, ModuleType] = {
+    "ask": ask,
     "run": run,
     "derive": derive,
     "generate": generate,
@@ -62,7 +64,7 @@ Steady-state gains of tracking filters: derived step by step, proved by certific
 NumPy kernels with proved error bounds; and a judge that says whether a printed formula is right."""
 
 
-PLACES = ("out", "report", "state", "plot", "html", "new", "draft", "covariance", "example")
+PLACES = ("out", "report", "state", "plot", "html", "new", "draft", "covariance", "example", "save")
 """Options that name a file or folder: of an empty name the working folder would come."""
 FULL = (errno.ENOSPC, errno.EDQUOT, errno.EFBIG)
 """What is wrong with an output that takes no more."""

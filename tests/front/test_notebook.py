@@ -142,7 +142,7 @@ def test_importing_gainproof_imports_nothing_heavy() -> None:
         [sys.executable, "-c", program], capture_output=True, text=True, check=True
     )
     assert done.stdout.strip() == "[]"
-    assert set(gainproof.__all__) == {"__version__", "check", "derivation"}
+    assert set(gainproof.__all__) == {"Judge", "__version__", "ask", "check", "derivation"}
 
 
 def test_where_a_loop_runs_already() -> None:

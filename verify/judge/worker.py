@@ -17,13 +17,16 @@ from __future__ import annotations
 
 import multiprocessing
 import signal
+import sys
 import threading
 import time
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterator, Sequence
+from contextlib import contextmanager
 from dataclasses import dataclass, field
 from multiprocessing.connection import Connection
 from multiprocessing.context import SpawnProcess
 from queue import Empty, SimpleQueue
+from types import ModuleType
 from typing import Protocol
 
 from gainproof.verify.judge.answer import MOST_BYTES, BadAnswer, read_answer
@@ -39,6 +42,8 @@ WAITS, SPARE = (10.0, 30.0) if TIMED else (1.0, 0.0)
 """So many times its limit, and seconds more, a child may take that waits for the processor."""
 LOOKS = 2.0
 """Seconds after which this process looks whether it was paused itself, and its children with it."""
+
+_HIDING = threading.Lock()
 
 OnTrial = Callable[[Trial], None]
 _End = Callable[[Task, Trial], None]
@@ -234,7 +239,8 @@ class Workers:
         ours, theirs = context.Pipe()
         arguments = (theirs, [dict(m) for m in self._models], self._seconds)
         process = context.Process(target=serve, args=arguments, daemon=True)
-        process.start()
+        with _without_main():
+            process.start()
         theirs.close()
         child = _Child(process, ours, task, time.monotonic() + START)
         self._children.append(child)
@@ -262,6 +268,20 @@ def tried_apart(
     """`Workers.run` in children that end with it."""
     with Workers(models, seconds, processes) as workers:
         return workers.run(tasks, on_trial)
+
+
+@contextmanager
+def _without_main() -> Iterator[None]:
+    """The main module out of sight: a child would import it anew, and a user's script that asks the
+    judge without a guard would ask again in each. What a child needs has modules of its own.
+    """
+    with _HIDING:
+        main = sys.modules["__main__"]
+        sys.modules["__main__"] = ModuleType("__main__")
+        try:
+            yield
+        finally:
+            sys.modules["__main__"] = main
 
 
 def _death(code: int | None) -> str:

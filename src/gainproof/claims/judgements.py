@@ -78,7 +78,7 @@ def jobs(files: Sequence[Path], cache: Cache, seconds: float = DEFAULT) -> dict[
     Raises BadInputError for a file that cannot be read.
     """
     texts = {file: read(file) for file in files}
-    models = _models()
+    models = shipped_models()
     shared = {"models": models, "seconds": seconds}
     # one file has all processors for its claims; many files share them
     also = {
@@ -98,7 +98,7 @@ def jobs(files: Sequence[Path], cache: Cache, seconds: float = DEFAULT) -> dict[
     }
 
 
-def _models() -> list[dict[str, Any]]:
+def shipped_models() -> list[dict[str, Any]]:
     """The models of the subjects; one on which several rest is there once, or it would be judged
     as often and be taken for a choice.
     """

@@ -17,8 +17,8 @@ MOST_BYTES = 2**20
 
 def begin(name: str) -> str:
     """Write the template to `name`; what to tell the user. Raises BadInputError."""
-    path = _new_file(name)
-    _write(path, template(_key(path)))
+    path = new_file(name)
+    write_new(path, template(_key(path)))
     shown = places.shown(path)
     return (
         f"{shown}: written; say what your source says, then: gainproof check {shlex.quote(name)}\n"
@@ -27,7 +27,7 @@ def begin(name: str) -> str:
 
 def begin_from(tex: str, out: str | None) -> str:
     """Draft a claim file from a LaTeX file; to `out`, or returned. Raises BadInputError."""
-    path = None if out is None else _new_file(out)
+    path = None if out is None else new_file(out)
     source = Path(tex)
     found = draft(_text(source), source.name, _key(path or source))
     if not found.equations:
@@ -37,7 +37,7 @@ def begin_from(tex: str, out: str | None) -> str:
         )
     if path is None:
         return found.text
-    _write(path, found.text)
+    write_new(path, found.text)
     read = found.equations - found.unread
     equations = f"{found.equations} equation{'s' if found.equations != 1 else ''}"
     return (
@@ -54,7 +54,7 @@ def _key(path: Path) -> str:
     return shown[:MOST_KEY] or "source"
 
 
-def _new_file(name: str) -> Path:
+def new_file(name: str) -> Path:
     path = Path(name)
     if path.suffix != ".toml":
         raise BadInputError(f"a claim file is a file .toml, not {name!r}")
@@ -63,7 +63,7 @@ def _new_file(name: str) -> Path:
     return path
 
 
-def _write(path: Path, text: str) -> None:
+def write_new(path: Path, text: str) -> None:
     try:
         atomic_file.write_text(path, text)
     except OSError as error:

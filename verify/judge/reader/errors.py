@@ -11,9 +11,9 @@ _MOST_SHOWN = 100
 class ReaderError(ValueError):
     """A formula that the reader does not accept.
 
-    `line` and `column` count from 1 within the formula; `token` is what was met there, `nearest`
-    the declared names closest to it (best first), `caret` the line of the formula with a mark under
-    the place.
+    `text` is the formula, `line` and `column` count from 1 within it; `token` is what was met
+    there, `nearest` the declared names closest to it (best first), `caret` the line of the formula
+    with a mark under the place.
     """
 
     def __init__(
@@ -26,6 +26,7 @@ class ReaderError(ValueError):
     ) -> None:
         before = text[:position]
         self.problem = problem
+        self.text = text
         self.position = position
         self.line = before.count("\n") + 1
         self.column = position - (before.rfind("\n") + 1) + 1

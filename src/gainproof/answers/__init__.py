@@ -1,0 +1,1 @@
+"""One formula in, verdict out: `gainproof ask` and `gainproof.ask`."""

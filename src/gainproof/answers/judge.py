@@ -1,0 +1,85 @@
+"""A judge that stays for many formulas: its process starts once and keeps what it has solved."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from types import TracebackType
+
+from gainproof.answers.answer import Answer, answer_of
+from gainproof.answers.question import Options, Question, question
+from gainproof.bad_input import BadInputError
+from gainproof.claims.judgements import shipped_models
+from gainproof.claims.judging import KeptTrials, judge_text
+from gainproof.claims.time_limit import DEFAULT
+from gainproof.jobs.cache import Cache, default_folder
+from gainproof.verify.judge.worker import Workers
+
+
+class Judge:
+    """Answers formulas one after the other. To be used in a `with`, at whose end its process ends;
+    a formula that hangs costs the process, and the next one gets another.
+
+    Parameters
+    ----------
+    seconds : float
+        Processor time for one formula, which is undecided after that.
+    fresh : bool
+        Take nothing of what was found before.
+    """
+
+    def __init__(self, *, seconds: float = DEFAULT, fresh: bool = False) -> None:
+        self._models = shipped_models()
+        known = KeptTrials(Cache(default_folder(), fresh))
+        self._workers = Workers(self._models, seconds, 1, known)
+
+    def __enter__(self) -> Judge:
+        return self
+
+    def __exit__(
+        self,
+        kind: type[BaseException] | None,
+        error: BaseException | None,
+        trace: TracebackType | None,
+    ) -> None:
+        self._workers.__exit__(kind, error, trace)
+
+    def question(self, formula: str, options: Options) -> Question:
+        """How a formula is understood, without a verdict. Raises BadInputError."""
+        return question(formula, options, self._models)
+
+    def ask(
+        self,
+        formula: str,
+        *,
+        symbols: Mapping[str, str] | None = None,
+        model: str | None = None,
+        domain: str | None = None,
+        given: Sequence[str] = (),
+        conventions: Mapping[str, str] | None = None,
+    ) -> Answer:
+        """The verdict on a formula, as `gainproof.ask` says. Raises BadInputError."""
+        options = Options(symbols or {}, model or "", domain or "", given, conventions or {})
+        return self.answer(self.question(formula, options))
+
+    def answer(self, asked: Question) -> Answer:
+        """The verdict on a formula that is understood. Raises BadInputError."""
+        try:
+            judged = judge_text("formula", asked.text, self._models, self._workers, _silent)
+        except BadInputError as error:
+            raise _as_asked(error) from None
+        return answer_of(asked, judged["claims"])
+
+
+def _silent(_: str) -> None:
+    """Nobody is told how far it is."""
+
+
+def _as_asked(error: BadInputError) -> BadInputError:
+    """The errors of the claim file that a formula became, without its lines: by what was asked."""
+    said = []
+    for each in error.errors:
+        *_, field = str(each["where"]).split(".")
+        _, _, mark = str(each["text"]).partition("\n")
+        place = "formula" if field in ("latex", "plain") else f"--{field}"
+        said.append("\n".join([f"{place}: {each['message']}", *([mark] if mark else [])]))
+    return BadInputError("\n".join(dict.fromkeys(said)) or str(error), error.errors)

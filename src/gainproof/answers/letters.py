@@ -1,0 +1,133 @@
+"""What letters usually mean in the field: gains, noises, times, entries of covariances."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from types import MappingProxyType
+
+
+@dataclass(frozen=True)
+class Meaning:
+    """What a symbol stands for: a quantity of a filter (a name of `quantity_names`), the deviation
+    or the spectral density of its process noise, or a free number.
+
+    Attributes
+    ----------
+    role : str
+        "quantity", "deviation", "density" or "free".
+    meaning : str
+        In words.
+    quantity : str
+        Name of the quantity; empty for other roles.
+    unit, domain : str
+        Of a free number: its unit, "1" without one, and where it lies, as a condition on it.
+    definition : str
+        A formula that the symbol is short for.
+    integer : bool
+        Whether a free number is a whole one.
+    """
+
+    role: str
+    meaning: str
+    quantity: str = ""
+    unit: str = "1"
+    domain: str = ""
+    definition: str = ""
+    integer: bool = False
+
+
+_ORDINALS = ("position", "velocity", "acceleration")
+_GAIN_LETTERS = {r"\alpha": 1, r"\beta": 2, r"\gamma": 3}
+_NAMED_GAINS = (("g", 1), ("h", 2), ("k", 3))
+"""Of a g-h or g-h-k filter: only where no other letters but those of a filter stand beside them."""
+_INDEX = (r"\Lambda", r"\lambda", r"\Gamma")
+_INTERVALS = ("T", "dt", r"\Delta t", r"\Delta T", "T_s", "t_s", r"\tau")
+_MEASUREMENT_DEVIATIONS = tuple(rf"\sigma_{x}" for x in ("v", "n", "m", "z", "o", "x", "r"))
+_PROCESS_DEVIATIONS = (r"\sigma_w", r"\sigma_a", r"\sigma_q", r"\sigma_u")
+_DENSITIES = ("q", r"\tilde q", r"\tilde{q}", "q_c")
+_SAMPLES = ("k", "n", "N")
+_COVARIANCES = {
+    "P": ("covariance", "covariance, predicted or updated"),
+    "M": ("predicted_covariance", "predicted covariance"),
+    r"\tildeP": ("predicted_covariance", "predicted covariance"),
+    "X": ("updated_covariance", "updated covariance"),
+    r"\hatP": ("updated_covariance", "updated covariance"),
+}
+_ENTRY = re.compile(r"(.+)_([123])([123])")
+_GAIN = re.compile(r"K_([123])")
+_NUMBERED = re.compile(r"(\\alpha|\\beta|\\gamma)_([knN])")
+
+
+def bare(token: str) -> str:
+    """A symbol without braces: P_11 of `P_{11}`."""
+    return token.replace("{", "").replace("}", "")
+
+
+def quantity(name: str, meaning: str) -> Meaning:
+    """A quantity of a filter."""
+    return Meaning("quantity", meaning, quantity=name)
+
+
+def filter_meanings(tokens: Sequence[str]) -> Mapping[str, Meaning]:
+    """What those of the symbols usually mean that have a meaning in a filter, by symbol."""
+    found: dict[str, Meaning] = {}
+    plain = {token: bare(token) for token in tokens}
+    for token, name in plain.items():
+        meaning = _meaning(name)
+        if meaning is not None:
+            found[token] = meaning
+    named = [(token, order) for token, order in _NAMED_GAINS if token in tokens]
+    if {"g", "h"} <= set(tokens) and set(tokens) <= {*found, "g", "h", "k"}:
+        found |= {token: _gain(order) for token, order in named}
+    numbers = {match[2] for name in plain.values() if (match := _NUMBERED.fullmatch(name))}
+    for token in tokens:
+        if token in numbers or (token in _SAMPLES and numbers):
+            found[token] = quantity("sample_number", "number of the sample, the first being 0")
+    return MappingProxyType(found)
+
+
+def is_anchor(meaning: Meaning) -> bool:
+    """Whether a formula that holds this is about a filter: times and noises alone are not."""
+    return meaning.quantity.startswith(
+        ("gain.", "covariance.", "predicted_covariance.", "updated_covariance.")
+    )
+
+
+def is_numbered(token: str) -> bool:
+    """Whether it is a gain of sample k: alpha_k."""
+    return _NUMBERED.fullmatch(bare(token)) is not None
+
+
+def _gain(order: int) -> Meaning:
+    return quantity(f"gain.{order}", f"gain of the {_ORDINALS[order - 1]}")
+
+
+def _meaning(name: str) -> Meaning | None:
+    if name in _GAIN_LETTERS:
+        return _gain(_GAIN_LETTERS[name])
+    if match := _NUMBERED.fullmatch(name):
+        return _gain(_GAIN_LETTERS[match[1]])
+    if match := _GAIN.fullmatch(name):
+        return _gain(int(match[1]))
+    if name in _INDEX:
+        return quantity("tracking_index", "tracking index")
+    if name in _INTERVALS:
+        return quantity("sampling_interval", "time between samples")
+    if name == "R":
+        return quantity("measurement_noise_variance", "variance of the measured position")
+    if name == "S":
+        return quantity("innovation_variance", "variance of the innovation")
+    if name in _MEASUREMENT_DEVIATIONS:
+        return quantity("measurement_noise_deviation", "deviation of the measured position")
+    if name in _PROCESS_DEVIATIONS:
+        return Meaning("deviation", "deviation of the process noise")
+    if name in _DENSITIES:
+        return Meaning("density", "spectral density of the process noise")
+    match = _ENTRY.fullmatch(name)
+    if match and match[1] in _COVARIANCES:
+        kind, words = _COVARIANCES[match[1]]
+        row, column = sorted((int(match[2]), int(match[3])))
+        return quantity(f"{kind}.{row}.{column}", f"entry {row} {column} of the {words}")
+    return None

@@ -1,0 +1,252 @@
+"""Formulas asked for one by one: verdicts, guesses, errors, and the doors they come through."""
+
+from __future__ import annotations
+
+import contextlib
+import json
+import subprocess
+import sys
+import tomllib
+from collections.abc import Iterator, Mapping
+from pathlib import Path
+from typing import Any
+
+import jsonschema  # type: ignore[import-untyped]
+import pytest
+
+import gainproof.answers
+from gainproof.answers.judge import Judge
+from gainproof.answers.question import Options, is_plain
+from gainproof.bad_input import BadInputError
+from gainproof.claims.judgements import shipped_models
+from gainproof.cli import main
+
+SCHEMA = Path(gainproof.answers.__file__).with_name("answers.schema.json")
+HOSTILE = Path(__file__).parents[1] / "verify" / "judge" / "hostile"
+
+
+@pytest.fixture(scope="module")
+def judge() -> Iterator[Judge]:
+    with Judge(seconds=20, fresh=True) as found:
+        yield found
+
+
+# what is true of each is known by hand: gains of random velocity and random acceleration (Kalata
+# 1984), least squares (Brookner 1998, chapter 1), school algebra
+TRUE: list[tuple[str, dict[str, Any], str]] = [
+    (r"\beta = \frac{\alpha^2}{2 - \alpha}", {}, "random-velocity"),
+    (r"\beta = 2(2-\alpha) - 4\sqrt{1-\alpha}", {}, "random-acceleration"),
+    ("beta = 2(2 - alpha) - 4 sqrt(1 - alpha)", {}, "random-acceleration"),
+    ("h = g^2/(2 - g)", {}, "random-velocity"),
+    (r"\beta = \frac{\alpha^2}{2 + \alpha}", {}, "gains are those of the predictor"),
+    (r"K_2 = \frac{K_1^2}{2 - K_1}", {}, "random-velocity"),
+    (r"P_{11} = \alpha R", {}, "updated"),
+    (r"P_{11} = \frac{\alpha}{1-\alpha} \sigma_v^2", {}, "predicted"),
+    (r"\Lambda = \frac{\sigma_w T^2}{\sigma_v} = \frac{\beta}{\sqrt{1-\alpha}}", {}, "filter (K)"),
+    (r"\alpha_k = \frac{2(2k+1)}{(k+1)(k+2)}", {}, ""),
+    (r"\alpha \to 1 \quad (\Lambda \to \infty)", {}, ""),
+    (r"(a+b)^2 = a^2 + 2ab + b^2", {}, ""),
+    ("(a+b)^2 = a^2 + 2ab + b^2", {}, ""),
+    ("x y = yx", {}, ""),
+    (r"\sin 2x = 2 \sin x \cos x", {}, ""),
+    ("x + 1/x >= 2", {"domain": "x > 0"}, ""),
+    ("a/c >= b/c", {"given": ("a >= b", "c > 0")}, ""),
+    (r"n^2 \geq n", {"symbols": {"n": "integer"}}, ""),
+    ("s = v*t + v*t", {"symbols": {"s": "= 2 v t"}}, ""),
+]
+
+
+@pytest.mark.parametrize(("formula", "said", "convention"), TRUE)
+def test_what_is_true_is_proved(
+    judge: Judge, formula: str, said: Mapping[str, Any], convention: str
+) -> None:
+    found = judge.ask(formula, **said)
+    assert found.verdict == "proved", str(found)
+    assert convention in found.headline()
+
+
+FALSE: list[tuple[str, dict[str, Any]]] = [
+    (r"\beta = \frac{\alpha^2}{2 + \alpha}", {"conventions": {"gain": "filter"}}),
+    (r"\beta = \frac{\alpha^2}{2 - \alpha}", {"model": "random-acceleration"}),
+    (r"\beta = \frac{\alpha^2}{2 - \alpha}", {"conventions": {"gain": "predictor"}}),
+    (r"\Lambda = \frac{\sigma_w T^2}{\sigma_v} = \frac{\beta}{1-\alpha}", {}),
+    (r"\alpha_k = \frac{2(2k+1)}{(k+1)(k+3)}", {}),
+    ("(a+b)^2 = a^2 + ab + b^2", {}),
+    (r"\sqrt{x^2} = x", {"domain": "x < 0"}),
+    ("x = y", {}),
+    ("n^2 > n", {"symbols": {"n": "integer"}, "domain": "n < 2"}),
+]
+
+
+@pytest.mark.parametrize(("formula", "said"), FALSE)
+def test_what_is_false_is_never_proved(judge: Judge, formula: str, said: Mapping[str, Any]) -> None:
+    found = judge.ask(formula, **said)
+    assert found.verdict in ("refuted", "conditional"), str(found)
+    assert found.verdict == "conditional" or found.witness or found.claim["evidence"]["method"]
+
+
+@pytest.mark.parametrize("formula", ["x = y", r"\beta = \alpha^2/2", r"\alpha_k = 1/(k+1)"])
+def test_no_guess_is_silent(judge: Judge, formula: str) -> None:
+    """All symbols, and the filter or that there is none; what the user says is no guess."""
+    found = judge.ask(formula)
+    names = {each.of for each in found.assumed}
+    assert names > {"filter"}
+    assert all(each.guessed for each in found.assumed)
+    assert "assumed: the meaning of its symbols" in found.headline()
+    for each in found.assumed:
+        assert f"{each.of}: {each.meaning}" in " ".join(str(found).split())
+    said = dict.fromkeys(names - {"filter"}, "1")
+    plain = judge.ask(formula, symbols=said, model="none")
+    assert not any(each.guessed for each in plain.assumed)
+    assert "assumed" not in plain.headline()
+
+
+def test_a_formula_without_a_filter_says_where_its_parts_have_values(judge: Judge) -> None:
+    assert judge.ask(r"\frac{x^2-y^2}{x-y} = x+y").domain == "where the divisor x - y is not zero"
+    assert "for x >= 0" in str(judge.ask(r"\sqrt{x}^2 = x"))
+
+
+def test_ways_to_understand_it_are_all_told(judge: Judge) -> None:
+    found = judge.ask(r"\alpha_k = \frac{2(2k+1)}{(k+1)(k+2)}")
+    assert "degree 1" in found.headline()
+    assert [verdict for _, verdict in found.others] == ["refuted", "refuted"]
+    assert "degree 0: refuted" in " ".join(str(found).split())
+
+
+@pytest.mark.parametrize(
+    ("formula", "plain"),
+    [("x^2 = y", True), ("beta = alpha", True), (r"\alpha = 1", False), ("x^{12} = y", False)],
+)
+def test_which_text_is_latex(formula: str, plain: bool) -> None:
+    assert is_plain(formula) == plain
+
+
+@pytest.mark.parametrize(
+    ("formula", "said", "message"),
+    [
+        ("", {}, "a formula is wanted"),
+        (r"\alpha + \beta =", {}, r"(?s)ends too early.*\\beta =\n +\^"),
+        (r"\beta = \undefinedcommand x", {}, "undefinedcommand"),
+        ("x = y", {"symbols": {"z": "m"}}, "no symbol of the formula is called 'z'; known: x, y"),
+        ("x = y", {"symbols": {"x": "km"}}, "write m; 1 km is 1000 m"),
+        ("x = y", {"symbols": {"x": "filter_gian.1"}}, "filter_gain.1"),
+        ("x = y", {"symbols": {"x +": "m"}}, "--symbol 'x \\+'"),
+        ("x = y", {"symbols": {"x": "filter_gain.1"}, "model": "none"}, "--model none has none"),
+        ("x = y", {"model": "random-velocty"}, "nearest: random-velocity"),
+        ("x = y", {"conventions": {"gian": "filter"}}, "no convention is called 'gian'"),
+        (r"\beta = \alpha", {"conventions": {"gain": "filtr"}}, "'filtr'"),
+        ("x = y", {"domain": "x >"}, "(?s)--domain: not read.*\\^"),
+        ("x = y", {"symbols": {"x": "m"}, "domain": "x > 1"}, "--domain: dimensions"),
+        (r"e^{i\theta} = \cos\theta + i\sin\theta", {}, "imaginary unit"),
+        ("x = " + "y + " * 8000 + "1", {}, "more than 20000 characters"),
+    ],
+)
+def test_bad_input_is_told(
+    judge: Judge, formula: str, said: Mapping[str, Any], message: str
+) -> None:
+    with pytest.raises(BadInputError, match=message):
+        judge.ask(formula, **said)
+
+
+def test_the_answer_is_that_of_check(tmp_path: Path, judge: Judge) -> None:
+    for number, (formula, said, _) in enumerate(TRUE[:12]):
+        asked = judge.question(formula, Options(**said))
+        file = tmp_path / f"{number}.toml"
+        file.write_text(asked.text, encoding="utf-8")
+        checked = {
+            claim.claim["id"]: claim.claim for claim in gainproof.check(str(file), seconds=20)
+        }
+        found = judge.answer(asked).claim
+        same = {name: value for name, value in found.items() if name != "seconds"}
+        assert {n: v for n, v in checked[found["id"]].items() if n != "seconds"} == same
+
+
+def test_a_formula_that_hangs_costs_one(tmp_path: Path) -> None:
+    slow = (
+        "x" + " + sqrt(x" * 1 + ")" + " ".join(f"+ sqrt({k} + x)" for k in (2, 3, 5, 7, 11, 13, 17))
+    )
+    with Judge(seconds=0.4, fresh=True) as judge:
+        assert judge.ask(f"{slow} = y").verdict in ("undecided", "held", "refuted")
+        assert judge.ask("x^2 >= 0").verdict == "proved"
+
+
+def test_answers_fit_their_schema(capsys: pytest.CaptureFixture[str]) -> None:
+    schema = json.loads(SCHEMA.read_text(encoding="utf-8"))
+    jsonschema.Draft202012Validator.check_schema(schema)
+    formulas = [r"\beta = \frac{\alpha^2}{2 - \alpha}", r"\sqrt{x^2} = x", "x = y", "x +"]
+    assert main(["ask", *formulas, "--json"]) == 2
+    data = json.loads(capsys.readouterr().out)
+    jsonschema.validate(data, schema)
+    assert [each["verdict"] for each in data["answers"]] == ["proved", "conditional", "refuted"]
+    assert len(data["errors"]) == 1
+    del data["answers"][0]["assumed"]
+    with pytest.raises(jsonschema.ValidationError):
+        jsonschema.validate(data, schema)
+
+
+def test_the_command(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    assert main(["ask", r"\beta = \frac{\alpha^2}{2 - \alpha}", "--explain"]) == 0
+    shown = capsys.readouterr().out
+    assert shown.startswith(
+        "\\beta = \\frac{\\alpha^2}{2 - \\alpha}\n  proved for process noise random-velocity"
+    )
+    assert "method:" in shown
+    file = tmp_path / "asked.toml"
+    assert main(["ask", "x = y", "--symbol", "x: m > 0", "--save", str(file)]) == 0
+    saved = tomllib.loads(file.read_text(encoding="utf-8"))
+    assert saved["settings"]["s1"]["symbols"]["x"]["domain"] == "x > 0"
+    capsys.readouterr()
+    assert main(["ask", "x = y", "--save", str(file)]) == 2
+    assert "exists already" in capsys.readouterr().err
+    monkeypatch.setattr(sys, "stdin", iter(["x = x\n", "\n", "x +\n", "y = 2 y\n"]))
+    assert main(["ask", "-"]) == 2
+    captured = capsys.readouterr()
+    assert [line for line in captured.out.split("\n") if line in ("x = x", "y = 2 y")] == [
+        "x = x",
+        "y = 2 y",
+    ]
+    assert "ends too early" in captured.err
+    assert main(["ask", "x = x", "--symbol", "x"]) == 2
+    assert "wanted is NAME: and what it is" in capsys.readouterr().err
+
+
+def test_a_script_without_a_guard_is_not_executed_again(tmp_path: Path) -> None:
+    file = tmp_path / "script.py"
+    file.write_text(
+        "import gainproof\nfor _ in range(2):\n    print(gainproof.ask('x^2 >= 0').verdict)\n"
+    )
+    done = subprocess.run(
+        [sys.executable, str(file)], capture_output=True, text=True, check=True, timeout=100
+    )
+    assert done.stdout == "proved\nproved\n"
+
+
+def test_formulas_made_to_do_harm_do_none() -> None:
+    """Those of the hostile claim files: an answer or an error, in the time that one has."""
+    formulas = []
+    for file in sorted(HOSTILE.glob("*.toml")):
+        try:
+            claims = tomllib.loads(file.read_text(encoding="utf-8")).get("claims", [])
+        except (ValueError, RecursionError):
+            continue
+        formulas += [
+            claim[name]
+            for claim in claims[:1]
+            for name in ("latex", "plain")
+            if isinstance(claim, dict) and isinstance(claim.get(name), str)
+        ]
+    assert len(formulas) > 15
+    with Judge(seconds=1, fresh=True) as judge:
+        for formula in formulas:
+            with contextlib.suppress(BadInputError):
+                assert judge.ask(formula).verdict != "proved" or len(formula) < 2000
+
+
+def test_models_that_are_shipped_have_strengths_that_are_known() -> None:
+    """A model of measured position that comes new needs its line in the table of noises."""
+    from gainproof.answers.question import _NOISE_ORDERS
+
+    positions = [m["name"] for m in shipped_models() if len(m["measurement"]) == 1]
+    assert set(positions) == set(_NOISE_ORDERS)
