@@ -11,7 +11,7 @@ from gainproof.answers.question import FILTER, Assumed, Question
 from gainproof.notebook.markup import html_escaped
 from gainproof.terminal_text import WIDTH, filled
 from gainproof.verdicts.explanation import explanation
-from gainproof.verdicts.verdict_reason import reasons
+from gainproof.verdicts.verdict_reason import is_contradicted, reasons
 
 FORMAT = "gainproof answers 1"
 BEST = ("proved", "definition", "conditional")
@@ -110,13 +110,16 @@ class Answer:
 
     def headline(self) -> str:
         """The verdict with the conventions and guesses that it rests on."""
-        convention = self.claim["convention"]
-        words = f"{self.verdict} for {_together(convention)}" if convention else self.verdict
-        guessed = [each for each in self.assumed if each.guessed]
-        symbols = "the meaning of its symbols" if guessed and guessed[0].of != FILTER else ""
-        filters = [each.meaning for each in guessed if each.of == FILTER]
-        said = " and ".join([*([symbols] if symbols else []), *filters])
-        return f"{words}; assumed: {said}" if said else words
+        words = self.verdict
+        if self.claim["convention"]:
+            convention = _together(self.claim["convention"])
+            words += (
+                f": true for {convention}" if is_contradicted(self.claim) else f" for {convention}"
+            )
+        guessed = [each.of for each in self.assumed if each.guessed]
+        kinds = [*(["symbols"] if guessed not in ([], [FILTER]) else [])]
+        kinds += ["filter"] if FILTER in guessed else []
+        return f"{words}; assumed: {' and '.join(kinds)}" if kinds else words
 
     def __repr__(self) -> str:
         return f"<answer {self.formula!r}: {self.headline()}>"

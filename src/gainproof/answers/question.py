@@ -271,7 +271,7 @@ def _candidates(
                 said_to_be = f"{token} is said to be {meaning.quantity}, a quantity of a filter"
                 raise BadInputError(f"{said_to_be}: --model none has none")
         algebra = ('kind = "algebra"',)
-        return [Candidate(algebra, {**free, **said}, "real numbers, no filter")]
+        return [Candidate(algebra, {**free, **said}, "none: about real numbers")]
     meant = {**free, **known}
     orders = [
         int(each.quantity[-1]) for each in meant.values() if each.quantity.startswith("gain.")
@@ -446,8 +446,9 @@ def _assumed(
         Assumed(token, _in_words(meaning), token not in said, f"--symbol '{token}: ...'")
         for token, meaning in candidate.symbols.items()
     ]
-    model = Assumed(FILTER, candidate.title, not options.model, "--model")
-    return (*found, model)
+    found.append(Assumed(FILTER, candidate.title, not options.model, "--model"))
+    found += [Assumed("given", relation, False, "--given") for relation in options.given]
+    return tuple(found)
 
 
 def _in_words(meaning: Meaning) -> str:

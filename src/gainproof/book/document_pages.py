@@ -27,7 +27,7 @@ class Part:
 
 
 PARTS = (
-    Part("Tutorials", ("check-a-formula", "generate", "follow-a-derivation")),
+    Part("Tutorials", ("ask", "check-a-formula", "generate", "follow-a-derivation")),
     Part(
         "How to",
         (
