@@ -73,7 +73,7 @@ FALSE: list[tuple[str, dict[str, Any]]] = [
     (r"\alpha_k = \frac{2(2k+1)}{(k+1)(k+3)}", {}),
     ("(a+b)^2 = a^2 + ab + b^2", {}),
     (r"\sqrt{x^2} = x", {"domain": "x < 0"}),
-    ("x = y", {}),
+    ("x^2 = y^2", {}),
     ("n^2 > n", {"symbols": {"n": "integer"}, "domain": "n < 2"}),
 ]
 
@@ -104,6 +104,20 @@ def test_no_guess_is_silent(judge: Judge, formula: str) -> None:
 def test_a_formula_without_a_filter_says_where_its_parts_have_values(judge: Judge) -> None:
     assert judge.ask(r"\frac{x^2-y^2}{x-y} = x+y").domain == "where the divisor x - y is not zero"
     assert "for x >= 0" in str(judge.ask(r"\sqrt{x}^2 = x"))
+
+
+@pytest.mark.parametrize("formula", ["D = a + b", "a + b = D", "x_k = x_p + alpha (z - x_p)"])
+def test_what_can_only_define_is_not_refuted(judge: Judge, formula: str) -> None:
+    found = judge.ask(formula)
+    assert found.verdict == "definition"
+    assert "the formula can only say what it is" in " ".join(str(found).split())
+
+
+def test_a_statement_about_any_numbers_is_refuted_as_one(judge: Judge) -> None:
+    found = judge.ask("x^2 = y^2 + z^2")
+    assert found.headline().startswith("refuted as a statement about any numbers; assumed")
+    said = judge.ask("x^2 = y^2", symbols={"x": "1", "y": "1"}, model="none")
+    assert said.headline() == "refuted"
 
 
 def test_ways_to_understand_it_are_all_told(judge: Judge) -> None:
@@ -173,7 +187,7 @@ def test_a_formula_that_hangs_costs_one(tmp_path: Path) -> None:
 def test_answers_fit_their_schema(capsys: pytest.CaptureFixture[str]) -> None:
     schema = json.loads(SCHEMA.read_text(encoding="utf-8"))
     jsonschema.Draft202012Validator.check_schema(schema)
-    formulas = [r"\beta = \frac{\alpha^2}{2 - \alpha}", r"\sqrt{x^2} = x", "x = y", "x +"]
+    formulas = [r"\beta = \frac{\alpha^2}{2 - \alpha}", r"\sqrt{x^2} = x", "x^2 = y^2", "x +"]
     assert main(["ask", *formulas, "--json"]) == 2
     data = json.loads(capsys.readouterr().out)
     jsonschema.validate(data, schema)

@@ -7,15 +7,20 @@ from dataclasses import asdict, dataclass
 from math import prod
 from typing import Any
 
-from gainproof.answers.question import FILTER, Assumed, Question
+from gainproof.answers.question import DEFINITION, FILTER, NO_FILTER, Assumed, Question
 from gainproof.notebook.markup import html_escaped
 from gainproof.terminal_text import WIDTH, filled
 from gainproof.verdicts.explanation import explanation
 from gainproof.verdicts.verdict_reason import is_contradicted, reasons
 
 FORMAT = "gainproof answers 1"
-BEST = ("proved", "definition", "conditional")
+BEST = ("proved", DEFINITION, "conditional")
 """Verdicts for which one way to understand a formula is preferred to others, the best first."""
+ANY_NUMBERS = " as a statement about any numbers"
+ONLY_DEFINES = (
+    "nothing is known of the number on one side: the formula can only say what it is; what it is "
+    "meant to be can be said"
+)
 ANY_OF = "any of: "
 """How the judge begins where several conventions fit."""
 _LABEL = 10
@@ -97,6 +102,7 @@ class Answer:
         lines += filled(self.headline(), "  ", "    ", columns)
         facts = [("where", self.domain)] if self.verdict == "proved" and self.domain else []
         facts += [("why", why) for why in reasons(self.claim)]
+        facts += [("why", ONLY_DEFINES)] if self.verdict == DEFINITION else []
         for label, guessed in (("guessed", True), ("as said", False)):
             said = [f"{a.of}: {a.meaning}" for a in self.assumed if a.guessed == guessed]
             facts += [(label, "; ".join(said))] if said else []
@@ -119,7 +125,12 @@ class Answer:
         guessed = [each.of for each in self.assumed if each.guessed]
         kinds = [*(["symbols"] if guessed not in ([], [FILTER]) else [])]
         kinds += ["filter"] if FILTER in guessed else []
+        if self.verdict == "refuted" and FILTER in guessed and self.claim["convention"] is None:
+            words += ANY_NUMBERS if NO_FILTER in self._filter() else ""
         return f"{words}; assumed: {' and '.join(kinds)}" if kinds else words
+
+    def _filter(self) -> str:
+        return _filter(self.assumed)
 
     def __repr__(self) -> str:
         return f"<answer {self.formula!r}: {self.headline()}>"

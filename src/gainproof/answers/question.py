@@ -27,6 +27,10 @@ from gainproof.verify.judge.reader.names import canonical_token
 MOST_CHARACTERS = 20_000
 """Of a formula; the reader has limits of its own below that."""
 INEQUALITIES = frozenset({"<", "<=", ">", ">=", "!="})
+REAL = "real number"
+"""The meaning of a letter of which nothing is known."""
+DEFINITION = "definition"
+NO_FILTER = "none: about real numbers"
 SEARCH, NONE, FIXED = "search", "none", "fixed"
 FILTER = "filter"
 """What is assumed of no symbol."""
@@ -264,14 +268,14 @@ def _candidates(
     names = [str(each["name"]) for each in models]
     if model not in (SEARCH, NONE, FIXED, *names):
         raise unknown_name("model", model, [SEARCH, NONE, FIXED, *names])
-    free = {token: Meaning("free", "real number") for token in tokens}
+    free = {token: Meaning("free", REAL) for token in tokens}
     if model == NONE:
         for token, meaning in said.items():
             if meaning.role != "free":
                 said_to_be = f"{token} is said to be {meaning.quantity}, a quantity of a filter"
                 raise BadInputError(f"{said_to_be}: --model none has none")
         algebra = ('kind = "algebra"',)
-        return [Candidate(algebra, {**free, **said}, "none: about real numbers")]
+        return [Candidate(algebra, {**free, **said}, NO_FILTER)]
     meant = {**free, **known}
     orders = [
         int(each.quantity[-1]) for each in meant.values() if each.quantity.startswith("gain.")
@@ -411,14 +415,32 @@ def _text(
         lines += ["", f"[settings.s{number}]", f"title = {quoted(candidate.title)}"]
         lines += [*candidate.lines, "", f"[settings.s{number}.symbols]"]
         lines += [_entry(token, meaning) for token, meaning in candidate.symbols.items()]
-    for number, _ in enumerate(candidates, 1):
+    for number, candidate in enumerate(candidates, 1):
         lines += ["", "[[claims]]", f'id = "{number}"', 'place = "as asked"']
-        lines += [f'kind = "{kind_of(read)}"', f'setting = "s{number}"']
+        kind = DEFINITION if _only_defines(read, candidate) else kind_of(read)
+        lines += [f'kind = "{kind}"', f'setting = "s{number}"']
         lines += [f"{'plain' if plain else 'latex'} = {quoted(formula)}"]
         lines += [f"domain = {quoted(options.domain)}"] if options.domain else []
         if options.given:
             lines += [f"given = [{', '.join(map(quoted, options.given))}]"]
     return "\n".join(lines) + "\n"
+
+
+def _only_defines(formula: Formula, candidate: Candidate) -> bool:
+    """Whether one side is a number of which nothing is known and that stands nowhere else: such a
+    formula can say what the number is, and nothing else.
+    """
+    reading = formula.readings[0]
+    if len(reading.relations) != 1 or reading.conditions or reading.relations[0].operator != "=":
+        return False
+    sides = reading.relations[0].left, reading.relations[0].right
+    for one, other in (sides, sides[::-1]):
+        node = one["nodes"][one["outputs"]["value"]]
+        if node[0] == "symbol" and node not in other["nodes"]:
+            meaning = candidate.symbols[node[1]]
+            if meaning.role == "free" and meaning.meaning == REAL:
+                return True
+    return False
 
 
 def kind_of(formula: Formula) -> str:
