@@ -7,7 +7,7 @@ from dataclasses import asdict, dataclass
 from math import prod
 from typing import Any
 
-from gainproof.answers.question import DEFINITION, FILTER, NO_FILTER, Assumed, Question
+from gainproof.answers.question import DEFINITION, FILTER, NO_FILTER, SEARCHED, Assumed, Question
 from gainproof.notebook.markup import html_escaped
 from gainproof.terminal_text import WIDTH, filled
 from gainproof.verdicts.explanation import explanation
@@ -16,6 +16,8 @@ from gainproof.verdicts.verdict_reason import is_contradicted, reasons
 FORMAT = "gainproof answers 1"
 BEST = ("proved", DEFINITION, "conditional")
 """Verdicts for which one way to understand a formula is preferred to others, the best first."""
+OPEN = (SEARCHED, NO_FILTER)
+"""How the words on a filter end that name none."""
 ANY_NUMBERS = " as a statement about any numbers"
 ONLY_DEFINES = (
     "nothing is known of the number on one side: the formula can only say what it is; what it is "
@@ -124,7 +126,9 @@ class Answer:
             )
         guessed = [each.of for each in self.assumed if each.guessed]
         kinds = [*(["symbols"] if guessed not in ([], [FILTER]) else [])]
-        kinds += ["filter"] if FILTER in guessed else []
+        if FILTER in guessed:
+            # where it was searched the conventions name it
+            kinds.append(FILTER if self._filter().endswith(OPEN) else self._filter())
         if self.verdict == "refuted" and FILTER in guessed and self.claim["convention"] is None:
             words += ANY_NUMBERS if NO_FILTER in self._filter() else ""
         return f"{words}; assumed: {' and '.join(kinds)}" if kinds else words

@@ -30,6 +30,7 @@ INEQUALITIES = frozenset({"<", "<=", ">", ">=", "!="})
 REAL = "real number"
 """The meaning of a letter of which nothing is known."""
 DEFINITION = "definition"
+SEARCHED = "process noise searched"
 NO_FILTER = "none: about real numbers"
 SEARCH, NONE, FIXED = "search", "none", "fixed"
 FILTER = "filter"
@@ -296,7 +297,7 @@ def _candidates(
         ]
     strengths = [token for token in tokens if meant[token].role in ("deviation", "density")]
     if not strengths:
-        words = "process noise searched" if model == SEARCH else f"process noise {model}"
+        words = SEARCHED if model == SEARCH else f"process noise {model}"
         steady = ('kind = "steady_state"', f'model = "{model}"', *_conventions(options, meant))
         return [Candidate(steady, meant, f"Kalman filter in its steady state, {words}")]
     if len(strengths) > 1:
