@@ -90,9 +90,9 @@ def judge_text(
     Raises BadInputError, with line and column of each error where known, for a file that is not
     accepted, or without the claim.
     """
-    names = [str(model["name"]) for model in models]
+    known_models = tuple(str(model["name"]) for model in models)
     try:
-        claim_file = read_claim_text(text, path, names, keep_going=keep_going)
+        claim_file = read_claim_text(text, path, known_models, keep_going=keep_going)
     except ClaimFileError as error:
         every = [one.to_json() for one in (error, *error.others)]
         raise BadInputError(listed(every), every) from None
