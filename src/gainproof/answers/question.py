@@ -11,24 +11,22 @@ from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
 from types import MappingProxyType
 
-from gainproof.answers import letters
-from gainproof.answers.letters import Meaning
 from gainproof.bad_input import BadInputError, unknown_name
-from gainproof.claims.symbols_met import symbols_met
 from gainproof.claims.template import FORMAT_LINE
 from gainproof.claims.toml_text import quoted
+from gainproof.verify.judge.claim import usual_letters as letters
 from gainproof.verify.judge.claim.settings import CONVENTIONS
+from gainproof.verify.judge.claim.short_form import REAL, entry_of, is_plain, kind_of
 from gainproof.verify.judge.claim.units import read_unit
+from gainproof.verify.judge.claim.usual_letters import Meaning
 from gainproof.verify.judge.formula import Formula
 from gainproof.verify.judge.quantity_names import quantity_names
 from gainproof.verify.judge.reader.errors import ReaderError
 from gainproof.verify.judge.reader.names import canonical_token
+from gainproof.verify.judge.reader.symbols_met import symbols_met
 
 MOST_CHARACTERS = 20_000
 """Of a formula; the reader has limits of its own below that."""
-INEQUALITIES = frozenset({"<", "<=", ">", ">=", "!="})
-REAL = "real number"
-"""The meaning of a letter of which nothing is known."""
 DEFINITION = "definition"
 SEARCHED = "process noise searched"
 NO_FILTER = "none: about real numbers"
@@ -108,11 +106,6 @@ class Question:
     formula: str
     text: str
     assumed: Mapping[str, tuple[Assumed, ...]]
-
-
-def is_plain(formula: str) -> bool:
-    """Whether a formula is typed as plain text: it has no commands and no braces of LaTeX."""
-    return "\\" not in formula and not re.search(r"[\^_]\{", formula)
 
 
 def question(formula: str, options: Options, models: Sequence[Mapping[str, object]]) -> Question:
@@ -262,8 +255,7 @@ def _candidates(
     usual = letters.filter_meanings(tokens)
     known = {**usual, **said}
     about_filter = all(token in known for token in tokens) and any(
-        letters.is_anchor(known[token]) or known[token].quantity.startswith("filter_gain")
-        for token in tokens
+        letters.is_anchor(known[token]) for token in tokens
     )
     model = options.model or (SEARCH if about_filter else NONE)
     names = [str(each["name"]) for each in models]
@@ -395,23 +387,17 @@ def _conventions(options: Options, meant: Mapping[str, Meaning]) -> list[str]:
 
 
 def _entry(token: str, meaning: Meaning) -> str:
-    parts = []
-    if meaning.definition:
-        parts.append(f"definition = {quoted(meaning.definition)}")
-    elif meaning.role == "quantity":
-        parts.append(f'quantity = "{meaning.quantity}"')
-    else:
-        parts.append(f"unit = {quoted(meaning.unit)}")
-        parts += [f"domain = {quoted(meaning.domain)}"] if meaning.domain else []
-        parts += ["integer = true"] if meaning.integer else []
-    return f"{quoted(token)} = {{ {', '.join(parts)}, meaning = {quoted(meaning.meaning)} }}"
+    parts = [
+        f"{name} = {'true' if value is True else quoted(value)}"
+        for name, value in entry_of(meaning).items()
+    ]
+    return f"{quoted(token)} = {{ {', '.join(parts)} }}"
 
 
 def _text(
     formula: str, plain: bool, read: Formula, candidates: Sequence[Candidate], options: Options
 ) -> str:
-    lines = [FORMAT_LINE, "", "[source]", 'key = "asked"', 'title = "A formula that was asked for"']
-    lines += ['authors = ["unknown"]', 'publication = "unpublished"']
+    lines = [FORMAT_LINE, "", "[source]", 'title = "A formula that was asked for"']
     for number, candidate in enumerate(candidates, 1):
         lines += ["", f"[settings.s{number}]", f"title = {quoted(candidate.title)}"]
         lines += [*candidate.lines, "", f"[settings.s{number}.symbols]"]
@@ -442,24 +428,6 @@ def _only_defines(formula: Formula, candidate: Candidate) -> bool:
             if meaning.role == "free" and meaning.meaning == REAL:
                 return True
     return False
-
-
-def kind_of(formula: Formula) -> str:
-    """The kind of claim that a formula is, as far as its relations say it."""
-    reading = formula.readings[0]
-    operators = {relation.operator for relation in reading.relations}
-    if reading.connective in ("iff", "implies"):
-        return "equivalence" if reading.connective == "iff" else "implication"
-    if "->" in operators or any(each.operator == "->" for each in reading.conditions):
-        orders = any(
-            node[:2] == ["call", "order"]
-            for relation in reading.relations
-            for node in relation.right["nodes"]
-        )
-        return "asymptotics" if orders or "sim" in operators else "limit"
-    if "approx" in operators:
-        return "value"
-    return "inequality" if operators & INEQUALITIES else "identity"
 
 
 def _assumed(

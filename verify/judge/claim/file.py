@@ -38,6 +38,7 @@ from gainproof.verify.judge.claim.record import (
     Unit,
 )
 from gainproof.verify.judge.claim.settings import read_settings, symbol_error
+from gainproof.verify.judge.claim.short_form import expanded
 from gainproof.verify.judge.claim.symbols import complete_symbols
 from gainproof.verify.judge.dimensions.declared import shared_fault
 
@@ -137,7 +138,7 @@ def _claim_file(
     text: FileText, parsed: Mapping[str, Any], models: Sequence[str] | None
 ) -> ClaimFile | None:
     """The file, or None without a source. Errors are noted as far as others can be found."""
-    document = Fields(text, "file", parsed, TABLES)
+    document = Fields(text, "file", expanded(parsed, text.path), TABLES)
     version = document.required_text("format")
     if version != FORMAT:
         raise document.fail("format", f"wanted {FORMAT!r}, but it is {version[:80]!r}")

@@ -70,7 +70,6 @@ def test_the_text_itself_is_read() -> None:
         ("claims 1", "claims 2", "file.format", "wanted"),
         ("'a' = {", "'a' = 1\n'a' = {", "", "'a' stands in this table a second time"),
         ("[source]", "[sources]", "file.sources", "nearest is source"),
-        ('key = "someone-2001"', "", "source.key", "missing"),
         ('key = "someone-2001"', "key = 1", "source.key", "a text is wanted, not a number"),
         ('key = "someone-2001"', 'key = ""', "source.key", "empty"),
         ("title =", "titel =", "source.titel", "nearest is title"),

@@ -55,6 +55,7 @@ _COVARIANCES = {
     "X": ("updated_covariance", "updated covariance"),
     r"\hatP": ("updated_covariance", "updated covariance"),
 }
+_ENTRIES = ("covariance.", "predicted_covariance.", "updated_covariance.")
 _ENTRY = re.compile(r"(.+)_([123])([123])")
 _GAIN = re.compile(r"K_([123])")
 _NUMBERED = re.compile(r"(\\alpha|\\beta|\\gamma)_([knN])")
@@ -90,9 +91,15 @@ def filter_meanings(tokens: Sequence[str]) -> Mapping[str, Meaning]:
 
 def is_anchor(meaning: Meaning) -> bool:
     """Whether a formula that holds this is about a filter: times and noises alone are not."""
-    return meaning.quantity.startswith(
-        ("gain.", "covariance.", "predicted_covariance.", "updated_covariance.")
-    )
+    return meaning.quantity.startswith(("gain.", "filter_gain.", "predictor_gain.", *_ENTRIES))
+
+
+def about_filter(tokens: Sequence[str]) -> bool:
+    """Whether a formula of these symbols is about a filter: all have a meaning in one, and there is
+    a gain or an entry of a covariance among them.
+    """
+    known = filter_meanings(tokens)
+    return all(token in known for token in tokens) and any(map(is_anchor, known.values()))
 
 
 def is_numbered(token: str) -> bool:
