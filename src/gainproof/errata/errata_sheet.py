@@ -1,5 +1,5 @@
-"""An errata sheet of a source, in Markdown or LaTeX: what is printed, why it cannot stand, what would
-be true.
+"""An errata sheet of a source, in Markdown or LaTeX: what is printed, why it cannot stand, what
+would be true.
 """
 
 from __future__ import annotations
