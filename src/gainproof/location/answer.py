@@ -112,7 +112,7 @@ def _number(name: str, text: str) -> float:
 
 
 def _require_ending(name: str) -> None:
-    from gainproof.location.plot_file import ENDINGS
+    from gainproof.location.drawing import ENDINGS
 
     if Path(name).suffix.lower() not in ENDINGS:
         raise BadInputError(f"--plot takes a name that ends in .svg or .png, got {name!r}")
@@ -121,6 +121,6 @@ def _require_ending(name: str) -> None:
 def _drawn(name: str | None, found: Location, given: Stations) -> dict[Path, bytes]:
     if not name:
         return {}
-    from gainproof.location.plot_file import plotted
+    from gainproof.location.drawing import plotted
 
     return {Path(name): plotted(found, given, Path(name))}

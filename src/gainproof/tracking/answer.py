@@ -151,7 +151,7 @@ def _contents(
     if options.out:
         contents[Path(options.out)] = csv_text(given, found).encode()
     if options.plot:
-        from gainproof.tracking.plot_file import plotted
+        from gainproof.tracking.drawing import plotted
 
         title = f"{settings.filter} filter, {settings.conversion} conversion"
         path = Path(options.plot)
