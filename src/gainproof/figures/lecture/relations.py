@@ -1,4 +1,4 @@
-"""How the tracking filters with the uniform motion model hang together, as lines of a table and a picture.
+"""How the tracking filters with the uniform motion model hang together: a table and a picture.
 
 Of the lecture's picture its title and one label (linear filter) are left. Each line here is a
 definition or is derived; ``derivation`` names where. What the lecture leaves open is the reading of
