@@ -16,8 +16,7 @@ from gainproof.location.estimate import DEFAULT, FALSE_ALARM, locate
 from gainproof.location.example import FILES, write_example
 from gainproof.location.files import read_files
 from gainproof.location.methods import CHOSEN, method_of
-from gainproof.location.page import page
-from gainproof.location.plain import plain, plain_failure
+from gainproof.location.page import page, plain, plain_failure
 from gainproof.location.result import Location
 from gainproof.location.stations import MOST, Stations
 from gainproof.tables.cell_text import decimal

@@ -19,8 +19,7 @@ from gainproof.tracking.association import require_scipy
 from gainproof.tracking.conversion import NoCovarianceError
 from gainproof.tracking.example import FILE, write_example
 from gainproof.tracking.files import FromFile, read_file
-from gainproof.tracking.output import csv_text, plain
-from gainproof.tracking.page import page
+from gainproof.tracking.page import csv_text, page, plain
 from gainproof.tracking.scans import LIMITS, wanted
 from gainproof.tracking.settings import Settings
 from gainproof.tracking.summary import courses
