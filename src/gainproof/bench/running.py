@@ -58,7 +58,7 @@ def _measure(begun: Results, how: Options, html: Path | None, data: Path | None)
             print(subject, flush=True)
             done = {(each["subject"], each["kernel"]) for each in begun.rows}
             for item in measured_kernels([subject], done):
-                begun.rows.append(_row(item, figures(item, Path(folder), how), left))
+                begun.rows.append(row(item, figures(item, Path(folder), how), left))
                 print(table.line(begun.rows[-1]), flush=True)
                 _write(begun, None, data)
             begun.finished.append(subject)
@@ -94,7 +94,7 @@ def _places(html: str | None, data: str | None) -> tuple[Path | None, Path | Non
     return shown, kept
 
 
-def _row(item: Measured, found: Figures, remaining: Mapping[str, Left]) -> dict[str, Any]:
+def row(item: Measured, found: Figures, remaining: Mapping[str, Left]) -> dict[str, Any]:
     """One kernel: its names, domain, cancellations, seconds for a million points, and errors.
 
     Numbers that are infinite are written as text, since JSON has none.
