@@ -11,8 +11,8 @@ import numpy as np
 import pytest
 
 from gainproof.figures.lecture import coordinates, curves, fits, kalman_track, relations
-from gainproof.figures.lecture.curves_drawing import CURVES as LABELS
-from gainproof.figures.lecture.relations_drawing import GENERAL, SPECIAL, WORDS
+from gainproof.figures.lecture.curves import CURVES as LABELS
+from gainproof.figures.lecture.relations import GENERAL, SPECIAL, WORDS
 from gainproof.files import places
 from gainproof.plots.table import Reals, Table
 from gainproof.verify.oracles import fixed_gain, least_squares

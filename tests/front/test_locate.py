@@ -15,7 +15,7 @@ from gainproof import cli
 from gainproof.location.errors import DivergedError
 from gainproof.location.example import BIASES, POSITION, VELOCITY
 from gainproof.location.methods import METHODS
-from gainproof.location.plain import plain_failure
+from gainproof.location.page import plain_failure
 from gainproof.location.result import Convergence
 
 Capture = pytest.CaptureFixture[str]

@@ -215,12 +215,12 @@ def test_verdicts_show_themselves() -> None:
         seconds=0.0,
     )
     assert str(verdict) == "1: refuted (at $a = 1$ <b>)"
-    assert "<code>a &lt; b</code>" in verdict._repr_html_()
-    assert "$" not in verdict._repr_html_()
     judged = JudgedFile({"source": {"key": "k", "title": "<i>"}, "claims": [verdict.to_json()]}, {})
     assert repr(judged) == "<claims of k: 1 claim: 1 refuted>"
     assert judged["1"].verdict == "refuted"
     assert "&lt;i&gt;" in judged._repr_html_()
+    assert "<code>a &lt; b</code>" in judged._repr_html_()
+    assert "$" not in judged._repr_html_()
     with pytest.raises(BadInputError):
         judged["2"]
 

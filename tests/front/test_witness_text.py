@@ -144,3 +144,46 @@ def test_symbols_of_the_formula_come_before_what_no_source_writes(
 ) -> None:
     half = {"midpoint": "0.5", "radius": "0"}
     assert witness_text.at_point({"point": point, "values": dict.fromkeys(values, half)}) == told
+
+
+@pytest.mark.parametrize(
+    ("shape", "changed", "told"),
+    [
+        ("equal", {}, "At Lambda = 1/2 the left side is 0.5 +/- 1e-9, the right side is 3."),
+        (
+            "equal",
+            {"entry": "1,2", "names": {"beta": {"midpoint": "2", "radius": "0"}}},
+            (
+                "At Lambda = 1/2, where beta = 2, the left side, in row and column 1,2, is "
+                "0.5 +/- 1e-9, the right side is 3."
+            ),
+        ),
+        ("positive", {}, "At Lambda = 1/2 the expression is 0.5 +/- 1e-9, which is not above 0."),
+        ("limit", {"point": {}}, "The limit is 0.5 +/- 1e-9, not 3."),
+        ("sum", {}, "At Lambda = 1/2 the terms add up to 0.5 +/- 1e-9, the closed form is 3."),
+        (
+            "monotone increasing",
+            {},
+            "At Lambda = 1/2 the derivative is 0.5 +/- 1e-9: it falls there.",
+        ),
+        (
+            "monotone decreasing",
+            {},
+            "At Lambda = 1/2 the derivative is 0.5 +/- 1e-9: it rises there.",
+        ),
+    ],
+)
+def test_a_witness_against_a_step_of_a_derivation(
+    shape: str, changed: dict[str, Any], told: str
+) -> None:
+    witness = {
+        "shape": shape,
+        "point": {"tracking_index": "1/2"},
+        "left": {"midpoint": "0.5", "radius": "1e-9"},
+        "right": {"midpoint": "3", "radius": "0"},
+        "entry": "",
+        "names": {},
+        **changed,
+    }
+    symbols = {"tracking_index": r"\Lambda", "beta": r"\beta"}
+    assert witness_text.of_relation(witness, symbols) == told

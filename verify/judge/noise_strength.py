@@ -25,9 +25,8 @@ from gainproof.verify.judge.setting.own_matrices import interval_symbol, read_ma
 from gainproof.verify.judge.task import Models, Solved
 from gainproof.verify.judge.trial import Trial, findings_of
 from gainproof.verify.judge.verdict import ClaimVerdict
+from gainproof.verify.judge.verdict_words import STRENGTH
 
-NAMED = "would hold with"
-"""In the certificate of a refuted claim: what the strength of a noise would have to be."""
 DENSITY = 1
 """The power of T beside the density of a noise in the last entry of a process noise: that of a
 noise which is constant between samples has 2, that of an increment at each sample 0.
@@ -192,6 +191,6 @@ def with_strengths(
         fits = [n for n, f in trial.findings.items() if f.verdict == TRUE] if trial else []
         if verdict.verdict != FALSE or not fits:
             return verdict
-        return replace(verdict, certificate={**verdict.certificate, NAMED: fits[0]})
+        return replace(verdict, certificate={**verdict.certificate, STRENGTH: fits[0]})
 
     return [named(verdict) for verdict in verdicts]

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import html
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field, replace
 from typing import Any
@@ -10,19 +9,7 @@ from typing import Any
 from gainproof.verify.judge.exact.limits import Undecided
 from gainproof.verify.judge.exact.place import Place
 from gainproof.verify.judge.exact.statement import Outcome, Witness
-from gainproof.verify.judge.verdict_words import DECIDES
-
-VERDICTS = (
-    "proved",
-    "refuted",
-    "conditional",
-    "undefined",
-    "held",
-    "undecided",
-    "definition",
-    "remark",
-)
-SETTLED = frozenset(VERDICTS) - {"held", "undecided"}
+from gainproof.verify.judge.verdict_words import DECIDES, SETTLED
 
 
 @dataclass(frozen=True)
@@ -102,15 +89,6 @@ class ClaimVerdict:
     def __str__(self) -> str:
         """`16a: refuted (why)`, readable where `repr` holds the whole certificate."""
         return f"{self.id}: {self.verdict}{f' ({self.reason})' if self.reason else ''}"
-
-    def _repr_html_(self) -> str:
-        """For a notebook. The formula is shown as it was typed: a claim file is untrusted, and
-        what sets formulas in a browser follows links and macros.
-        """
-        told = html.escape(self.reason).replace("$", "&#36;")
-        formula = html.escape(self.latex).replace("$", "&#36;")
-        name = html.escape(self.id)
-        return f"<p><b>{name}</b>: {self.verdict} <code>{formula}</code><br>{told}</p>"
 
     def to_json(self) -> dict[str, Any]:
         """Plain data."""

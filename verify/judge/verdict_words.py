@@ -4,6 +4,19 @@ from __future__ import annotations
 
 from enum import StrEnum
 
+VERDICTS = (
+    "proved",
+    "refuted",
+    "conditional",
+    "undefined",
+    "held",
+    "undecided",
+    "definition",
+    "remark",
+)
+"""Verdicts in the order in which they are counted."""
+SETTLED = frozenset(VERDICTS) - {"held", "undecided"}
+
 
 class Shown(StrEnum):
     """What a witness shows, and with it how it is told."""
@@ -38,5 +51,7 @@ OTHERS = "against other conventions"
 """The witnesses against a claim that fits none."""
 ROUNDED = "as a rounded number"
 """How a printed decimal was taken."""
+STRENGTH = "would hold with"
+"""Of a refuted claim, the strength of a noise with which it is proved."""
 DECIDES = "decides"
 """The verdict on the statement in the certificate, where another is told of the claim."""

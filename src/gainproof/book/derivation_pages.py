@@ -10,7 +10,6 @@ from typing import Any
 from markupsafe import Markup
 
 from gainproof.book import play
-from gainproof.book.how_checked import how
 from gainproof.book.mathematics import displayed
 from gainproof.book.page import Finding, Page
 from gainproof.book.prose_html import prose
@@ -148,7 +147,7 @@ def _marks(steps: Sequence[ShownStep]) -> tuple[Mark, ...]:
 
 
 def _step(step: DerivedStep, writer: Writer, marks: Mapping[str, str]) -> ShownStep:
-    return ShownStep(step.id, tuple(formulas_of(step, writer)), marks[step.id], how(step.kind))
+    return ShownStep(step.id, tuple(formulas_of(step, writer)), marks[step.id], _how(step.kind))
 
 
 def formulas_of(step: DerivedStep, writer: Writer) -> list[Markup]:
@@ -172,3 +171,34 @@ def _model(derived: Derived) -> Mapping[str, Any] | None:
             for label, field in MODEL_FIELDS
         ],
     }
+
+
+_BY_COMBINATION = (
+    "each entry is expanded as a polynomial and is the combination of the defining equations that "
+    "the certificate holds"
+)
+_WORDS_IN_LETTERS = "words in letters that do not commute, for every size of the matrices"
+_HOW: Mapping[str, str] = {
+    "equal": "both sides are the same element of the tower of radicals, in exact arithmetic",
+    "positive": "numerator and denominator are polynomials whose coefficients show their sign",
+    "same_sign": "the quotient of both sides is positive, by polynomials that show their sign",
+    "limit": "leading terms at the end of the domain, exactly",
+    "increasing_onto": "the derivative is positive, and the limits at both ends are exact",
+    "monotone": "the sign of the derivative, exactly",
+    "riccati": f"the Riccati equation and the gain: {_BY_COMBINATION}",
+    "stable": "the rows of Schur and Cohn of the characteristic polynomial are positive",
+    "positive_definite": "every leading minor is positive",
+    "program": "the graph that the kernel is printed from has these values, in exact arithmetic",
+    "sum": "induction: first term, and the step from k to k + 1, as polynomials",
+    "definition": "nothing to decide: it says what a name means",
+    "cited": "a published theorem, used and not proved here",
+    "matrix_equal": _WORDS_IN_LETTERS,
+    "matrix_order": f"a sum of squares with cofactors: {_WORDS_IN_LETTERS}",
+    "matrix_invertible": f"an inverse from one side, or definiteness: {_WORDS_IN_LETTERS}",
+    "matrix_trace": f"factors of a trace turned in a circle: {_WORDS_IN_LETTERS}",
+}
+
+
+def _how(kind: str) -> str:
+    """The sentence, or the name of a kind that has none."""
+    return _HOW.get(kind, kind.replace("_", " "))

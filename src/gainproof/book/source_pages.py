@@ -16,6 +16,7 @@ from gainproof.errata.errata_entries import Block, Entry, Member, entries, entry
 from gainproof.formulas.sentence_formulas import written
 from gainproof.interface_words import LANGUAGES, in_language
 from gainproof.verdicts.explanation import parts
+from gainproof.verdicts.verdict_reason import domain
 from gainproof.verdicts.verdict_snapshot import Judgement, tally
 
 Claim = Mapping[str, Any]
@@ -108,7 +109,7 @@ def _words(said: Said) -> str:
 def _shown(member: Member, checked: str) -> ShownClaim:
     claim = member.claim
     facts = (
-        ("domain", claim["domain"] if claim["domain"] != "nowhere" else None),
+        ("domain", domain(claim)),
         ("method", claim["evidence"]["method"]),
     )
     known = member.said.known

@@ -6,14 +6,22 @@ Roots are multiplied by integers in the proof, since `ring` replaces powers by i
 
 from __future__ import annotations
 
+import re
+from collections import Counter
 from collections.abc import Iterator, Mapping, Sequence
 from fractions import Fraction
+from math import lcm, prod
 
+from gainproof.certify import external
 from gainproof.certify.divisors import divisors, known_forms
 from gainproof.certify.expression import Tree
 from gainproof.certify.goals import Goal, Relation, Statement, Tower
-from gainproof.certify.whole_roots import expanded, multiples
+from gainproof.certify.outcome import Outcome
+from gainproof.certify.reading import statements, towers
+from gainproof.certify.subjects import Subject
 
+NAME, PROGRAM = "coq", "coqc"
+_PLACE = re.compile(r'File "[^"]*", line (\d+)')
 HEAD = """\
 Require Import Reals Lra.
 Open Scope R_scope.
@@ -36,7 +44,37 @@ Ltac parts := repeat match goal with |- _ /\\ _ => split end.
 """
 
 
-def script(statements: Sequence[Statement], towers: Mapping[str, Tower]) -> tuple[str, list[str]]:
+def certify(subject: Subject, limit: float) -> Outcome:
+    """coqc reads lemma after lemma and stops at the first that it does not accept."""
+    certificate = subject.certificate
+    only = subject.only
+    every = [each for each in statements(certificate) if only is None or each.id in only]
+    chosen = [statement for statement in every if statement.goals]
+    text, owners = _script(chosen, towers(certificate))
+    answer = external.Answer(0, "", 0.0)
+    if chosen:
+        answer = external.ask([PROGRAM, "-q", "-noglob"], "certificate.v", text, limit)
+    rejected, accepted = "", len(chosen) if answer.status == 0 else 0
+    if answer.status:
+        place = _PLACE.search(answer.text)
+        line = int(place[1]) - 1 if place else 0
+        said = " ".join(answer.text.split("Error:")[-1].split())
+        rejected = f"{owners[line] or 'the file'}: {said[:200]}"
+        accepted = len(set(owners[:line]) - {"", owners[line]})
+    left_out = Counter(statement.left_out for statement in every if statement.left_out)
+    return Outcome(
+        subject.name,
+        NAME,
+        len(chosen),
+        accepted,
+        answer.seconds,
+        rejected,
+        answer.status is None,
+        left_out,
+    )
+
+
+def _script(statements: Sequence[Statement], towers: Mapping[str, Tower]) -> tuple[str, list[str]]:
     """A file of Coq, and for each of its lines the statement that it belongs to."""
     lines = [("", line) for line in HEAD.splitlines()]
     for place, (name, tower) in enumerate(towers.items()):
@@ -50,7 +88,7 @@ class _Tower:
     def __init__(self, prefix: str, tower: Tower) -> None:
         self.prefix, self.tower = prefix, tower
         self.variables = " ".join(f"v_{name}" for name in tower.names)
-        self.scales = multiples(tower)
+        self.scales = _multiples(tower)
 
     def lines(self, statements: Sequence[Statement]) -> Iterator[tuple[str, str]]:
         for name, value in self.tower.elements.items():
@@ -111,7 +149,7 @@ class _Tower:
         """The radicand times scale^power as a polynomial in the multiplied roots."""
         factor = Fraction(self.scales[relation.symbol]) ** relation.power
         terms = []
-        for powers, coefficient in expanded(relation.radicand).items():
+        for powers, coefficient in _expanded(relation.radicand).items():
             value = coefficient * factor
             factors = []
             for name, power in powers:
@@ -182,3 +220,56 @@ def _replaced(name: str, order: str, new: str, old: str) -> str:
 def _number(value: Fraction) -> str:
     top = f"{value.numerator}" if value >= 0 else f"(- {-value.numerator})"
     return top if value.denominator == 1 else f"({top} / {value.denominator})"
+
+
+def _multiples(tower: Tower) -> dict[str, int]:
+    """For each root an integer by which it is multiplied, so that the relations are of integers."""
+    scales: dict[str, int] = {}
+    for relation in tower.relations:
+        scales[relation.symbol] = _denominator(relation.radicand, scales)
+    return scales
+
+
+def _denominator(tree: Tree, scales: Mapping[str, int]) -> int:
+    inner = [_denominator(part, scales) for part in tree.parts]
+    match tree.operation:
+        case "number":
+            return tree.value.denominator
+        case "symbol":
+            return scales.get(tree.name, 1)
+        case "add":
+            return lcm(*inner)
+        case "pow":
+            return int(inner[0] ** tree.exponent)
+    return prod(inner)
+
+
+def _expanded(tree: Tree) -> dict[tuple[tuple[str, int], ...], Fraction]:
+    """A polynomial of names as terms."""
+    match tree.operation:
+        case "number":
+            return {(): tree.value}
+        case "symbol":
+            return {((tree.name, 1),): Fraction(1)}
+        case "add":
+            pieces = [item for part in tree.parts for item in _expanded(part).items()]
+        case "pow":
+            return _expanded(Tree("mul", tree.parts * tree.exponent))
+        case _:
+            pieces = [((), Fraction(1))]
+            for part in tree.parts:
+                inner = _expanded(part).items()
+                pieces = [(_joined(a, b), x * y) for a, x in pieces for b, y in inner]
+    result: dict[tuple[tuple[str, int], ...], Fraction] = {}
+    for powers, value in pieces:
+        result[powers] = result.get(powers, Fraction(0)) + value
+    return result
+
+
+def _joined(
+    left: tuple[tuple[str, int], ...], right: tuple[tuple[str, int], ...]
+) -> tuple[tuple[str, int], ...]:
+    powers = dict(left)
+    for name, power in right:
+        powers[name] = powers.get(name, 0) + power
+    return tuple(sorted(powers.items()))

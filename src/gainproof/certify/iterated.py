@@ -13,15 +13,16 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from fractions import Fraction
+from itertools import pairwise
 
 from gainproof.certify import gappa, roundings
 from gainproof.certify.expression import NotExportedError
 from gainproof.certify.gappa import Enclosure
-from gainproof.certify.newton_steps import after_step, require_like_steps
 from gainproof.certify.operations import Operation, operations
 from gainproof.certify.piece import Piece, Section
 from gainproof.certify.sizes import Size, logarithm, sizes
 from gainproof.derive.printer.near_cbrt import ERROR
+from gainproof.derive.printer.newton import Convergence
 from gainproof.derive.printer.program import Step
 from gainproof.derive.printer.unrolled import Cycle
 
@@ -167,11 +168,11 @@ def iterated(steps: Sequence[Step], cycle: Cycle, end: int) -> Iterated:
     start, *iterates = (steps[number].operands[0] for number in cycle.iterates)
     if steps[start].operation != "near_cbrt" or len(iterates) < 2:
         raise NotExportedError("kernels with iterated roots from other starts")
-    require_like_steps(steps, [start, *iterates])
+    _require_like_steps(steps, [start, *iterates])
     error = cycle.within
     for _ in iterates[:-1]:
-        error = gappa.up((1 + after_step(cycle.convergence, error)) * (1 + 2 * ROUGH) - 1)
-    left = gappa.up(after_step(cycle.convergence, error) * 2**53)
+        error = gappa.up((1 + _after_step(cycle.convergence, error)) * (1 + 2 * ROUGH) - 1)
+    left = gappa.up(_after_step(cycle.convergence, error) * 2**53)
     if error > NEAR or left > 1:
         raise NotExportedError("kernels with iterated roots that are not near in time")
     root, before, cube = iterates[-1], iterates[-2], steps[start].operands[0]
@@ -186,3 +187,40 @@ def iterated(steps: Sequence[Step], cycle: Cycle, end: int) -> Iterated:
         operations(steps, cube),
         operations(steps, end, (before,)),
     )
+
+
+def _after_step(map_: Convergence, error: Fraction) -> Fraction:
+    """How far a step N leads: X/(1 + e) <= N(x) <= X (1 + e).
+
+    For all x from X/(1 + error) to X (1 + error): 4 of `derive.printer.newton`, in fractions.
+    NotExportedError for a distance of which that does not speak.
+    """
+    most, bend, below = map_.slope, map_.curvature, 1 / (1 + error)
+    if below > most:
+        above = bend * error**2 / (2 * (1 - most))
+        found = max(above, bend * (1 - below) ** 2 / (2 * below * (below - most)))
+        if found < 1:
+            return found / (1 - found)
+    raise NotExportedError("kernels with iterated roots from far starts")
+
+
+def _require_like_steps(steps: Sequence[Step], iterates: Sequence[int]) -> None:
+    """NotExportedError unless each iterate is made of the one before by the same operations.
+
+    What is shown of one step, of the roundings in it too, is then shown of all.
+    """
+    forms = {_form(operations(steps, new, (old,)), old) for old, new in pairwise(iterates)}
+    if len(forms) != 1:
+        raise NotExportedError("kernels with iterated roots by unlike steps")
+
+
+def _form(chosen: Sequence[Operation], before: int) -> tuple[object, ...]:
+    """What is made of the iterate `before`, in order, with places in place of numbers."""
+    place: dict[int, object] = {before: "iterate"}
+    form: list[object] = []
+    for each in chosen:
+        if any(part in place for part in each.parts):
+            parts = tuple(place.get(part, f"step {part}") for part in each.parts)
+            place[each.number] = len(form)
+            form.append((each.kind, parts, each.factor, each.rounded))
+    return tuple(form)

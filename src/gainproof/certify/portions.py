@@ -20,7 +20,7 @@ from typing import Any
 
 from gainproof.bad_input import BadInputError
 from gainproof.campaign.printed_bound import PrintedBound, printed_bounds
-from gainproof.certify import bounds, coqc
+from gainproof.certify import bounds, coq
 from gainproof.certify.expression import NotExportedError
 from gainproof.certify.outcome import Outcome
 from gainproof.certify.reading import statements
@@ -39,7 +39,7 @@ TOGETHER = 6
 def portions(subject: Subject, tool: Tool) -> Iterator[Portion]:
     """Of a subject and tool, in the order of its kernels."""
     known = _digest(subject, tool)
-    if tool.name == coqc.NAME:
+    if tool.name == coq.NAME:
         every = list(dict.fromkeys(each.id for each in statements(subject.certificate)))
         for start in range(0, len(every), TOGETHER):
             yield tool.name, subject.name, every[start : start + TOGETHER], known

@@ -6,7 +6,7 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 
 from gainproof.bad_input import BadInputError
-from gainproof.certify import bounds, coqc, external, polynomials, singular
+from gainproof.certify import bounds, coq, external, polynomials, singular
 from gainproof.certify.outcome import Outcome
 from gainproof.certify.subjects import Subject
 
@@ -29,7 +29,7 @@ class Tool:
 TOOLS = (
     Tool(polynomials.NAME, None, polynomials.certify),
     Tool(singular.NAME, singular.PROGRAM, singular.certify),
-    Tool(coqc.NAME, coqc.PROGRAM, coqc.certify),
+    Tool(coq.NAME, coq.PROGRAM, coq.certify),
     Tool(bounds.NAME, bounds.PROGRAM, bounds.certify),
 )
 

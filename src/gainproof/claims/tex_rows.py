@@ -1,12 +1,94 @@
-"""Displays taken apart into equations: rows, tags, labels, numbers as LaTeX counts them."""
+"""Displayed equations of a LaTeX text: their rows, tags, labels, numbers as LaTeX counts them."""
 
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 
-from gainproof.claims.tex_displays import ROWS, Display, Mark, displays
-from gainproof.claims.tex_text import group_end
+from gainproof.claims.tex_text import body_start, group_end
+
+_ONE_ROW = ("equation", "displaymath", "multline", "math")
+_ROWS = ("align", "gather", "eqnarray", "alignat", "flalign")
+_NUMBERED_LESS = ("displaymath", "math")
+_SUBEQUATIONS = "subequations"
+
+
+@dataclass(frozen=True)
+class _Display:
+    """The inside of one display: `environment` without its star (`[` and `$$` for the short
+    forms), whether its rows are numbered, and the offset of `content` in the text.
+    """
+
+    environment: str
+    numbered: bool
+    content: str
+    offset: int
+
+
+@dataclass(frozen=True)
+class _Mark:
+    """`\\begin{subequations}` (`opens`) or its end."""
+
+    opens: bool
+
+
+def _displays(text: str) -> Iterator[_Display | _Mark]:
+    """All displays of the body. `text` is without comments. A display without an end is left out,
+    with what follows it.
+    """
+    position = body_start(text)
+    dollars = text.find("$$", position)
+    while True:
+        backslash = text.find("\\", position)
+        if 0 <= dollars < position:
+            dollars = text.find("$$", position)
+        if backslash < 0 and dollars < 0:
+            return
+        if backslash < 0 or 0 <= dollars < backslash:
+            end = text.find("$$", dollars + 2)
+            if end < 0:
+                return
+            yield _Display("$$", False, text[dollars + 2 : end], dollars + 2)
+            position = end + 2
+            continue
+        found = _at_backslash(text, backslash)
+        if found is None:
+            position = backslash + 2
+            continue
+        display, position = found
+        if display is None:
+            return
+        yield display
+
+
+def _at_backslash(text: str, place: int) -> tuple[_Display | _Mark | None, int] | None:
+    """What begins at a backslash and where it ends; None if no display does."""
+    if text.startswith("\\[", place):
+        return _until(text, "[", False, place + 2, "\\]")
+    for opens, word in ((True, "\\begin{"), (False, "\\end{")):
+        mark = f"{word}{_SUBEQUATIONS}}}"
+        if text.startswith(mark, place):
+            return _Mark(opens), place + len(mark)
+    if not text.startswith("\\begin{", place):
+        return None
+    start = place + len("\\begin{")
+    close = text.find("}", start, start + 20)
+    name = text[start:close] if close >= 0 else ""
+    bare = name.removesuffix("*")
+    if bare not in (*_ONE_ROW, *_ROWS):
+        return None
+    numbered = bare == name and bare not in _NUMBERED_LESS
+    return _until(text, bare, numbered, close + 1, f"\\end{{{name}}}")
+
+
+def _until(
+    text: str, environment: str, numbered: bool, start: int, closing: str
+) -> tuple[_Display | None, int]:
+    end = text.find(closing, start)
+    if end < 0:
+        return None, len(text)
+    return _Display(environment, numbered, text[start:end], start), end + len(closing)
+
 
 _CONTINUES = ("=", "<", ">", "+", "-", "\\le", "\\ge", "\\times", "\\cdot", "\\approx", "\\equiv")
 _DROPPED = ("\\nonumber", "\\notag", "\\displaystyle", "\\hspace", "\\vspace", "\\allowbreak")
@@ -44,8 +126,8 @@ def equations(text: str) -> Iterator[Equation]:
     """
     counter, letter, inside = 0, 0, False
     line, counted = 1, 0
-    for found in displays(text):
-        if isinstance(found, Mark):
+    for found in _displays(text):
+        if isinstance(found, _Mark):
             inside, letter = found.opens, 0
             counter += 1 if found.opens else 0
             continue
@@ -61,7 +143,7 @@ def equations(text: str) -> Iterator[Equation]:
                 yield Equation(latex, number, row.label, line)
 
 
-def _rows(display: Display) -> Iterator[_Row]:
+def _rows(display: _Display) -> Iterator[_Row]:
     content = display.content
     if len(content) > _MOST_CONTENT:
         yield _Row(content[:_MOST_CONTENT], None, None, False, display.offset)
@@ -69,7 +151,7 @@ def _rows(display: Display) -> Iterator[_Row]:
     if display.environment == "alignat" and content.startswith("{"):
         content = " " * (end := group_end(content, 0) or 0) + content[end:]
     pieces = list(_split(content))
-    if display.environment not in ROWS:
+    if display.environment not in _ROWS:
         joined = " ".join(piece for piece, _ in pieces)
         pieces = [(joined, pieces[0][1])]
     for piece, offset in pieces:

@@ -10,8 +10,7 @@ from typing import Any
 from gainproof.bad_input import BadInputError
 from gainproof.design import belonging
 from gainproof.design.belonging import Belonging
-from gainproof.design.page import page
-from gainproof.design.plain import plain
+from gainproof.design.page import page, plain
 from gainproof.design.sheet import Sheet, row_of, sheet
 from gainproof.design.units import Units
 
@@ -26,7 +25,7 @@ def answered(options: argparse.Namespace) -> int:
     told = plain(made, units, belongs)  # before a file is written: units may be refused
     drawn: dict[str, Any] = {}
     if options.plot:
-        from gainproof.design.plot_files import write_plot
+        from gainproof.design.drawing import write_plot
 
         drawn["files"] = write_plot(made, options.plot)
     if options.json:

@@ -9,8 +9,6 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from gainproof.design.inversion import solved
-
 Reals = NDArray[np.float64]
 Gains = tuple[Reals, ...]
 """alpha, beta and, of three states, gamma."""
@@ -78,7 +76,7 @@ def inverse(
     """Gains whose one (at `place`) is wanted, over a kernel's argument between `low` and `high`."""
 
     def find(wanted: Reals) -> Gains:
-        argument, fine = solved(lambda x: gains(x)[place], np.asarray(wanted), low, high)
+        argument, fine = _solved(lambda x: gains(x)[place], np.asarray(wanted), low, high)
         if not np.all(fine):
             first = np.asarray(wanted)[~fine].flat[0]
             raise ValueError(f"no lag in reach gives {first!s}")
@@ -109,3 +107,32 @@ def missing(each: NamedFilter, kind: str, value: float) -> str | None:
         return None
     most = "at most" if each.closed else "below"
     return f"alpha must be above 0 and {most} {words}: {each.alpha_reason}"
+
+
+_HALVINGS = 64
+"""Bisections of an interval that no more than 2^1100 or so separate in floats: the exponent
+first, then 52 bits."""
+
+
+def _solved(
+    value: Callable[[Reals], Any], wanted: Reals, low: float, high: float
+) -> tuple[Reals, NDArray[np.bool_]]:
+    """Parameters between `low` and `high`, both positive, where a monotone function of arrays has
+    the wanted values; and whether it takes them on the interval at all.
+
+    The parameter is within a few numbers of the true one; where it is not taken it is an end.
+    """
+    wanted = np.asarray(wanted, np.float64)
+    below, above = np.full(wanted.shape, low), np.full(wanted.shape, high)
+    first, last = (np.asarray(value(end)) for end in (below, above))
+    rising = last > first
+    found = (wanted >= np.minimum(first, last)) & (wanted <= np.maximum(first, last))
+    for step in range(2 * _HALVINGS):
+        # the geometric mean halves exponents, the arithmetic mean bits
+        middle = np.sqrt(below) * np.sqrt(above) if step < _HALVINGS // 4 else (below + above) / 2
+        middle = np.clip(middle, below, above)
+        up = (np.asarray(value(middle)) < wanted) == rising
+        below, above = np.where(up, middle, below), np.where(up, above, middle)
+        if np.all(np.nextafter(below, above) >= above):
+            break
+    return above, found

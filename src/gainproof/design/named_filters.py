@@ -10,7 +10,6 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from gainproof.design import border
 from gainproof.design.named_filter import (
     Gains,
     NamedFilter,
@@ -22,6 +21,9 @@ from gainproof.design.named_filter import (
     output,
     with_alpha,
 )
+from gainproof.fixed_gain import three_states as three
+from gainproof.fixed_gain import two_states as two
+from gainproof.fixed_gain.kernel_reach import gap
 from gainproof.generated import (
     acceleration_increments,
     alpha_beta,
@@ -30,6 +32,42 @@ from gainproof.generated import (
     random_jerk,
     random_velocity,
 )
+
+# As the index grows alpha goes to 1, beta to 2 and of three states gamma to 2, and 4 - 2 alpha -
+# beta, which is 4 sqrt(1 - alpha), to 0: of rounded gains nothing is left of it. The index tells
+# it: over beta, of three states over gamma, it is 4/index (steps random-acceleration-index of the
+# derivations alpha-beta and alpha-beta-gamma). The other coordinates keep their digits.
+_LARGE = 1.0
+"""From this index on; below, the gains are far from the border."""
+_LARGEST = 8e20
+"""The end of the coordinates' kernel of three states."""
+
+
+def _variance_by_index_of_two(index: Reals) -> Reals:
+    """Variance of the predicted position over B under random acceleration, of tracking indices,
+    next to the border too where gains lose it.
+    """
+    given = np.asarray(index)
+    large = np.maximum(given, _LARGE)
+    alpha, beta = random_acceleration.gains(large)
+    near = alpha_beta.variances_of_coordinates(2 * (alpha / beta), 4 / large).predicted_11
+    far = two.variances(*random_acceleration.gains(np.minimum(given, _LARGE))).predicted_11
+    return np.where(given < _LARGE, far, near)
+
+
+def _variance_by_index_of_three(index: Reals) -> Reals:
+    """The same of three states; ValueError for an index beyond 8e20."""
+    given = np.asarray(index)
+    if np.any(given > _LARGEST):
+        raise ValueError(f"variances are computed up to an index of 8e20, got {np.max(given)!s}")
+    large = np.maximum(given, _LARGE)
+    _, beta, gamma = gains = tuple(
+        np.asarray(gain, np.float64) for gain in acceleration_increments.gains(large)
+    )
+    hurwitz = 8 * gap(three.DETERMINANT, gains) / (gamma * gamma)
+    near = alpha_beta_gamma.variances_of_coordinates(2 * (beta / gamma), 8 / large, hurwitz)
+    far = three.variances(*acceleration_increments.gains(np.minimum(given, _LARGE)))
+    return np.where(given < _LARGE, far.predicted_11, near.predicted_11)
 
 
 def _both_minima(alpha: Reals) -> Sequence[Gains]:
@@ -89,7 +127,7 @@ NAMED: tuple[NamedFilter, ...] = (
         "random-acceleration",
         variance_by_lag=output(alpha_beta.random_acceleration_by_lag, 2),
         variances_by_alpha=only(output(alpha_beta.random_acceleration_by_gain, 1)),
-        variance_by_index=border.two_states,
+        variance_by_index=_variance_by_index_of_two,
         reach=alpha_beta._RANDOM_ACCELERATION_BY_LAG.inputs[0].double,
     ),
     NamedFilter(
@@ -137,7 +175,7 @@ NAMED: tuple[NamedFilter, ...] = (
         "acceleration-increments",
         variance_by_lag=output(alpha_beta_gamma.random_acceleration_by_lag, 3),
         variances_by_alpha=only(output(alpha_beta_gamma.random_acceleration_by_gain, 2)),
-        variance_by_index=border.three_states,
+        variance_by_index=_variance_by_index_of_three,
         reach=alpha_beta_gamma._RANDOM_ACCELERATION_BY_LAG.inputs[0].double,
     ),
     NamedFilter(

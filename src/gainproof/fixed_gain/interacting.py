@@ -10,6 +10,7 @@ covariance is a sum of positive terms that is doubled until it stands.
 
 from __future__ import annotations
 
+from dataclasses import dataclass
 from typing import NamedTuple
 
 import numpy as np
@@ -17,14 +18,6 @@ from numpy.typing import ArrayLike, NDArray
 
 from gainproof.fixed_gain import exact_stability
 from gainproof.fixed_gain.arguments import Reals, real
-from gainproof.fixed_gain.matrix_arguments import (
-    Loop,
-    about_one,
-    covariance,
-    interval_of,
-    loop,
-    square,
-)
 
 DOUBLINGS = 60
 """A modulus of 1 - 2^-52 to the power 2^60 is nothing."""
@@ -54,10 +47,10 @@ def poles(
     ValueError for matrices that are not square or not of one size, for NaN and infinity, for larger
     entries, and for an interval that is not positive; TypeError for what is no real number.
     """
-    return _eigenvalues(loop(position_gain, velocity_gain, interval))
+    return _eigenvalues(_loop(position_gain, velocity_gain, interval))
 
 
-def _eigenvalues(given: Loop) -> NDArray[np.complex128]:
+def _eigenvalues(given: _Loop) -> NDArray[np.complex128]:
     found = np.linalg.eigvals(given.closed)
     return np.asarray(found[np.argsort(-np.abs(found), kind="stable")], np.complex128)
 
@@ -67,7 +60,7 @@ def is_stable(position_gain: ArrayLike, velocity_gain: ArrayLike, interval: floa
 
     On the border it is not stable. Errors as `poles`. Long integers: fit for a few coordinates.
     """
-    given = loop(position_gain, velocity_gain, interval)
+    given = _loop(position_gain, velocity_gain, interval)
     return exact_stability.stable(given.position_gain, given.velocity_gain, given.interval)
 
 
@@ -86,8 +79,8 @@ def covariances(
     border that float64 has no covariance of it, for a covariance beyond float64, and for a B that
     is not of that kind.
     """
-    given = loop(position_gain, velocity_gain, interval)
-    noise, exponent = covariance(measurement_covariance, len(given.position_gain))
+    given = _loop(position_gain, velocity_gain, interval)
+    noise, exponent = _covariance(measurement_covariance, len(given.position_gain))
     _require_stable(given)
     closed = given.closed
     carried = _doubled(closed, np.eye(len(closed)))
@@ -117,15 +110,15 @@ def lag(
     behind some acceleration the error grows), for a K2 or K1 and K2 that are not stable, for a lag
     beyond float64, and for shapes that do not fit.
     """
-    gain = square("velocity_gain", velocity_gain)
+    gain = _square("velocity_gain", velocity_gain)
     course = real("acceleration", acceleration)
     if course.shape != (len(gain),):
         raise ValueError(
             f"acceleration must have shape ({len(gain)},) for a velocity_gain {gain.shape}, "
             f"got {course.shape}"
         )
-    step = interval_of(interval)
-    scaled, exponent = about_one(gain)
+    step = _interval_of(interval)
+    scaled, exponent = _about_one(gain)
     sizes = np.linalg.svd(scaled, compute_uv=False)
     if not sizes[-1] > SINGULAR * sizes[0]:
         least, most = (float(np.ldexp(sizes[place], exponent)) for place in (-1, 0))
@@ -134,13 +127,13 @@ def lag(
             f"{least!s}, its largest {most!s}; the lag T K2^-1 a_c does not exist"
         )
     if position_gain is not None:
-        _require_stable(loop(position_gain, gain, step))
+        _require_stable(_loop(position_gain, gain, step))
     elif not exact_stability.determinant(gain) > 0:
         raise ValueError(
             "no filter with this velocity_gain is stable: its determinant must be above 0, got "
             f"{float(np.linalg.det(scaled)):.6g} for velocity_gain over 2^{exponent}"
         )
-    pull, more = about_one(course)
+    pull, more = _about_one(course)
     front, most_of = np.frexp(step)
     with np.errstate(over="ignore"):
         found = np.ldexp(front * np.linalg.solve(scaled, pull), int(most_of) + more - exponent)
@@ -149,7 +142,7 @@ def lag(
     return np.asarray(found, np.float64)
 
 
-def _require_stable(given: Loop) -> None:
+def _require_stable(given: _Loop) -> None:
     if not exact_stability.stable(given.position_gain, given.velocity_gain, given.interval):
         if exact_stability.determinant(given.velocity_gain) == 0:
             raise ValueError(
@@ -192,3 +185,93 @@ def _doubled(closed: Reals, noise: Reals) -> Reals:
             if np.abs(more).max() <= 2.0**-60 * np.abs(total).max():
                 return np.asarray(total)
     raise ValueError("too near the border of stability for a covariance in float64")
+
+
+_LARGEST = 1e100
+"""Entries of K1 and T K2 that numbers are computed for."""
+_SYMMETRIC = 1e-12
+
+
+@dataclass(frozen=True)
+class _Loop:
+    """F, K, H of one filter with velocities times T: K is K1 over T K2. Checked."""
+
+    position_gain: Reals
+    velocity_gain: Reals
+    interval: float
+    transition: Reals
+    gain: Reals
+    measurement: Reals
+
+    @property
+    def rest(self) -> Reals:
+        """I - K H."""
+        return np.eye(len(self.transition)) - self.gain @ self.measurement
+
+    @property
+    def closed(self) -> Reals:
+        """F (I - K H)."""
+        return np.asarray(self.transition @ self.rest)
+
+
+def _loop(position_gain: ArrayLike, velocity_gain: ArrayLike, interval: float) -> _Loop:
+    """ValueError and TypeError as `poles` names them."""
+    first = _square("position_gain", position_gain)
+    second = _square("velocity_gain", velocity_gain)
+    if first.shape != second.shape:
+        raise ValueError(
+            "position_gain and velocity_gain must have one shape, got "
+            f"{first.shape} and {second.shape}"
+        )
+    step = _interval_of(interval)
+    with np.errstate(over="ignore"):
+        scaled = step * second
+    for name, matrix in (("position_gain", first), ("interval times velocity_gain", scaled)):
+        most = float(np.abs(matrix).max())
+        if not most <= _LARGEST:
+            raise ValueError(f"{name} must have no entry beyond {_LARGEST:g}, got one of {most!s}")
+    one, zero = np.eye(len(first)), np.zeros_like(first)
+    transition = np.block([[one, one], [zero, one]])
+    gain, seen = np.vstack([first, scaled]), np.hstack([one, zero])
+    return _Loop(first, second, step, transition, gain, seen)
+
+
+def _square(name: str, value: ArrayLike) -> Reals:
+    """A square matrix, or an error with that name."""
+    matrix = real(name, value)
+    if matrix.ndim != 2 or matrix.shape[0] != matrix.shape[1] or not matrix.size:
+        raise ValueError(f"{name} must be a square matrix, got shape {matrix.shape}")
+    return matrix
+
+
+def _interval_of(value: float) -> float:
+    """T above 0, in s."""
+    step = real("interval", value)
+    if step.shape or not step > 0:
+        raise ValueError(f"interval must be one number above 0, in s, got {value!r}")
+    return float(step)
+
+
+def _covariance(value: ArrayLike, size: int) -> tuple[Reals, int]:
+    """B over a power of two, which comes with it, so that its largest entry is about 1."""
+    noise = _square("measurement_covariance", value)
+    if len(noise) != size:
+        raise ValueError(
+            f"measurement_covariance must have shape {(size, size)} as the gains have, got "
+            f"{noise.shape}"
+        )
+    noise, exponent = _about_one(noise)
+    top = float(np.abs(noise).max())
+    if np.abs(noise - noise.T).max() > _SYMMETRIC * top:
+        raise ValueError("measurement_covariance must be symmetric, got one that is not")
+    least = float(np.linalg.eigvalsh(noise)[0])
+    if least < -_SYMMETRIC * top:
+        told = float(np.ldexp(least, exponent))
+        raise ValueError(f"measurement_covariance must have no eigenvalue below 0, got {told!s}")
+    return (noise + noise.T) / 2, exponent
+
+
+def _about_one(matrix: Reals) -> tuple[Reals, int]:
+    """The matrix over a power of two, and its exponent: the largest entry from 1/2 to below 1."""
+    exponent = int(np.frexp(np.abs(matrix).max())[1])
+    return np.ldexp(matrix, -exponent), exponent

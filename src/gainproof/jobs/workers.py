@@ -10,15 +10,15 @@ from __future__ import annotations
 import asyncio
 import json
 import os
-from collections.abc import Callable, Mapping, Sequence
+from collections import deque
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import cached_property
-from typing import Any
+from typing import Any, Generic, TypeVar
 
 from gainproof.bad_input import BadInputError
 from gainproof.jobs import interrupts
 from gainproof.jobs.process import BrokenOffError, Process
-from gainproof.jobs.queue import JobQueue
 from gainproof.jobs.resource_limits import lack_in
 from gainproof.jobs.tasks import derives
 
@@ -99,7 +99,7 @@ class _Listener:
 async def _run(
     jobs: Sequence[Job], listener: _Listener, settings: Mapping[str, str], limit: int
 ) -> list[Any]:
-    waiting = JobQueue(jobs)
+    waiting = _JobQueue(jobs)
     # without jobs that follow, more processes than jobs would have nothing to do
     count = limit if listener.on_result else min(limit, len(jobs))
     lines = [
@@ -119,7 +119,7 @@ async def _run(
 
 
 async def _one_after_the_other(
-    waiting: JobQueue[Job], listener: _Listener, settings: Mapping[str, str]
+    waiting: _JobQueue[Job], listener: _Listener, settings: Mapping[str, str]
 ) -> None:
     """Jobs in one process, until none is waiting and none can follow. A job that derives and one
     that does not have different processes: those that the process can do come first.
@@ -191,3 +191,44 @@ def _failed(job: Job, text: str) -> Exception:
     if lacks is not None:
         return BadInputError(f"{job.label}: {lacks}")
     return JobError(f"{job.label}: {text}")
+
+
+_Item = TypeVar("_Item")
+
+
+class _JobQueue(Generic[_Item]):
+    """A queue that ends when nothing waits and nothing is being done, from which more could follow.
+
+    Items have numbers in the order in which they came; `found` has what each of them came to.
+    """
+
+    def __init__(self, items: Iterable[_Item]) -> None:
+        self.found: dict[int, Any] = {}
+        self._waiting = deque(enumerate(items))
+        self._came = len(self._waiting)
+        self._busy = 0
+        self._changed = asyncio.Condition()
+
+    async def following(
+        self, suits: Callable[[_Item], bool] = lambda _: True
+    ) -> tuple[int, _Item] | None:
+        """The first that suits, or the first if none does, and its number, which has to be `done`
+        some time; None if all are.
+        """
+        async with self._changed:
+            await self._changed.wait_for(lambda: self._waiting or not self._busy)
+            if not self._waiting:
+                return None
+            self._busy += 1
+            chosen = next((each for each in self._waiting if suits(each[1])), self._waiting[0])
+            self._waiting.remove(chosen)
+            return chosen
+
+    async def done(self, number: int, result: Any, further: Sequence[_Item] = ()) -> None:
+        """What an item came to, and what follows from it: before all that waits."""
+        async with self._changed:
+            self.found[number] = result
+            self._busy -= 1
+            self._waiting.extendleft(reversed(list(enumerate(further, self._came))))
+            self._came += len(further)
+            self._changed.notify_all()

@@ -16,8 +16,7 @@ from gainproof.location.estimate import DEFAULT, FALSE_ALARM, locate
 from gainproof.location.example import FILES, write_example
 from gainproof.location.files import read_files
 from gainproof.location.methods import CHOSEN, method_of
-from gainproof.location.page import page
-from gainproof.location.plain import plain, plain_failure
+from gainproof.location.page import page, plain, plain_failure
 from gainproof.location.result import Location
 from gainproof.location.stations import MOST, Stations
 from gainproof.tables.cell_text import decimal
@@ -112,7 +111,7 @@ def _number(name: str, text: str) -> float:
 
 
 def _require_ending(name: str) -> None:
-    from gainproof.location.plot_file import ENDINGS
+    from gainproof.location.drawing import ENDINGS
 
     if Path(name).suffix.lower() not in ENDINGS:
         raise BadInputError(f"--plot takes a name that ends in .svg or .png, got {name!r}")
@@ -121,6 +120,6 @@ def _require_ending(name: str) -> None:
 def _drawn(name: str | None, found: Location, given: Stations) -> dict[Path, bytes]:
     if not name:
         return {}
-    from gainproof.location.plot_file import plotted
+    from gainproof.location.drawing import plotted
 
     return {Path(name): plotted(found, given, Path(name))}

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from pathlib import Path
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -9,19 +10,20 @@ import numpy as np
 from gainproof.fixed_gain.arguments import Reals
 from gainproof.location.result import Location
 from gainproof.location.stations import Stations
+from gainproof.plots import canvas
 from gainproof.tracking.gating import threshold
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from matplotlib.figure import Figure
 
-SIZE = (7.4, 3.9)
+_SIZE = (7.4, 3.9)
 TARGET, BIASED, CLEAN, FIRST = "#b5482a", "#b5482a", "#1f4e79", "0.5"
 LEVELS = ((1.0, "39 %"), (threshold(0.95) ** 0.5, "95 %"))
 """Radii of an ellipse in deviations, with the probability inside, of two coordinates."""
 
 
-def draw(found: Location, given: Stations, sheet: Figure) -> None:
+def _draw(found: Location, given: Stations, sheet: Figure) -> None:
     """Left where all lies, right the ellipse of x and y; in three dimensions seen from above."""
     left, right = sheet.subplots(1, 2, width_ratios=(1.1, 1.0))
     scale, unit = (1e3, "km") if given.spread >= 2e3 else (1.0, "m")
@@ -98,3 +100,12 @@ def ellipse(covariance: Reals, radius: float) -> Reals:
     values, vectors = np.linalg.eigh(covariance)
     circle = np.stack([np.cos(angle), np.sin(angle)])
     return np.asarray((vectors * np.sqrt(np.maximum(values, 0))) @ circle * radius).T
+
+
+ENDINGS = (".svg", ".png")
+
+
+def plotted(found: Location, given: Stations, path: Path) -> bytes:
+    """For a file of that name, which ends in .svg or .png. BadInputError without Matplotlib."""
+    drawn = canvas.pictures(lambda sheet: _draw(found, given, sheet), *_SIZE)
+    return drawn[path.suffix.lower()[1:]]

@@ -2,26 +2,37 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
+from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.typing import ArrayLike
 
 from gainproof.fixed_gain.arguments import Reals
 from gainproof.location.accuracy import accuracy
-from gainproof.location.ambiguity import AS_GOOD, SAME, Candidate, apart
+from gainproof.location.ambiguity import (
+    AS_GOOD,
+    MOST_OTHERS,
+    SAME,
+    Candidate,
+    apart,
+    candidates,
+    chosen,
+    mirrored,
+)
 from gainproof.location.errors import LocationError
-from gainproof.location.failure import not_observed
+from gainproof.location.failure import no_estimate, not_observed
+from gainproof.location.gauss_newton import Iterated, iterate
+from gainproof.location.levenberg_marquardt import damped
 from gainproof.location.methods import CHOSEN, Method, method_of, require_counts
+from gainproof.location.newton import newton
 from gainproof.location.observability import observability
 from gainproof.location.problem import Problem, problem
 from gainproof.location.report import report
 from gainproof.location.result import Bias, Location, Place
 from gainproof.location.selection import Selection, select, threshold
-from gainproof.location.settling import Settled, settle
-from gainproof.location.starts import starts
+from gainproof.location.starts import starts, with_velocity
 from gainproof.location.stations import Observations, Stations, bounded, from_the_first
-from gainproof.location.unsettled import UNSETTLED, unsettled_words
+from gainproof.location.unsettled import UNSETTLED, Unsettled, unsettled, unsettled_words
 from gainproof.location.warning_words import few_clean, refuted, too_short, warnings
 
 DEFAULT = "unknown-reduction"
@@ -58,7 +69,7 @@ def locate(
     if chosen.bias == CHOSEN:
         return _reduced(here, observed, chosen, false_alarm, close)
     asked = problem(here, observed, chosen)
-    return _told(settle(asked, observed, starts(asked, observed, close), close))
+    return _told(_settle(asked, observed, starts(asked, observed, close), close))
 
 
 def _require_deviations(observed: Observations) -> None:
@@ -89,7 +100,7 @@ def _reduced(
     observations with as many clean ranges, not only with a free bias for each.
     """
     free = problem(given, observed, method_of("bias-detection"))
-    first = settle(free, observed, starts(free, observed, near), near)
+    first = _settle(free, observed, starts(free, observed, near), near)
     places = [first.best, *(first.others if near is None else ())]
     tests = [_selection(accuracy(free, each.unknowns)[1], false_alarm) for each in places]
     most = max(range(len(tests)), key=lambda i: (len(tests[i].clean), -i))
@@ -99,7 +110,7 @@ def _reduced(
     if first.unsettled is not None:
         # where bias detection came to no end, these biases alone may
         begin.append(first.iterated.unknowns[first.unsettled.number])
-    reported = settle(asked, observed, np.array(begin), near)
+    reported = _settle(asked, observed, np.array(begin), near)
     if not reported.others:
         # where as many ranges are clean elsewhere, the choice among the places was none
         count = len(tests[most].clean)
@@ -121,7 +132,7 @@ def _as_good(
     given: Stations,
     observed: Observations,
     method: Method,
-    reported: Settled,
+    reported: _Settled,
     place: Candidate,
     test: Selection,
 ) -> Candidate | None:
@@ -131,7 +142,7 @@ def _as_good(
     biased = [given.names.index(each.station) for each in test.decisions if not each.clean]
     asked = problem(given, observed, method, biased)
     try:
-        best = settle(asked, observed, place.unknowns[None, :], None).best
+        best = _settle(asked, observed, place.unknowns[None, :], None).best
     except LocationError:
         return None
     near = apart(reported.asked, reported.best.unknowns, best.unknowns) <= SAME
@@ -149,7 +160,7 @@ def _selection(biases: tuple[Bias, ...], false_alarm: float) -> Selection:
     )
 
 
-def _told(settled: Settled) -> Location:
+def _told(settled: _Settled) -> Location:
     asked, best, others = settled.asked, settled.best, settled.others
     not_observed(asked, best.unknowns)
     covariance, biases = accuracy(asked, best.unknowns)
@@ -171,7 +182,7 @@ def _told(settled: Settled) -> Location:
     )
 
 
-def _open(settled: Settled) -> tuple[str, ...]:
+def _open(settled: _Settled) -> tuple[str, ...]:
     """The warning of starts that settled nowhere."""
     told = settled.unsettled
     if told is None:
@@ -195,3 +206,47 @@ def _place(given: Stations, near: ArrayLike) -> Reals:
     if place.shape != (given.dimension,):
         raise ValueError(f"near must have shape {(given.dimension,)}, got {place.shape}")
     return place - given.origin
+
+
+@dataclass(frozen=True, eq=False)
+class _Settled:
+    """What was asked, all iterations, the place chosen, those that explain the observations as
+    well, and the starts that settled nowhere with as good a cost.
+    """
+
+    asked: Problem
+    iterated: Iterated
+    best: Candidate
+    others: tuple[Candidate, ...]
+    unsettled: Unsettled | None = None
+
+    def all_but(self, place: Candidate) -> tuple[Candidate, ...]:
+        """The places other than this one."""
+        return tuple(each for each in (self.best, *self.others) if each is not place)
+
+
+def _settle(asked: Problem, observed: Observations, begin: Reals, near: Reals | None) -> _Settled:
+    """From starts (N, k), and from the mirror images of the best. Raises LocationError."""
+    first = _iterated(asked, begin)
+    found = candidates(asked, first)
+    if not found:
+        raise no_estimate(asked, begin, first)
+    image = mirrored(asked, chosen(asked, found, near).unknowns)[None, :]
+    # the image as it is, and with the velocity that the range rates ask for there
+    moved = with_velocity(asked, observed, image[:, : asked.stations.dimension])
+    images = np.concatenate([image, moved])
+    again = _iterated(asked, images)
+    everything = Iterated(
+        *(np.concatenate([getattr(first, name), getattr(again, name)]) for name in vars(first))
+    )
+    found = candidates(asked, everything)
+    best = chosen(asked, found, near)
+    others = [each for each in found if each is not best and each.cost <= best.cost + AS_GOOD]
+    open_ends = unsettled(asked, everything, found, best)
+    return _Settled(asked, everything, best, tuple(others[:MOST_OTHERS]), open_ends)
+
+
+def _iterated(asked: Problem, begin: Reals) -> Iterated:
+    """By Gauss-Newton; else by damped steps, and near the least cost by Newton's."""
+    plain = iterate(asked, begin, asked.used.values)
+    return newton(asked, damped(asked, begin, plain))

@@ -9,13 +9,42 @@ import numpy as np
 from gainproof.bad_input import BadInputError, nearest
 from gainproof.files import places
 from gainproof.fixed_gain.arguments import Reals
-from gainproof.location.columns import OBSERVATION_COLUMNS, STATION_COLUMNS
 from gainproof.location.doppler import with_rates
 from gainproof.location.noise import whitening
 from gainproof.location.stations import Observations, Stations, observations, stations
 from gainproof.tables.cell_text import decimal
 from gainproof.tables.csv_table import CsvTable, read, text_of
-from gainproof.tables.kind import LEAST_DEVIATION, MOST_DEVIATION
+from gainproof.tables.kind import (
+    FREQUENCIES,
+    LEAST_DEVIATION,
+    LENGTHS,
+    MOST_DEVIATION,
+    PURE,
+    SPEEDS,
+    Kind,
+)
+
+_STATION_COLUMNS = {
+    "station": Kind(None, needed=True),
+    "x": Kind(LENGTHS, needed=True),
+    "y": Kind(LENGTHS, needed=True),
+    "z": Kind(LENGTHS),
+    "vx": Kind(SPEEDS),
+    "vy": Kind(SPEEDS),
+    "vz": Kind(SPEEDS),
+}
+_OBSERVATION_COLUMNS = {
+    "station": Kind(None, needed=True),
+    "range": Kind(LENGTHS, above_zero=True, blank=True),
+    "sigma_range": Kind(LENGTHS, above_zero=True, deviation=True, blank=True),
+    "range_rate": Kind(SPEEDS, blank=True),
+    "sigma_range_rate": Kind(SPEEDS, above_zero=True, deviation=True, blank=True),
+    "doppler": Kind(FREQUENCIES, blank=True),
+    "sigma_doppler": Kind(FREQUENCIES, above_zero=True, blank=True),
+    "carrier": Kind(FREQUENCIES, above_zero=True, blank=True),
+    "correlation": Kind(PURE, blank=True),
+}
+
 
 MOST_OBSERVATIONS = 2000
 PAIRS = (("range", "sigma_range"), ("range_rate", "sigma_range_rate"))
@@ -32,7 +61,7 @@ def read_files(
 
     Raises BadInputError with file, line and column.
     """
-    seen, places_of = read(observed, OBSERVATION_COLUMNS), read(standing, STATION_COLUMNS)
+    seen, places_of = read(observed, _OBSERVATION_COLUMNS), read(standing, _STATION_COLUMNS)
     seen = with_rates(seen, carrier, own_covariance=covariance is not None)
     rows = _station_rows(seen, places_of)
     given = _stations(places_of, rows)

@@ -1,4 +1,6 @@
-"""What lies in a package of its own, by file name: pure, nothing is written here."""
+"""What lies in a package of its own, by file name, and the page that it opens with: nothing is
+written here.
+"""
 
 from __future__ import annotations
 
@@ -8,8 +10,9 @@ from typing import Any
 
 from gainproof.derive.printer.package import beside
 from gainproof.standalone.licence import LICENCE
-from gainproof.standalone.readme import readme
+from gainproof.standalone.record import RECORD
 from gainproof.subjects.generated_files import together
+from gainproof.version import VERSION
 
 SHIPPED = Path(__file__).with_name("shipped")
 IN_C = Path(__file__).with_name("in_c")
@@ -32,7 +35,7 @@ def package_files(parts: Sequence[Mapping[str, Any]], name: str, command: str) -
         texts |= {name: shipped(IN_C / name) for name in COMPILING}
     texts |= {
         **{f"tests/{path.name}": shipped(path) for path in _tests(in_c)},
-        "README.md": readme(name, titles, command, in_c=in_c),
+        "README.md": _readme(name, titles, command, in_c=in_c),
         "LICENSE": LICENCE,
         "py.typed": "",
     }
@@ -56,3 +59,88 @@ def shipped(path: Path) -> str:
     """A file as it lies in a package, the same whatever the platform's newline."""
     text = path.read_text(encoding="utf-8")
     return text.replace(f"{HERE}{path.parent.name}.", "from .")
+
+
+def _readme(name: str, titles: Mapping[str, str], command: str, *, in_c: bool) -> str:
+    """What is here, how it is used, tested and checked again; `titles` are by module. `in_c`:
+    whether there are C sources besides.
+    """
+    modules = "\n".join(
+        f"| [`{module}`]({module}.md) | {title} |" for module, title in sorted(titles.items())
+    )
+    first = min(titles)
+    return f"""\
+# {name}
+
+Functions of NumPy arrays whose rounding errors are proved, written by gainproof {VERSION}:
+
+    {command}
+
+They need Python 3.11 and NumPy; nothing here imports gainproof.
+
+| module | what it is |
+|---|---|
+{modules}
+
+The page of each module has its formulas, domains, units and proved bounds.
+
+## Use
+
+The folder is a package: put it where your code imports from, under this or any other name.
+
+```python
+from {name} import {first}
+```
+
+It has no `pyproject.toml`: there is nothing to build, and it has the version of the code that it
+is part of. Imports inside it are relative.
+{_compiling(name) if in_c else ""}
+## Test
+
+    python -m pytest {name}
+
+needs pytest and mpmath. Every kernel is held against exact values within its proved bound, in
+float64 and float32, and its guards against what they must refuse. Gains and covariances of a
+steady state are held against the Riccati equation, solved from the matrices of the model alone;
+an expression against itself as it was written, in intervals.
+
+## Check again
+
+`NAME.json` is the certificate of `NAME.py`: every statement with the evidence that decides it.
+Where gainproof is installed,
+
+    {command} --check
+
+derives all anew, has the certificates checked and compares every file byte for byte. The checker
+alone says whether a certificate is right, not whether it speaks of this code:
+
+```python
+import json
+from gainproof.verify.certificate import check
+
+report = check(json.load(open("{name}/{first}.json")))
+report.accepted, report.reason
+```
+
+## Files
+
+`{RECORD}` names what the command has written: it replaces and deletes nothing else. What you add
+is left alone. The licence of these files is in `LICENSE`.
+"""
+
+
+def _compiling(name: str) -> str:
+    """How kernels are made to compute in C."""
+    return f"""
+## Compile
+
+    python -m {name}.compile
+
+takes a C compiler (`$CC`, cc, gcc or clang) and puts a library beside each source in `c`. From then
+on the same functions compute in C: same arguments, guards and messages, and the same numbers bit
+for bit, which the command compares before it puts anything in place. Kernels that call functions
+of `math.h` stay NumPy's, and it names them. A library serves its own source and platform alone;
+everywhere else NumPy computes, as it does where `c` is not shipped: a wheel has that folder only as
+package data, `c/*`. `--show` only says which kernels compute in C now,
+`--remove` deletes the libraries.
+"""

@@ -6,12 +6,12 @@ how long least squares does. `gainproof.time_varying.three_states` has the same 
 velocity and acceleration. The numbers come from the printed kernels; NumPy is all that is imported.
 """
 
-from gainproof.time_varying.approach import error_ratio, samples_to_steady_gains
 from gainproof.time_varying.covariance import Factors, covariance_of, factors_of
 from gainproof.time_varying.hand_over import GainSchedule, gain_schedule, hand_over_sample
 from gainproof.time_varying.process_noise import PROCESS_NOISES
 from gainproof.time_varying.schedule_variance import ScheduleVariance, schedule_variance
 from gainproof.time_varying.sequence import GainSequence, gain_sequence
+from gainproof.time_varying.settling import error_ratio, samples_to_steady_gains
 from gainproof.time_varying.track import Step, predict, start, step, update
 
 __all__ = [

@@ -19,8 +19,7 @@ from gainproof.tracking.association import require_scipy
 from gainproof.tracking.conversion import NoCovarianceError
 from gainproof.tracking.example import FILE, write_example
 from gainproof.tracking.files import FromFile, read_file
-from gainproof.tracking.output import csv_text, plain
-from gainproof.tracking.page import page
+from gainproof.tracking.page import csv_text, page, plain
 from gainproof.tracking.scans import LIMITS, wanted
 from gainproof.tracking.settings import Settings
 from gainproof.tracking.summary import courses
@@ -151,7 +150,7 @@ def _contents(
     if options.out:
         contents[Path(options.out)] = csv_text(given, found).encode()
     if options.plot:
-        from gainproof.tracking.plot_file import plotted
+        from gainproof.tracking.drawing import plotted
 
         title = f"{settings.filter} filter, {settings.conversion} conversion"
         path = Path(options.plot)

@@ -1,24 +1,26 @@
-"""Detections and tracks from above."""
+"""Detections and tracks from above, as a picture."""
 
 from __future__ import annotations
 
+from pathlib import Path
 from typing import TYPE_CHECKING
 
 import numpy as np
 
+from gainproof.plots import canvas
 from gainproof.tracking.scans import Scans
 from gainproof.tracking.tracker import Followed
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
-SIZE = (6.4, 6.0)
+_SIZE = (6.4, 6.0)
 COLOURS = ("#1f4e79", "#b5482a", "#3d7a3d", "#6d4b8d", "#8a6d1f", "#2b7f86")
 MOST_NAMED = 60
 """Numbers of more tracks would hide them."""
 
 
-def draw(scans: Scans, found: Followed, title: str, sheet: Figure) -> None:
+def _draw(scans: Scans, found: Followed, title: str, sheet: Figure) -> None:
     """x east, y north, in km or m; the radar in the origin."""
     axes = sheet.add_subplot()
     far = float(scans.polar.range.max(initial=0.0))
@@ -51,3 +53,9 @@ def draw(scans: Scans, found: Followed, title: str, sheet: Figure) -> None:
     axes.set_ylabel(f"y, {unit} north")
     axes.set_title(title)
     sheet.legend(loc="outside lower center", ncols=3)
+
+
+def plotted(scans: Scans, found: Followed, title: str, path: Path) -> bytes:
+    """For a file of that name, which ends in .svg or .png. BadInputError without Matplotlib."""
+    drawn = canvas.pictures(lambda sheet: _draw(scans, found, title, sheet), *_SIZE)
+    return drawn[path.suffix.lower()[1:]]

@@ -1,15 +1,19 @@
-"""Tracks as a page for people."""
+"""Tracks as a page for people, as CSV, and as plain data for JSON."""
 
 from __future__ import annotations
 
+import math
 import textwrap
 from collections.abc import Sequence
+from dataclasses import asdict
+from typing import Any
+
+import numpy as np
 
 from gainproof.terminal_text import width as columns
 from gainproof.tracking.files import FromFile
 from gainproof.tracking.settings import Settings
 from gainproof.tracking.summary import Course
-from gainproof.tracking.time_text import time_text
 from gainproof.tracking.tracker import Followed
 
 MOST_SHOWN = 40
@@ -54,8 +58,8 @@ def _row(each: Course) -> tuple[str, ...]:
     deviation = max(float(each.deviation[0]), float(each.deviation[2]))
     return (
         str(each.number),
-        time_text(each.first),
-        time_text(each.last),
+        _time_text(each.first),
+        _time_text(each.last),
         str(each.detections),
         str(each.missed),
         f"{each.state[0]:.0f}",
@@ -76,3 +80,84 @@ def _aligned(cells: Sequence[tuple[str, ...]]) -> list[str]:
         "  ".join(f"{cell:>{width}}" for cell, width in zip(row, widths, strict=True))
         for row in cells
     ]
+
+
+_UNASSIGNED = "unassigned"
+_STATE = ("x [m]", "vx [m/s]", "y [m]", "vy [m/s]")
+_HEADING = (
+    "line",
+    "time [s]",
+    "range [m]",
+    "bearing [deg]",
+    "track",
+    *_STATE,
+    *(f"sigma_{name}" for name in _STATE),
+)
+_NAMES = ("x_m", "vx_m_s", "y_m", "vy_m_s")
+
+
+def csv_text(given: FromFile, found: Followed) -> str:
+    """A row for every detection, in the order of the file; the estimate is that after it."""
+    lines = [",".join(_HEADING)]
+    scans = given.scans
+    place = np.argsort(scans.row)
+    times = np.repeat(scans.times, np.diff(scans.first))
+    degrees = np.rad2deg(scans.polar.bearing)
+    for row, i in enumerate(place.tolist()):
+        cells = [
+            str(given.table.lines[int(given.rows[row])]),
+            _time_text(float(times[i])),
+            f"{scans.polar.range[i]:.9g}",
+            f"{degrees[i]:.9g}",
+            _name(int(found.track[i])),
+            *(_number(value) for value in found.state[i].tolist()),
+            *(_number(value) for value in found.deviation[i].tolist()),
+        ]
+        lines.append(",".join(cells))
+    return "\n".join(lines) + "\n"
+
+
+def plain(
+    given: FromFile, settings: Settings, found: Followed, told: Sequence[Course]
+) -> dict[str, Any]:
+    """Metres and seconds; null where nothing is known."""
+    scans = given.scans
+    place = np.argsort(scans.row).tolist()
+    lines = [given.table.lines[int(row)] for row in given.rows]
+    numbers = [int(found.track[i]) for i in place]
+    return {
+        "settings": {**asdict(settings), "confirm": list(settings.confirm)},
+        "scans": len(scans.times),
+        "interval_s": scans.interval,
+        "limited_updates": found.limited,
+        "questions": list(given.questions),
+        "tracks": [
+            {
+                "track": each.number,
+                "first_s": each.first,
+                "last_s": each.last,
+                "detections": each.detections,
+                "missed": each.missed,
+                "state": dict(zip(_NAMES, each.state.tolist(), strict=True)),
+                "deviation": dict(zip(_NAMES, each.deviation.tolist(), strict=True)),
+            }
+            for each in told
+        ],
+        "detections": [
+            {"line": line, "track": number + 1 if number >= 0 else _UNASSIGNED}
+            for line, number in zip(lines, numbers, strict=True)
+        ],
+    }
+
+
+def _name(number: int) -> str:
+    return str(number + 1) if number >= 0 else _UNASSIGNED
+
+
+def _number(value: float) -> str:
+    return "" if math.isnan(value) else f"{value:.9g}"
+
+
+def _time_text(time: float) -> str:
+    """The fewest digits that come back as the same number, in s: those of a file in s, mostly."""
+    return repr(time).removesuffix(".0")

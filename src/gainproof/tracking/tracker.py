@@ -11,10 +11,8 @@ from gainproof.tracking import gains
 from gainproof.tracking.arrays import Bools, Ints, Reals
 from gainproof.tracking.association import assigned
 from gainproof.tracking.conversion import NoCovarianceError, converted
-from gainproof.tracking.deviations import deviations
 from gainproof.tracking.gains import Point, Sample
 from gainproof.tracking.gating import Pairs, gated, threshold
-from gainproof.tracking.management import begun, counted, judged, rank
 from gainproof.tracking.measured import Measured
 from gainproof.tracking.motion import POSITION, Estimate, predicted, started, updated
 from gainproof.tracking.nominal import nominal_point
@@ -99,21 +97,21 @@ def after_scan(
     detection = associated(tracks, gated(before, seen, limit), len(seen.position), limit)
     hit = detection >= 0
     tracks, outside = _updated(tracks, before, seen, detection, time, nominal, settings)
-    tracks = counted(tracks, hit)
+    tracks = _counted(tracks, hit)
     number = np.full(len(seen.position), -1)
     state = np.full((len(seen.position), 4), np.nan)
     deviation = state.copy()
     used = detection[hit]
     number[used] = tracks.number[hit]
     state[used] = tracks.estimate.state[hit]
-    deviation[used] = deviations(tracks.estimate.part(hit), used)
+    deviation[used] = _deviations(tracks.estimate.part(hit), used)
     free = np.flatnonzero(number < 0)
-    new = begun(seen.part(free), time, born, settings, limit)
+    new = _begun(seen.part(free), time, born, settings, limit)
     number[free] = new.number
     begun_at = new.estimate
     state[free, ::2] = begun_at.state[:, ::2]
     deviation[free, ::2] = np.sqrt(np.diagonal(begun_at.covariance, axis1=1, axis2=2))[:, ::2]
-    tracks, kept = judged(tracks, settings)
+    tracks, kept = _judged(tracks, settings)
     confirmed = tracks.number[tracks.confirmed]
     tracks = tracks.part(kept).with_more(new)
     return AfterScan(tracks, number, state, deviation, born + len(free), confirmed, outside)
@@ -121,7 +119,7 @@ def after_scan(
 
 def associated(tracks: Tracks, pairs: Pairs, detections: int, limit: float) -> Ints:
     """For each track its detection or -1: confirmed tracks choose first, beginnings last."""
-    ranks = rank(tracks)
+    ranks = _rank(tracks)
     found = np.full(len(tracks), -1)
     free = np.ones(detections, np.bool_)
     for turn in range(3):
@@ -181,3 +179,79 @@ def _numbered(
     new = np.where(known, np.searchsorted(confirmed, number), -1)
     state, deviation = (np.where(known[:, None], x, np.nan) for x in (state, deviation))
     return Followed(new, state, deviation, np.arange(len(confirmed)), outside)
+
+
+_NAMES = (("x", "m"), ("the velocity along x", "m/s"), ("y", "m"), ("the velocity along y", "m/s"))
+
+
+def _deviations(after: Estimate, detection: Ints) -> Reals:
+    """(n, 4) of estimates after the detections of one scan, whose places are `detection`, (n,).
+
+    Raises NoCovarianceError where a variance is not above 0, or a number is not finite: rounding
+    took more digits than there are.
+    """
+    variances = np.diagonal(after.covariance, axis1=1, axis2=2)
+    sound = (variances > 0) & np.isfinite(variances) & np.isfinite(after.state)
+    if not sound.all():
+        row, which = np.unravel_index(int(np.argmin(sound)), sound.shape)
+        name, unit = _NAMES[int(which)]
+        raise NoCovarianceError(
+            f"the variance of {name} after this detection is to be above 0 and finite, got "
+            f"{variances[row, which]:.3g} ({unit})^2 at {after.state[row, which]:.6g} {unit}: "
+            "deviations, intervals and --acceleration are further apart than float64 has digits",
+            int(detection[row]),
+            field="",
+        )
+    return np.sqrt(variances)
+
+
+def _rank(tracks: Tracks) -> Ints:
+    """Who chooses a detection first: 0 confirmed tracks, 1 those with a velocity, 2 beginnings."""
+    return np.where(tracks.confirmed, 0, np.where(tracks.hits > 1, 1, 2))
+
+
+def _counted(tracks: Tracks, detected: Bools) -> Tracks:
+    """A scan later, with or without a detection."""
+    return replace(
+        tracks,
+        hits=tracks.hits + detected,
+        age=tracks.age + 1,
+        missed=np.where(detected, 0, tracks.missed + 1),
+    )
+
+
+def _judged(tracks: Tracks, settings: Settings) -> tuple[Tracks, Bools]:
+    """Confirmed where the detections suffice, with which are kept: a confirmed track until it was
+    missed too often in a row, another one as long as it can still be confirmed.
+    """
+    needed, scans = settings.confirm
+    confirmed = tracks.confirmed | (tracks.hits >= needed)
+    hopeful = scans - tracks.age + tracks.hits >= needed
+    kept = np.where(confirmed, tracks.missed < settings.drop, hopeful)
+    return replace(tracks, confirmed=confirmed), kept
+
+
+def _begun(seen: Measured, time: float, first: int, settings: Settings, limit: float) -> Tracks:
+    """A beginning for each detection, numbered from ``first``.
+
+    Its velocity is unknown: taken as 0 with a deviation that puts the fastest target at the border
+    of the gate.
+    """
+    n = len(seen.position)
+    state = np.zeros((n, 4))
+    state[:, POSITION] = seen.position
+    covariance = np.zeros((n, 4, 4))
+    covariance[:, POSITION, POSITION] = seen.covariance
+    covariance[:, (1, 3), (1, 3)] = settings.most_speed**2 / limit
+    whole = np.ones(n, np.int64)
+    unknown = np.full((n, 2), np.nan)
+    return Tracks(
+        first + np.arange(n),
+        np.zeros(n, np.bool_),
+        np.full(n, time),
+        whole,
+        whole,
+        0 * whole,
+        Estimate(state, covariance),
+        Point(unknown, unknown, unknown),
+    )

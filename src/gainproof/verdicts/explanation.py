@@ -11,6 +11,7 @@ from gainproof.verdicts import witness_text
 from gainproof.verdicts.proof_text import proof_lines, result_lines
 from gainproof.verdicts.verdict_reason import (
     ANY_FILTER,
+    domain,
     reason,
     repairs_of,
     solutions,
@@ -51,7 +52,7 @@ def parts(claim: Claim) -> list[tuple[str, list[str]]]:
     certificate: Mapping[str, Any] = claim["evidence"]["certificate"] or {}
     witness = claim["evidence"]["witness"]
     found = [
-        ("Counterexample", _witness(witness)),
+        ("Counterexample", witness_text.in_full(witness) if witness else []),
         ("Nearest true formula", _repairs(claim)),
     ]
     found += [(section.title, list(section.lines)) for section in sections(certificate)]
@@ -85,42 +86,17 @@ def _facts(claim: Claim, checked: str) -> list[tuple[str, str]]:
     """Short facts; the result is left out where a section below says it."""
     shown_below = isinstance(claim["evidence"]["witness"], Mapping)
     result = "" if shown_below else (reason(claim) or str(claim["reason"] or ""))
-    domain = claim["domain"] if claim["domain"] != "nowhere" else None
     found = (
         ("place", claim["place"]),
         ("convention", claim["convention"]),
         ("reading", claim["reading"]),
-        ("domain", domain),
+        ("domain", domain(claim)),
         ("method", claim["evidence"]["method"]),
         ("checked", checked),
         ("result", ANY_FILTER if claim.get("any_filter") else result),
         *(("undefined", text) for text in solutions(claim)),
     )
     return [(label, str(value)) for label, value in found if value]
-
-
-def _witness(witness: Any) -> list[str]:
-    """The point, both sides and the quantities there, in full; of a trend, the derivative and what
-    is asked of it.
-    """
-    if not witness:
-        return []
-    if isinstance(witness, str):
-        return [witness]
-    # the values of the formula's symbols follow in full
-    lines = [witness_text.at_point({"point": witness["point"]})] if witness["point"] else []
-    asked = witness_text.slope_asked(witness)
-    if asked:
-        lines += [f"derivative: {witness_text.ball(witness['left'])}", f"claimed: {asked}"]
-    for side in ("left", "right") if not asked and witness_text.are_compared(witness) else ():
-        value = witness[side]
-        text = value.get("undefined") or witness_text.ball(value)
-        lines.append(f"{side} side: {text}")
-    values = witness.get("values", {})
-    lines += [f"with {name} = {witness_text.ball(value)}" for name, value in values.items()]
-    if witness.get("note"):
-        lines.append(str(witness["note"]))
-    return lines
 
 
 def _repairs(claim: Claim) -> list[str]:

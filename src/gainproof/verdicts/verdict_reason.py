@@ -13,6 +13,7 @@ from gainproof.verify.judge.verdict_words import (
     NO_REPAIR,
     OTHERS,
     ROUNDED,
+    STRENGTH,
 )
 
 Claim = Mapping[str, Any]
@@ -37,7 +38,8 @@ def reasons(claim: Claim) -> list[str]:
         found.append(certificate[ROUNDED])
     if ALONE in certificate:
         found.append(f"{ALONE}: {certificate[ALONE]}; other claims of its setting exclude that")
-    return found + repaired(claim) + solutions(claim)
+    strength = [f"{STRENGTH} {certificate[STRENGTH]}"] if certificate.get(STRENGTH) else []
+    return found + repaired(claim) + solutions(claim) + strength
 
 
 def where_true(claim: Claim) -> str:
@@ -53,6 +55,11 @@ def where_true(claim: Claim) -> str:
     # true everywhere under a convention: the reason says under which
     part = "" if claim["domain"] == "everywhere" else f" {on}"
     return f"true under another convention{part}; not as the conventions are stated"
+
+
+def domain(claim: Claim) -> str:
+    """Where a claim was decided or holds; empty where it holds nowhere: that its verdict says."""
+    return "" if claim["domain"] in (None, "nowhere") else str(claim["domain"])
 
 
 def is_contradicted(claim: Claim) -> bool:

@@ -13,21 +13,11 @@ from typing import Any
 
 from gainproof.bad_input import BadInputError
 from gainproof.files import atomic_file, places
+from gainproof.verify.judge.verdict_words import SETTLED, VERDICTS
 
 Judgement = Mapping[str, Any]
 Plain = dict[str, Any]
 
-UNSETTLED = frozenset({"held", "undecided"})
-ORDER = (
-    "proved",
-    "refuted",
-    "conditional",
-    "undefined",
-    "held",
-    "undecided",
-    "definition",
-    "remark",
-)
 _KEPT = ("id", "verdict", "domain", "repair", "convention", "reading", "undefined")
 
 
@@ -37,7 +27,7 @@ def unsettled(judgement: Judgement) -> list[str]:
     return [
         claim["id"]
         for claim in judgement["claims"]
-        if claim["verdict"] in UNSETTLED or claim["id"] in by_chance
+        if claim["verdict"] not in SETTLED or claim["id"] in by_chance
     ]
 
 
@@ -48,10 +38,9 @@ def accidents(judgement: Judgement) -> dict[str, str]:
 
 
 def tally(judgements: list[Judgement]) -> dict[str, int]:
-    """How many claims have each verdict, in the order of `ORDER`, those without any left out."""
+    """How many claims have each verdict, in the order of `VERDICTS`, those without any left out."""
     verdicts = [claim["verdict"] for judgement in judgements for claim in judgement["claims"]]
-    names = [*ORDER, *sorted(set(verdicts) - set(ORDER))]
-    return {name: verdicts.count(name) for name in names if name in verdicts}
+    return {name: verdicts.count(name) for name in VERDICTS if name in verdicts}
 
 
 def snapshot(judgement: Judgement, before: Mapping[str, Any] = MappingProxyType({})) -> Plain:

@@ -23,9 +23,6 @@ NATURAL = (
     "another is meant."
 )
 
-_STRENGTH = "would hold with"
-"""In the certificate of a refuted claim, the strength of a noise with which it is proved."""
-
 
 def overview(
     judgement: Judgement, columns: int = WIDTH, words: Words = MappingProxyType({})
@@ -64,8 +61,6 @@ def counts(judgements: list[Judgement]) -> str:
 def _claim(claim: Claim, said: str, head: str, indent: str, columns: int) -> list[str]:
     """Formula or words beside the verdict, reasons below."""
     texts = [*([" ".join(said.split())] if said else []), *reasons(claim)]
-    strength = (claim["evidence"]["certificate"] or {}).get(_STRENGTH)
-    texts += [f"{_STRENGTH} {strength}"] if strength else []
     if claim.get("accident"):
         why = "" if claim["accident"] == claim["reason"] else f"{claim['accident']}; "
         texts.append(f"{why}{BY_ACCIDENT}")

@@ -7,6 +7,7 @@ from collections.abc import Mapping
 from decimal import MAX_EMAX, MIN_EMIN, Context, Decimal
 from typing import Any
 
+from gainproof.formulas.formula_text import plain_name
 from gainproof.verify.judge.verdict_words import LACKS_VALUE, NOT_COMPARED, Shown
 
 _DIGITS = 6
@@ -50,7 +51,7 @@ def sides(witness: Mapping[str, Any]) -> str:
             return f"the left side is {first}, the right {second}"
         if witness.get("note") and not missing:
             return f"the left side is {first}, the right {second} ({witness['note']})"
-    if not are_compared(witness):
+    if not _are_compared(witness):
         return str(witness["note"])
     note, shows = str(witness.get("note") or ""), witness.get("shows")
     if shows == Shown.TRUTH:
@@ -73,7 +74,7 @@ def sides(witness: Mapping[str, Any]) -> str:
     return f"{entry}the left side is {first}, the right {second}"
 
 
-def are_compared(witness: Mapping[str, Any]) -> bool:
+def _are_compared(witness: Mapping[str, Any]) -> bool:
     """Whether the sides of a relation are what fails, not what the note alone says."""
     both = [witness[side].get("undefined") for side in ("left", "right")]
     return both != [NOT_COMPARED] * 2 or not witness.get("note")
@@ -83,7 +84,7 @@ def in_words(witness: Mapping[str, Any]) -> str:
     """`at r = 1 the left side is 0.5, the right 4.5`; against a trend
     `at S = 3 the derivative is 0.5, not at most 0`.
     """
-    asked = slope_asked(witness)
+    asked = _slope_asked(witness)
     if asked and not _is_approach(witness):
         said = f"the derivative is {_shown(witness['left'], _DIGITS)}, not {asked}"
     else:
@@ -91,7 +92,54 @@ def in_words(witness: Mapping[str, Any]) -> str:
     return f"{at_point(witness)} {said}".strip()
 
 
-def slope_asked(witness: Mapping[str, Any]) -> str:
+def in_full(witness: Mapping[str, Any] | str) -> list[str]:
+    """Lines: the point, both sides and the quantities there with all their digits; of a trend, the
+    derivative and what is asked of it.
+    """
+    if isinstance(witness, str):
+        return [witness]
+    # the values of the formula's symbols follow in full
+    lines = [at_point({"point": witness["point"]})] if witness["point"] else []
+    asked = _slope_asked(witness)
+    if asked:
+        lines += [f"derivative: {_ball(witness['left'])}", f"claimed: {asked}"]
+    for side in ("left", "right") if not asked and _are_compared(witness) else ():
+        lines.append(f"{side} side: {witness[side].get('undefined') or _ball(witness[side])}")
+    values = witness.get("values", {})
+    lines += [f"with {name} = {_ball(value)}" for name, value in values.items()]
+    return [*lines, str(witness["note"])] if witness.get("note") else lines
+
+
+def of_relation(witness: Mapping[str, Any], symbols: Mapping[str, str]) -> str:
+    """Against a relation of a derivation, whose names have the LaTeX `symbols`: `At Lambda = 1 the
+    left side is 0.5, the right side is 0.75.`, with the radius of each enclosure where a number is
+    not exact.
+    """
+    names = {name: plain_name(latex) for name, latex in symbols.items()}
+    where = at_point({"point": {names.get(n, n): value for n, value in witness["point"].items()}})
+    if witness["names"]:
+        known = [f"{names.get(name, name)} = {_ball(v)}" for name, v in witness["names"].items()]
+        where = f"{where}, where {', '.join(known)}," if where else f"With {', '.join(known)}"
+    left, right = _ball(witness["left"]), _ball(witness["right"])
+    match witness["shape"]:
+        case "equal":
+            entry = f", in row and column {witness['entry']}," if witness["entry"] else ""
+            told = f"the left side{entry} is {left}, the right side is {right}"
+        case "positive":
+            told = f"the expression is {left}, which is not above 0"
+        case "limit":
+            told = f"the limit is {left}, not {right}"
+        case "sum":
+            told = f"the terms add up to {left}, the closed form is {right}"
+        case "monotone increasing":
+            told = f"the derivative is {left}: it falls there"
+        case _:
+            told = f"the derivative is {left}: it rises there"
+    sentence = f"{where} {told}.".strip()
+    return sentence[0].upper() + sentence[1:]
+
+
+def _slope_asked(witness: Mapping[str, Any]) -> str:
     """`at most 0`: what a trend asks of the derivative; empty where that has no value, and for
     what is no trend.
     """
@@ -103,7 +151,7 @@ def slope_asked(witness: Mapping[str, Any]) -> str:
     return f"{word} {_shown(witness['right'], _DIGITS)}"
 
 
-def ball(value: Mapping[str, Any]) -> str:
+def _ball(value: Mapping[str, Any]) -> str:
     """A number with the radius of its enclosure, `0.5` where that is exact."""
     if value["radius"] in ("0", 0):
         return str(value["midpoint"])

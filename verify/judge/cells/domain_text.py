@@ -12,6 +12,7 @@ from gainproof.verify.judge.cells.pieces import border_parts, parts
 from gainproof.verify.judge.cells.question import CellQuestion
 from gainproof.verify.judge.cells.region import Literal, alternatives, separating
 from gainproof.verify.judge.cells.task import Budget, Task
+from gainproof.verify.judge.exact.box import bounds_text
 from gainproof.verify.judge.exact.expression import number, symbols_of
 from gainproof.verify.judge.exact.expression_text import labelled
 from gainproof.verify.judge.exact.limits import Limits, Undecided
@@ -46,7 +47,7 @@ def _texts(
     stated: frozenset[str],
     labels: Mapping[str, str],
 ) -> tuple[list[str], bool]:
-    texts = _bounds(task, labels)
+    texts = bounds_text(task.boxes, labels)
     if len(task.names) < 2:
         return _line(found[0], labels), True
     if all(p.truth == SKIPPED for p in found[0].pieces):
@@ -83,15 +84,6 @@ def _texts(
     return texts, whole and exact and not gaps
 
 
-def _bounds(task: Task, labels: Mapping[str, str]) -> list[str]:
-    """The box."""
-    return [
-        box.text(labels.get(name, name))
-        for name, box in task.boxes.items()
-        if box.lower is not None or box.upper is not None
-    ]
-
-
 def _line(part: Part, labels: Mapping[str, str]) -> list[str]:
     """The set of truth of a task with one parameter."""
     name = next(iter(part.task.names), None)
@@ -111,7 +103,7 @@ def _on_borders(
     """The set of truth where the conditions hold on borders only: border by border."""
     above = len(task.border)
     if all(p.truth in (TRUE, SKIPPED) for p in all_pieces(found)):
-        return _bounds(task, labels), True
+        return bounds_text(task.boxes, labels), True
     size = max(p.dimension for p in all_pieces(found) if p.truth != SKIPPED)
     choices: dict[str, None] = {}
     whole = True

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 from fractions import Fraction
 from math import ceil, floor
@@ -58,15 +58,31 @@ class Box:
 
     def text(self, name: str) -> str:
         """Readable."""
-        kind = f", {name} an integer" if self.integer else ""
-        left = "" if self.lower is None else f"{self.lower} {'<' if self.lower_open else '<='} "
-        right = "" if self.upper is None else f" {'<' if self.upper_open else '<='} {self.upper}"
-        if not left and not right:
-            return f"all real {name}" if not kind else f"all integers {name}"
-        if left and not right:
-            return f"{name} {'>' if self.lower_open else '>='} {self.lower}{kind}"
-        return f"{left}{name}{right}{kind}"
+        if self.integer and self.lower is None and self.upper is None:
+            return f"all integers {name}"
+        ends = ("" if end is None else str(end) for end in (self.lower, self.upper))
+        text = interval_text(name, ends, self.lower_open, self.upper_open)
+        return f"{text}, {name} an integer" if self.integer else text
 
 
 Boxes = Mapping[str, Box]
 """The domains of variables by their names."""
+
+
+def interval_text(
+    name: str, ends: Iterable[str], lower_open: bool = True, upper_open: bool = True
+) -> str:
+    """`x > 0`, `0 <= x < 1`, `all real x`; an end that is missing is empty."""
+    lower, upper = ends
+    below, above = "<" if lower_open else "<=", "<" if upper_open else "<="
+    if lower and upper:
+        return f"{lower} {below} {name} {above} {upper}"
+    if lower:
+        return f"{name} {below.replace('<', '>')} {lower}"
+    return f"{name} {above} {upper}" if upper else f"all real {name}"
+
+
+def bounds_text(boxes: Boxes, labels: Mapping[str, str]) -> list[str]:
+    """The domains that have an end, each readable; `labels`: how variables are written."""
+    bounded = {n: box for n, box in boxes.items() if (box.lower, box.upper) != (None, None)}
+    return [box.text(labels.get(name, name)) for name, box in bounded.items()]

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from fractions import Fraction
 
-from gainproof.verify.judge.exact.box import Box
+from gainproof.verify.judge.exact.box import Box, bounds_text
 from gainproof.verify.judge.exact.calculus import roots_made_prime, substituted
 from gainproof.verify.judge.exact.certificate import certificate_of
 from gainproof.verify.judge.exact.expression import power, symbol
@@ -129,10 +129,7 @@ def _domain_text(work: Work, kept: list[Place], label: str) -> str:
         parts = [f"for integers with {region_text(kept, label, integer=True)}"]
     else:
         parts = [f"for {region_text(kept, label)}"]
-    for name in work.tower.free:
-        box = work.boxes[name]
-        if box.lower is not None or box.upper is not None:
-            parts.append(box.text(work.labels.get(name, name)))
+    parts += bounds_text({name: work.boxes[name] for name in work.tower.free}, work.labels)
     return ", ".join([*parts, *work.exclusions]) or "everywhere"
 
 

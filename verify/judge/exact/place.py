@@ -20,7 +20,7 @@ from gainproof.verify.judge.exact.algebraic import (
     rationals_between,
     real_roots,
 )
-from gainproof.verify.judge.exact.box import Box
+from gainproof.verify.judge.exact.box import Box, interval_text
 
 SAMPLES = 7
 
@@ -84,15 +84,8 @@ class Place:
             return f"{name} = {self.at.text()}"
         if not self.is_cell:
             return "everywhere"
-        if self.left is None and self.right is None:
-            return f"all real {name}"
-        left = "" if self.left is None else f"{self.left.text()} < "
-        right = "" if self.right is None else f" < {self.right.text()}"
-        return (
-            f"{name} > {self.left.text()}"
-            if self.left and not self.right
-            else f"{left}{name}{right}"
-        )
+        ends = ("" if end is None else end.text() for end in (self.left, self.right))
+        return interval_text(name, ends)
 
 
 def places(factors: Iterable[Any], box: Box) -> list[Place]:

@@ -6,9 +6,8 @@ from collections.abc import Sequence
 from fractions import Fraction
 from math import ceil, floor
 
-from gainproof.verify.judge.exact.algebraic import (
-    compare,
-)
+from gainproof.verify.judge.exact.algebraic import compare
+from gainproof.verify.judge.exact.box import interval_text
 from gainproof.verify.judge.exact.place import Place
 
 
@@ -39,17 +38,8 @@ def _piece_text(piece: list[Place], name: str) -> str:
     first, last = piece[0], piece[-1]
     left = first.at if first.at is not None else first.left
     right = last.at if last.at is not None else last.right
-    low = "<=" if first.at is not None else "<"
-    high = "<=" if last.at is not None else "<"
-    if left is None and right is None:
-        return f"all real {name}"
-    if right is None and left is not None:
-        return f"{name} {'>=' if low == '<=' else '>'} {left.text()}"
-    if left is None and right is not None:
-        return f"{name} {high} {right.text()}"
-    assert left is not None
-    assert right is not None
-    return f"{left.text()} {low} {name} {high} {right.text()}"
+    ends = ("" if end is None else end.text() for end in (left, right))
+    return interval_text(name, ends, first.at is None, last.at is None)
 
 
 def _ends(place: Place) -> tuple[int | None, int | None]:

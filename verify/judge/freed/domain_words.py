@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
-from gainproof.verify.judge.exact.box import Box
+from gainproof.verify.judge.exact.box import Box, bounds_text
 from gainproof.verify.judge.exact.constant_value import constant_value
 from gainproof.verify.judge.exact.expression import symbols_of
 from gainproof.verify.judge.exact.expression_text import labelled
@@ -18,8 +18,7 @@ def domain_text(statement: Statement, boxes: Mapping[str, Box], labels: Mapping[
     """
     over = {s.parts[1].name for s in open_sums(statement)}
     named = sorted(n for n in symbols_of(*statement.exprs()) - over if n in boxes)
-    bounded = [n for n in named if boxes[n].lower is not None or boxes[n].upper is not None]
-    words = [boxes[n].text(labels.get(n, n)) for n in bounded]
+    words = bounds_text({name: boxes[name] for name in named}, labels)
     for rel in statement.domain:
         value = constant_value(rel.right)
         if rel.operator == "!=" and rel.left.kind == "symbol" and value is not None:

@@ -6,11 +6,11 @@ import functools
 import re
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
+from fractions import Fraction
 from random import Random
 from typing import Any
 
 from gainproof.bad_input import BadInputError
-from gainproof.book.exercises.mutation import mutants
 from gainproof.book.exercises.refutation import Witness, agree, refuted
 from gainproof.book.exercises.tower_values import TowerValues, tower_values
 from gainproof.formulas.formula_latex import formula_latex, indexed
@@ -18,6 +18,8 @@ from gainproof.formulas.relation_text import Writer, relation_lines
 from gainproof.pages.lecture_items import Item, items
 from gainproof.subjects.derived import Derived, DerivedStep
 from gainproof.verify.certificate import check_statement
+from gainproof.verify.judge.exact.calculus import substituted
+from gainproof.verify.judge.exact.expression import Expr, mul, neg, number, power, symbol, walk
 from gainproof.verify.judge.exact.graph_writing import graph_of
 from gainproof.verify.judge.exact.limits import Malformed, Undecided
 from gainproof.verify.judge.exact.tree import read_tree
@@ -66,10 +68,12 @@ def plant(subjects: Sequence[Derived], count: int, seed: int) -> list[Planted]:
     order = sorted(subjects, key=lambda subject: subject.name)
     Random(f"order of sheets {seed}").shuffle(order)
     found: list[Planted] = []
-    for number in range(1, count + 1):
-        chooser = Random(f"sheet {seed} {number}")
-        start = (number - 1) % max(len(order), 1)
-        tried = (_planted(each, number, seed, chooser) for each in order[start:] + order[:start])
+    for sheet_number in range(1, count + 1):
+        chooser = Random(f"sheet {seed} {sheet_number}")
+        start = (sheet_number - 1) % max(len(order), 1)
+        tried = (
+            _planted(each, sheet_number, seed, chooser) for each in order[start:] + order[:start]
+        )
         sheet = next((sheet for sheet in tried if sheet is not None), None)
         if sheet is None:
             raise BadInputError("none of the derivations has a step in which an error is refuted")
@@ -137,7 +141,7 @@ def _slips(
     for field in FIELDS[step.kind]:
         if isinstance(step.claim[field], str):
             continue
-        for mutant in mutants(read_tree(step.claim[field]), names):
+        for mutant in _mutants(read_tree(step.claim[field]), names):
             spoiled = {**step.claim, field: graph_of(mutant.formula)}
             by_slip.setdefault(mutant.slip, []).append(spoiled)
     slips = sorted(by_slip)
@@ -189,3 +193,108 @@ def _excerpt(lines: Sequence[Item], line: int, chooser: Random) -> tuple[int, in
         downwards = low > 0 and (high == len(found) - 1 or chooser.random() < 0.5)
         low, high = (low - 1, high) if downwards else (low, high + 1)
     return found[low][0], found[high][1]
+
+
+_LONGEST = 40
+"""Parts of a formula that are tried: a slip in a longer one is found by nobody."""
+
+
+@dataclass(frozen=True)
+class _Mutant:
+    """A formula with a slip: its kind in words, and what it was done to, for the key."""
+
+    slip: str
+    formula: Expr
+
+
+def _mutants(formula: Expr, others: Sequence[str]) -> list[_Mutant]:
+    """All slips of one part of a formula; none if it is longer than `_LONGEST`.
+
+    `others`: names that the derivation has, of which one may be mistaken for another where they
+    differ in digits only.
+    """
+    places = list(_places(formula))
+    if len(places) > _LONGEST:
+        return []
+    found = [
+        _Mutant(slip, _put(formula, path, part))
+        for path, node in places
+        for slip, part in _slips_of_part(node, others)
+    ]
+    found += [_Mutant("two symbols exchanged", changed) for changed in _exchanged(formula)]
+    return [mutant for mutant in found if mutant.formula != formula]
+
+
+def _places(node: Expr, path: tuple[int, ...] = ()) -> Iterator[tuple[tuple[int, ...], Expr]]:
+    """Every occurrence of a part, however often it is shared."""
+    yield path, node
+    for number_of_part, part in enumerate(node.parts):
+        yield from _places(part, (*path, number_of_part))
+
+
+def _put(node: Expr, path: Sequence[int], part: Expr) -> Expr:
+    """The tree with another part at one occurrence."""
+    if not path:
+        return part
+    parts = list(node.parts)
+    parts[path[0]] = _put(parts[path[0]], path[1:], part)
+    return Expr(node.kind, node.value, tuple(parts))
+
+
+def _slips_of_part(node: Expr, others: Sequence[str]) -> Iterator[tuple[str, Expr]]:
+    match node.kind:
+        case "add":
+            for place, term in enumerate(node.parts):
+                yield "the sign of a term", _put(node, [place], _opposite(term))
+        case "number" if node.fraction not in (0, 1, -1):
+            value = node.fraction
+            yield "a factor of two", number(2 * value)
+            yield "a factor of two", number(value / 2)
+            yield "a number", number(value + (1 if value > 0 else -1))
+        case "pow":
+            exponent = node.fraction
+            yield "an exponent", power(node.parts[0], exponent + 1)
+            if exponent == Fraction(1, 2):
+                yield "an exponent", node.parts[0]
+            elif exponent not in (1, 0):
+                yield "an exponent", power(node.parts[0], exponent - 1)
+        case "symbol":
+            yield "an exponent", power(node, 2)
+            for name in others:
+                if name != node.name and _stem(name) == _stem(node.name):
+                    yield "an index", symbol(name)
+        case "div":
+            top, bottom = node.parts
+            yield "numerator and denominator exchanged", Expr("div", None, (bottom, top))
+        case "mul" if not any(part.kind == "matrix" for part in node.parts):
+            yield "a factor of two", mul(number(2), *node.parts)
+            for place in range(len(node.parts)):
+                rest = [part for other, part in enumerate(node.parts) if other != place]
+                yield "a factor that is lost", mul(*rest)
+
+
+def _opposite(term: Expr) -> Expr:
+    """A term with the other sign, written as people write it."""
+    match term.kind:
+        case "neg":
+            return term.parts[0]
+        case "number":
+            return number(-term.fraction)
+        case "mul" if term.parts[0].kind == "number":
+            return mul(number(-term.parts[0].fraction), *term.parts[1:])
+        case _:
+            return neg(term)
+
+
+def _stem(name: str) -> str:
+    """A name without its indices; one without indices is like no other."""
+    stem = re.sub(r"\d+$", "", name)
+    return stem if stem != name else f"{name}!"
+
+
+def _exchanged(formula: Expr) -> Iterator[Expr]:
+    """Two symbols in each other's place throughout."""
+    names = sorted({node.name for node in walk(formula) if node.kind == "symbol"})
+    for place, first in enumerate(names):
+        for second in names[place + 1 :]:
+            yield substituted(formula, {first: symbol(second), second: symbol(first)})

@@ -11,10 +11,10 @@ from markupsafe import Markup
 from gainproof.book.derivation_pages import address, formulas_of, writer_of
 from gainproof.book.exercises.planting import Planted, parts
 from gainproof.book.exercises.sealed import Sealed, sealed
-from gainproof.book.exercises.told import error_sentence, witness_sentence
 from gainproof.book.prose_html import prose
 from gainproof.pages.lecture_items import items, numbers
 from gainproof.subjects.derived import Derived
+from gainproof.verdicts.witness_text import of_relation
 
 RULE = (
     "Mark one line and check it. The first mark counts: 1 point for the wrong line, half a point "
@@ -93,4 +93,5 @@ def seal(planted: Planted) -> Sealed:
 
 def answer(planted: Planted) -> str:
     """What the wrong line is, and the point at which it is false."""
-    return f"{error_sentence(planted)} {witness_sentence(planted.witness, planted.derived.symbols)}"
+    error = f"Line {planted.line} is wrong ({planted.slip}; step {planted.id})."
+    return f"{error} {of_relation(planted.witness.plain(), planted.derived.symbols)}"

@@ -16,10 +16,10 @@ from gainproof.book.exercises.sheet_lines import (
     seal,
     sheet_lines,
 )
-from gainproof.book.exercises.told import witness_sentence
 from gainproof.book.page import Finding, Page
 from gainproof.formulas.prose import plain_prose
 from gainproof.pages.lecture import count, marks_of
+from gainproof.verdicts.witness_text import of_relation
 
 SCRIPT = "exercises.js"
 KEY = "answers"
@@ -112,7 +112,7 @@ def _key(sheets: Sequence[Planted], reports: Sequence[Mapping[str, Any]]) -> Pag
                 "slip": sheet.slip,
                 "wrong": formulas_of(sheet.step, writer),
                 "right": formulas_of(sheet.before, writer),
-                "witness": witness_sentence(sheet.witness, sheet.derived.symbols),
+                "witness": of_relation(sheet.witness.plain(), sheet.derived.symbols),
                 "others": words_on_others(sheet, report),
             }
         )

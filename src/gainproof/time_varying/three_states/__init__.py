@@ -6,7 +6,6 @@ What `gainproof.time_varying` has for two states, under the same names: `predict
 is imported.
 """
 
-from gainproof.time_varying.three_states.approach import error_ratio, samples_to_steady_gains
 from gainproof.time_varying.three_states.covariance import (
     Factors,
     covariance_of,
@@ -24,6 +23,7 @@ from gainproof.time_varying.three_states.schedule_variance import (
     schedule_variance,
 )
 from gainproof.time_varying.three_states.sequence import GainSequence, gain_sequence
+from gainproof.time_varying.three_states.settling import error_ratio, samples_to_steady_gains
 from gainproof.time_varying.three_states.track import Step, predict, start, step, update
 
 __all__ = [
