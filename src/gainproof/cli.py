@@ -33,6 +33,7 @@ from gainproof.commands import (
     listing,
     locate,
     run,
+    serve,
     track,
 )
 from gainproof.jobs.resource_limits import lack
@@ -40,6 +41,7 @@ from gainproof.version import VERSION
 
 COMMANDS: Mapping[str, ModuleType] = {
     "ask": ask,
+    "serve": serve,
     "run": run,
     "derive": derive,
     "generate": generate,

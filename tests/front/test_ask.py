@@ -176,12 +176,9 @@ def test_the_answer_is_that_of_check(tmp_path: Path, judge: Judge) -> None:
         assert {n: v for n, v in checked[found["id"]].items() if n != "seconds"} == same
 
 
-def test_a_formula_that_hangs_costs_one(tmp_path: Path) -> None:
-    slow = (
-        "x" + " + sqrt(x" * 1 + ")" + " ".join(f"+ sqrt({k} + x)" for k in (2, 3, 5, 7, 11, 13, 17))
-    )
+def test_a_formula_that_hangs_costs_one() -> None:
     with Judge(seconds=0.4, fresh=True) as judge:
-        assert judge.ask(f"{slow} = y^2 + y").verdict in ("undecided", "held", "refuted")
+        assert judge.ask("((((9^64)^64)^64)^64)^64 = 1").verdict == "undecided"
         assert judge.ask("x^2 >= 0").verdict == "proved"
 
 

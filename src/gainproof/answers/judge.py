@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from types import TracebackType
+from typing import Any
 
 from gainproof.answers.answer import Answer, answer_of
 from gainproof.answers.question import Options, Question, question
@@ -12,6 +13,7 @@ from gainproof.claims.judgements import shipped_models
 from gainproof.claims.judging import KeptTrials, judge_text
 from gainproof.claims.time_limit import DEFAULT
 from gainproof.jobs.cache import Cache, default_folder
+from gainproof.jobs.worker_state import WorkerState
 from gainproof.verify.judge.worker import Workers
 
 
@@ -68,6 +70,17 @@ class Judge:
         except BadInputError as error:
             raise _as_asked(error) from None
         return answer_of(asked, judged["claims"])
+
+
+def asked(
+    state: WorkerState, formula: str, said: Mapping[str, Any], seconds: float
+) -> dict[str, Any]:
+    """{"answer", "text"}: the answer to a formula as plain data, and as text with its explanation;
+    `said` are further arguments of `Judge.ask`. Raises BadInputError.
+    """
+    judge = state.opened(("asked", seconds), lambda: Judge(seconds=seconds))
+    answer = judge.ask(formula, **said)
+    return {"answer": answer.plain(), "text": f"{answer.shown()}\n{answer.explain()}"}
 
 
 def _silent(_: str) -> None:

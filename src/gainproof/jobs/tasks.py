@@ -58,6 +58,7 @@ TASKS: Mapping[str, Task] = {
     "recheck": Task(f"{_SUBJECTS}.rechecking", "recheck"),
     "recheck_proofs": Task("gainproof.claims.claim_proofs", "recheck"),
     "judge": Task("gainproof.claims.judging", "judge", with_state=True),
+    "ask": Task("gainproof.answers.judge", "asked", with_state=True),
 }
 
 

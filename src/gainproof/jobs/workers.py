@@ -141,7 +141,7 @@ async def _one_after_the_other(
             if process is None:
                 deriving = derives(job.task)
                 process = await Process.started(WORKER, settings)
-            result = await _asked(process, job, listener.on_progress)
+            result = await asked(process, job, listener.on_progress)
             if listener.on_done is not None:
                 listener.on_done(job, clock() - start)
             further = listener.on_result(job, result) if listener.on_result else ()
@@ -158,7 +158,7 @@ async def call(job: Job, settings: Mapping[str, str], on_progress: Progressed | 
     """The result of one job in a process with these settings; cancelling ends the process."""
     process = await Process.started(WORKER, settings)
     try:
-        result = await _asked(process, job, on_progress, last=True)
+        result = await asked(process, job, on_progress, last=True)
         await process.finish()
     except BaseException:
         await process.end()
@@ -166,9 +166,13 @@ async def call(job: Job, settings: Mapping[str, str], on_progress: Progressed | 
     return result
 
 
-async def _asked(
-    process: Process, job: Job, on_progress: Progressed | None, *, last: bool = False
+async def asked(
+    process: Process, job: Job, on_progress: Progressed | None = None, *, last: bool = False
 ) -> Any:
+    """The result of a job from a process that takes more afterwards, unless it is the `last`.
+
+    Raises BadInputError, and JobError for a fault of the program, after which it cannot be asked.
+    """
     try:
         answer = await process.ask(
             job.request(), lambda text: on_progress and on_progress(job, text), last=last
