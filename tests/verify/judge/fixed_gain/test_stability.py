@@ -9,6 +9,7 @@ from fractions import Fraction
 
 import pytest
 from free_gains import radius, verdict
+from one_of_each import further
 from small_claims import check
 
 from gainproof.verify.judge.replay import replay
@@ -37,8 +38,8 @@ GAINS = (r"\alpha", r"\beta", r"\gamma")
         (THREE.replace("< \\alpha\\beta", "\\leq \\alpha\\beta"), 3, False),
         (THREE.replace("< \\alpha\\beta", "< 2\\alpha\\beta"), 3, False),
         (THREE.replace("1 - \\frac", "1 + \\frac"), 3, True),
-        (THREE.replace("\\frac{\\alpha}{2}", "\\alpha"), 3, False),
-        (THREE.replace("0 < \\gamma", "\\frac{1}{9} < \\gamma"), 3, True),
+        further(THREE.replace("\\frac{\\alpha}{2}", "\\alpha"), 3, False),
+        further(THREE.replace("0 < \\gamma", "\\frac{1}{9} < \\gamma"), 3, True),
         (TWO, 3, False),
     ],
 )

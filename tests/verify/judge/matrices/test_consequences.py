@@ -6,6 +6,7 @@ from __future__ import annotations
 
 import pytest
 from matrix_claims import SYMBOLS, judged_matrices
+from one_of_each import further
 
 from gainproof.verify.judge.matrices.certificate import rejected
 
@@ -119,7 +120,7 @@ def test_what_is_not_symmetric_may_have_an_inverse(latex: str, verdict: str) -> 
             "proved",
         ),
         ("(I_n + S Q)^{-1} S = S (I_n + Q S)^{-1}", "identity", "proved"),
-        ("(I_n + S Q)^{-1} S = (I_n + Q S)^{-1} S", "identity", "refuted"),
+        further("(I_n + S Q)^{-1} S = (I_n + Q S)^{-1} S", "identity", "refuted"),
         (r"\det(I_n + B C) \neq 0 \Leftrightarrow \det(I_n + C B) \neq 0", "equivalence", "proved"),
         (
             r"\det(M + B C) \neq 0 \Leftrightarrow \det(I_n + C M^{-1} B) \neq 0",
@@ -158,7 +159,7 @@ GAIN = (
     [
         (r"P \leq (I_n - L A) Q (I_n - L A)^T + L R L^T", "proved"),
         (r"P < (I_n - L A) Q (I_n - L A)^T + L R L^T", "refuted"),
-        (r"Q^{-1} \leq P^{-1}", "proved"),
+        further(r"Q^{-1} \leq P^{-1}", "proved"),
         (r"Q^{-1} < P^{-1}", "refuted"),
         ("A P A^T < R", "proved"),
         ("A P A^T < A Q A^T", "refuted"),
