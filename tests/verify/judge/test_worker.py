@@ -21,7 +21,7 @@ from gainproof.verify.judge.trial import Trial
 from gainproof.verify.judge.verdict import Finding
 from gainproof.verify.judge.worker import Workers, tried_apart
 
-LIMIT = 0.8
+LIMIT = 0.5
 """Processor seconds: what talks too much needs a part of them, what hangs all."""
 
 

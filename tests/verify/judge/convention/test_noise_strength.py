@@ -60,7 +60,7 @@ def model(form: str, size: int, measured: int = 2) -> str:
         ),
         ("white", 1, "q^2 T^3", "q^2 as the density of the process noise: Q_{22} = q^2 T"),
         further("white", 1, "q^2 T^4", f"q^2 as {CONSTANT}: Q_{{22}} = q^2 T^2{REST}"),
-        ("white", 2, "q T^3", "q as the density of the process noise: Q_{22} = q T"),
+        further("white", 2, "q T^3", "q as the density of the process noise: Q_{22} = q T"),
         further(
             "constant",
             2,
@@ -68,7 +68,9 @@ def model(form: str, size: int, measured: int = 2) -> str:
             f"q^2 as the density of the process noise: Q_{{22}} = q^2 T{REST}",
         ),
         ("constant", 2, "q T^4", f"q as {CONSTANT}: Q_{{22}} = q T^2"),
-        ("increment", 2, "q^2 T^3", "q^2 as the density of the process noise: Q_{22} = q^2 T"),
+        further(
+            "increment", 2, "q^2 T^3", "q^2 as the density of the process noise: Q_{22} = q^2 T"
+        ),
         further(
             "increment",
             1,

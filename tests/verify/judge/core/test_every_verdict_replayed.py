@@ -23,7 +23,7 @@ from gainproof.verify.judge.claim.file import read_claim_file
 from gainproof.verify.judge.judge import judge_file
 
 LECTURE = "kosuge-slides"
-PARTS = {"kosuge-doppler": 8, "patent-4869403": 4, "suzuki": 4}
+PARTS = {"kosuge-doppler": 16, "patent-4869403": 8, "suzuki": 8}
 """Of the sources that have claims on the other kinds of setting, and conditional ones, the default
 run judges each so-and-so-manyth claim.
 """

@@ -71,7 +71,7 @@ def solved_for(name: str) -> Environment:
     return steady_state(model(name))
 
 
-@pytest.mark.parametrize("name", NOISES)
+@pytest.mark.parametrize("name", cases(NOISES, lambda name: name in list(NOISES)[::2]))
 @pytest.mark.parametrize(
     "place",
     cases([Fraction(1, 20), Fraction(3, 4), Fraction(40)], lambda place: place == Fraction(3, 4)),
@@ -122,7 +122,7 @@ DECREASING = "about = ['c', 'a']\ntrend = 'decreasing'\ntext = 'c falls with a'"
         ("identity", r"b^2 = 2 a c", "proved", "acceleration increments"),
         ("identity", r"a (a + b + \frac{c}{2}) = 2 b", "proved", "acceleration increments"),
         ("identity", r"a (a + b + c) = 2 b", "refuted", ""),
-        ("identity", r"2 a c - b^2 = \frac{1}{12} c^2", "proved", "jerk constant"),
+        further("identity", r"2 a c - b^2 = \frac{1}{12} c^2", "proved", "jerk constant"),
         ("identity", r"2 a c - b^2 = \frac{1}{11} c^2", "refuted", ""),
         ("identity", r"2 a^2 + 2 a b - 4 b + a c = \frac{1}{18} c^2", "proved", "jerk constant"),
         further(
@@ -132,7 +132,7 @@ DECREASING = "about = ['c', 'a']\ntrend = 'decreasing'\ntext = 'c falls with a'"
         further("inequality", "c < b < 2 a", "proved", "acceleration increments"),
         ("inequality", "b < c", "refuted", ""),
         ("inequality", "b < a", "conditional", "acceleration increments"),
-        ("monotone", INCREASING, "proved", "any of"),
+        further("monotone", INCREASING, "proved", "any of"),
         ("monotone", DECREASING, "refuted", ""),
         further("limit", r"\lim_{a \to 0} \frac{a c}{b^2} = \frac{1}{2}", "proved", "any of"),
         ("limit", r"\lim_{a \to 0} \frac{a c}{b^2} = \frac{1}{3}", "refuted", ""),

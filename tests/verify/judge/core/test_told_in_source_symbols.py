@@ -116,7 +116,7 @@ def number_in(text: str) -> float:
     ("kind", "latex", "domain"),
     [
         ("inequality", r"a < \frac{3}{4}", "for 0 < q < 81/100"),
-        ("inequality", r"a \geq \frac{3}{4}", "for q >= 81/100"),
+        further("inequality", r"a \geq \frac{3}{4}", "for q >= 81/100"),
         ("inequality", r"(a - \frac{3}{4})^2 > 0", "for 0 < q < 81/100 or q > 81/100"),
         ("inequality", r"a + b > 0", "for q > 0"),
     ],

@@ -52,7 +52,7 @@ REPAIRS = [
     ),
     (r"A R A = Q", "identity", "", None),
     further(r"B C = C B", "identity", "", None),
-    (r"B = 2 B", "identity", "", None),
+    further(r"B = 2 B", "identity", "", None),
 ]
 
 
