@@ -46,10 +46,10 @@ class Texts(Known):
 
 
 def cheap() -> ClaimFile:
-    """Twenty claims, every third of them false, so that repairs are looked for."""
+    """Twelve claims, every third of them false, so that repairs are looked for."""
     claims = [
         ("identity", rf"(x + {n}y)^2 = x^2 + {2 * n + (n % 3 == 0)} xy + {n * n} y^2")
-        for n in range(1, 21)
+        for n in range(1, 13)
     ]
     return claim_file(algebra(NUMBERS), claims)
 
@@ -180,7 +180,7 @@ def test_a_run_that_is_broken_off_loses_no_claim_that_was_judged(
     right: dict[str, dict[str, Any]],
 ) -> None:
     known, wanted = Texts(), cheap()
-    for ended in (7, 12):
+    for ended in (4, 7):
 
         def break_off(done: int, _: int, most: int = ended) -> None:
             if done == most:
@@ -192,8 +192,8 @@ def test_a_run_that_is_broken_off_loses_no_claim_that_was_judged(
     with Workers([], 60.0, 1, known) as workers:
         assert told(judge_file(wanted, [], workers=workers)) == right
         repairs = sum(verdict["verdict"] == "refuted" for verdict in right.values())
-        assert workers.taken == 12
-        assert workers.judged == 8 + repairs
+        assert workers.taken == 7
+        assert workers.judged == 5 + repairs
 
 
 def test_an_edit_of_one_claim_judges_that_claim_and_what_looks_at_it() -> None:
@@ -207,7 +207,7 @@ def test_an_edit_of_one_claim_judges_that_claim_and_what_looks_at_it() -> None:
             judge_file(file, [], workers=workers)
         if number is not None:
             # and the repairs, which look at the other claims of the setting
-            assert trials[:20].count("new") == number
+            assert trials[:12].count("new") == number
 
 
 def _noting(workers: Workers, trials: list[str]) -> Callable[..., dict[str, Trial]]:
