@@ -14,7 +14,7 @@ from gainproof.verify.judge.cells.question import CellQuestion
     "seed", [0, *(pytest.param(seed, marks=pytest.mark.thorough) for seed in (1, 2))]
 )
 def test_no_disagreement(seed: int) -> None:
-    wrong, verdicts = disagreements(seed, samples(20))
+    wrong, verdicts = disagreements(seed, samples(40))
     assert not wrong
     assert min(verdicts[v] for v in ("proved", "refuted", "conditional")) > 3
 
