@@ -61,7 +61,7 @@ def places(argument: str, low: float, high: float) -> st.SearchStrategy[float]:
 
 
 @pytest.mark.parametrize(("family", "argument", "dtype"), CASES)
-@settings(max_examples=samples(5), deadline=None)
+@settings(max_examples=samples(3), deadline=None)
 @given(data=st.data())
 def test_error_is_within_the_stated_bound(
     family: str, argument: str, dtype: str, data: st.DataObject
@@ -79,10 +79,11 @@ def test_error_is_within_the_stated_bound_over_the_whole_domain(
 ) -> None:
     kernels = GROUPS[family, argument]
     low, high = common_domain(kernels, dtype)
-    few = samples(14 if family in SLOWLY_KNOWN else 30)
+    usual = 15 if dtype == "float64" else 30  # of which fewer lie in the range of an output
+    few = samples(10 if family in SLOWLY_KNOWN else usual)
     points = log_uniform(low, high, few, seed=1)
     if argument == "tracking_index":
-        points += log_uniform(1e-6, 1e6, samples(20), seed=2) + SPECIAL
+        points += log_uniform(1e-6, 1e6, samples(10), seed=2) + SPECIAL
     elif argument == "sample_number":
         points = [*map(round, points), *range(int(low), 60)]
     else:

@@ -4,12 +4,14 @@ from __future__ import annotations
 
 import random
 from fractions import Fraction
+from itertools import product
 
 import numpy as np
 import pytest
 import scipy.linalg
 import sympy as sp
 from graph_kernels import balls
+from one_of_each import cases
 from own_models import free_number, own_model
 
 from gainproof.derive.algebra.leading_terms import prime_powers
@@ -43,7 +45,7 @@ def gains_at_one(subject: Subject) -> list[float]:
     return [float(found[name].mid()) for name in ("alpha", "beta")]
 
 
-@pytest.mark.parametrize("count", [1, 2, 4, 10])
+@pytest.mark.parametrize("count", cases([1, 2, 4, 10], lambda count: count == 10))
 def test_models_of_some_decimals_are_proved_and_right(count: int) -> None:
     transition = with_decimals(count, count)
     subject = derive_own_model(own_model(transition, [[0, 0], [0, 1]]))
@@ -56,7 +58,7 @@ def test_models_of_some_decimals_are_proved_and_right(count: int) -> None:
     assert gains_at_one(subject) == pytest.approx((p[:, 0] / (p[0, 0] + 1)).tolist(), rel=1e-8)
 
 
-@pytest.mark.parametrize("count", [30, 200])
+@pytest.mark.parametrize("count", cases([30, 200], lambda count: count == 30))
 def test_numbers_beyond_the_checker_are_told_as_too_long(count: int) -> None:
     subject = derive_own_model(own_model(with_decimals(count, count), [[0, 0], [0, 1]]))
     derived = plain_subject(subject)
@@ -101,9 +103,13 @@ def test_the_root_of_a_number_of_two_large_primes_is_found() -> None:
 R = sp.Symbol("r", real=True)
 
 
-@pytest.mark.parametrize("entry", [1 / R, 2 + 1 / R**2, (1 + R**2) / R**2, 1 / (3 * R) + 1 / R**3])
-@pytest.mark.parametrize("place", ["transition", "noise"])
-def test_quotients_by_a_parameter_below_one_are_proved(entry: sp.Expr, place: str) -> None:
+ENTRIES = [1 / R, 2 + 1 / R**2, (1 + R**2) / R**2, 1 / (3 * R) + 1 / R**3]
+PLACED = list(product(("transition", "noise"), ENTRIES))
+ONE_OF_EACH = (PLACED[1], PLACED[-1])
+
+
+@pytest.mark.parametrize(("place", "entry"), cases(PLACED, lambda case: case in ONE_OF_EACH))
+def test_quotients_by_a_parameter_below_one_are_proved(place: str, entry: sp.Expr) -> None:
     """They are polynomials over the odds of it, which the checker does not find by itself."""
     numbers = (free_number("r", below_one=True),)
     in_transition = place == "transition"
