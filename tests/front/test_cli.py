@@ -184,7 +184,7 @@ def test_a_module_in_the_working_folder_does_no_harm(tmp_path: Path) -> None:
 def test_an_output_that_takes_no_more_is_named() -> None:
     with open("/dev/full", "w") as full:
         done = subprocess.run(
-            [sys.executable, "-m", "gainproof", "list"],
+            [sys.executable, "-m", "gainproof", "campaign"],
             stdout=full,
             stderr=subprocess.PIPE,
             text=True,

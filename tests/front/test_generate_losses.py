@@ -108,6 +108,7 @@ def test_what_is_shown_decides(
     assert true_loss(lower) <= float(shown) <= true_loss(lower) + 0.5
 
 
+@pytest.mark.thorough  # the page itself is run: `test_pages.py`
 def test_what_the_page_says_can_be_done_is_written(
     tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:

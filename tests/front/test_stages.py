@@ -243,7 +243,7 @@ def test_a_package_without_a_file_of_its_own_is_forgotten(tmp_path: Path) -> Non
 
 def test_two_own_files_with_modules_of_one_name(tmp_path: Path) -> None:
     """A process that derived the first takes the module beside the second for it."""
-    session = _shop(tmp_path)
+    cache = str(tmp_path / "cache")
     found = []
     for number in (3, 5):
         folder = tmp_path / str(number)
@@ -251,7 +251,7 @@ def test_two_own_files_with_modules_of_one_name(tmp_path: Path) -> None:
         (folder / "factors.py").write_text(f"FACTOR = {number}\n")
         text = OWN.format(imports="from factors import FACTOR", factor="FACTOR")
         (folder / "own.py").write_text(text)
-        found.append(str(derivations.derive_file(folder / "own.py", session).programs))
+        found.append(own_file.derive_file(str(folder / "own.py"), cache)["programs"])
     assert found[0] != found[1]
 
 

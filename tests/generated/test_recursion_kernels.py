@@ -68,7 +68,7 @@ def of_update(new: Any) -> dict[str, Fraction]:
 
 @pytest.mark.parametrize("dtype", DTYPES)
 @pytest.mark.parametrize("name", NOISES)
-@settings(max_examples=samples(10), deadline=None)
+@settings(max_examples=samples(5), deadline=None)
 @given(SIZE, SHEAR, SIZE, SHEAR, SIZE, SIZE)
 def test_one_step(
     name: str, dtype: str, d1: float, u: float, d2: float, t: float, q: float, r: float
@@ -88,7 +88,7 @@ def test_one_step(
 
 
 @pytest.mark.parametrize("dtype", DTYPES)
-@settings(max_examples=samples(20), deadline=None)
+@settings(max_examples=samples(10), deadline=None)
 @given(SIZE, SHEAR, SIZE, SIZE)
 def test_update_and_gains(dtype: str, d1: float, u: float, d2: float, r: float) -> None:
     kind = np.dtype(dtype).type
@@ -104,7 +104,7 @@ def test_update_and_gains(dtype: str, d1: float, u: float, d2: float, r: float) 
 
 @pytest.mark.parametrize("dtype", DTYPES)
 @pytest.mark.parametrize("name", NOISES)
-@settings(max_examples=samples(10), deadline=None)
+@settings(max_examples=samples(5), deadline=None)
 @given(SHEAR.filter(bool), SIZE, SIZE)
 def test_start(name: str, dtype: str, t: float, q: float, r: float) -> None:
     """Two positions and a velocity of which nothing is known: the limit, by elimination."""

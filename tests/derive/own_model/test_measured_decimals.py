@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+import copy
 import random
 from fractions import Fraction
+from functools import cache
 from itertools import product
 
 import numpy as np
@@ -19,6 +21,7 @@ from gainproof.derive.any_two_state import printed
 from gainproof.derive.own_model.choice import derive_own_model
 from gainproof.derive.steady_state.towers import surd
 from gainproof.derive.subject import Subject
+from gainproof.subjects.derived import Derived
 from gainproof.subjects.deriving import plain_subject
 from gainproof.subjects.rechecking import expected_of, recheck
 
@@ -45,6 +48,12 @@ def gains_at_one(subject: Subject) -> list[float]:
     return [float(found[name].mid()) for name in ("alpha", "beta")]
 
 
+@cache
+def of_decimals(count: int) -> Derived:
+    """Derived once; nobody changes it."""
+    return plain_subject(derive_own_model(own_model(with_decimals(count, count), [[0, 0], [0, 1]])))
+
+
 @pytest.mark.parametrize("count", cases([1, 2, 4, 10], lambda count: count == 10))
 def test_models_of_some_decimals_are_proved_and_right(count: int) -> None:
     transition = with_decimals(count, count)
@@ -60,8 +69,7 @@ def test_models_of_some_decimals_are_proved_and_right(count: int) -> None:
 
 @pytest.mark.parametrize("count", cases([30, 200], lambda count: count == 30))
 def test_numbers_beyond_the_checker_are_told_as_too_long(count: int) -> None:
-    subject = derive_own_model(own_model(with_decimals(count, count), [[0, 0], [0, 1]]))
-    derived = plain_subject(subject)
+    derived = of_decimals(count)
     report = recheck(derived.certificate, expected_of(derived))
     assert not report["accepted"]
     assert report["given_up"]
@@ -70,10 +78,10 @@ def test_numbers_beyond_the_checker_are_told_as_too_long(count: int) -> None:
 
 
 def test_what_is_too_long_and_wrong_besides_is_told_as_wrong() -> None:
-    subject = derive_own_model(own_model(with_decimals(30, 30), [[0, 0], [0, 1]]))
-    derived = plain_subject(subject)
-    derived.certificate["statements"][-1]["claim"] = {}
-    report = recheck(derived.certificate, expected_of(derived))
+    derived = of_decimals(30)
+    certificate = copy.deepcopy(derived.certificate)
+    certificate["statements"][-1]["claim"] = {}
+    report = recheck(certificate, expected_of(derived))
     assert {"given up", "rejected"} <= {entry["status"] for entry in report["statements"]}
     assert not report["accepted"]
     assert not report["given_up"]
