@@ -6,7 +6,7 @@ from collections.abc import Callable, Sequence
 from pathlib import Path
 
 import pytest
-from browser import needs_browser, opened, serious_findings
+from browser import needs_browser, of_changed_pages, opened, serious_findings
 from page_faults import KEPT, empty_alike, page_faults
 
 from gainproof.bad_input import BadInputError
@@ -161,6 +161,7 @@ def test_nothing_is_loaded_from_elsewhere(files: dict[str, bytes]) -> None:
 
 
 @needs_browser
+@of_changed_pages
 @pytest.mark.parametrize(
     "findings",
     [
@@ -183,6 +184,7 @@ def test_a_page_of_each_kind_is_without_fault(
 
 
 @needs_browser
+@of_changed_pages
 def test_faults_of_a_page_are_found(files: dict[str, bytes], tmp_path: Path) -> None:
     folder = tmp_path / "book"
     site.write(files, folder)
@@ -202,6 +204,7 @@ def test_faults_of_a_page_are_found(files: dict[str, bytes], tmp_path: Path) -> 
 
 
 @needs_browser
+@of_changed_pages
 def test_a_formula_of_another_colour_is_seen_after_many(tmp_path: Path) -> None:
     """Of formulas that look alike the first are seen, and each that does not."""
     formula = "<math><mi>sin</mi><mo>+</mo><mi>y</mi></math>"
@@ -222,6 +225,7 @@ def test_a_formula_of_another_colour_is_seen_after_many(tmp_path: Path) -> None:
 
 
 @needs_browser
+@of_changed_pages
 def test_the_search_finds(files: dict[str, bytes], tmp_path: Path) -> None:
     """From the field of any page: the form leads to the page that searches."""
     folder = tmp_path / "book"
