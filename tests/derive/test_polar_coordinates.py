@@ -166,7 +166,7 @@ KERNELS = sorted(graphs())
 
 
 @pytest.mark.parametrize("step", [27, pytest.param(1, marks=pytest.mark.thorough)])
-@pytest.mark.parametrize("name", KERNELS)
+@pytest.mark.parametrize("name", cases(KERNELS, KERNELS[::2].__contains__))
 def test_an_altered_node_of_a_kernel_is_noticed(name: str, step: int, original: Plain) -> None:
     """Each sum turned into a product, each product into a sum, quotients turned round, signs
     dropped: one at a time. Whatever can still be read is refused.

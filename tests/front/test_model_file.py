@@ -72,6 +72,7 @@ def file(folder: Path) -> Path:
     return path
 
 
+@pytest.mark.thorough  # by default that of the README is: `test_readme.py`
 def test_own_model_is_derived_and_proved(file: Path, capsys: Capture) -> None:
     assert cli.main(["derive", str(file), "--steps"]) == 0
     text = capsys.readouterr().out
@@ -111,7 +112,10 @@ def test_each_mistake_is_bad_input_and_names_the_file(text: str, message: str, f
     ("text", "message"),
     [
         ("raise SystemExit(0)\n", "SystemExit"),
-        (MODEL.replace("[[1, 0]]", "[[2, 0]]"), "the first state is to be measured"),
+        pytest.param(
+            *(MODEL.replace("[[1, 0]]", "[[2, 0]]"), "the first state is to be measured"),
+            marks=pytest.mark.thorough,
+        ),
     ],
 )
 def test_a_mistake_has_status_2_and_one_line(

@@ -54,7 +54,9 @@ of_changed_pages = (
     if unchanged(Path(__file__).parents[2])
     else pytest.mark.skipif(False, reason="asked by default too")
 )
-"""Thorough runs always open pages in a browser, default ones where something of them changed."""
+"""Of tests of pages that take seconds: thorough runs have them always, default ones where something
+of pages changed.
+"""
 
 
 @contextmanager
