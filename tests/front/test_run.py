@@ -62,9 +62,7 @@ class House:
 
 
 @pytest.fixture
-def house(
-    all_derived: None, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: Capture
-) -> House:
+def house(tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: Capture) -> House:
     # paths from here are the same in every test, so that what was judged for one is known to all
     monkeypatch.chdir(tmp_path)
     session = open_session(quiet=True)
