@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import importlib
 import importlib.util
+import runpy
 import shutil
-import subprocess
 from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
@@ -14,12 +14,6 @@ from typing import Any
 import pytest
 
 NAMES = ("chromium", "chromium-browser", "google-chrome")
-PAGES = (
-    *("src/gainproof/book", "src/gainproof/pages", "src/gainproof/plots", "docs", "tests/book"),
-    "derive/printer/javascript",
-    *(f"tests/support/{name}.py" for name in ("browser", "page_faults", "play_page")),
-)
-"""Where what is seen in a browser is written, made and tested."""
 CHROMIUM = next((found for name in NAMES if (found := shutil.which(name))), None)
 
 
@@ -35,24 +29,12 @@ def missing() -> str:
 needs_browser = pytest.mark.skipif(bool(missing()), reason=missing() or "all is there")
 
 
-def unchanged(root: Path) -> bool:
-    """Whether pages, what makes them and what tests them are those of the commit before HEAD. Where
-    git cannot tell they are not.
-    """
-    git = shutil.which("git")
-    if git is None:
-        return False
-    kept = [git, "-C", str(root), "diff", "--quiet", "HEAD^", "--", *PAGES]
-    new = [git, "-C", str(root), "ls-files", "--others", "--exclude-standard", "--", *PAGES]
-    if subprocess.run(kept, capture_output=True, check=False).returncode != 0:
-        return False
-    return not subprocess.run(new, capture_output=True, check=False).stdout
-
-
+CHANGED = runpy.run_path(str(Path(__file__).parents[2] / ".ci" / "changed.py"))
+"""What `.ci/run` knows of changes too."""
 of_changed_pages = (
-    pytest.mark.thorough
-    if unchanged(Path(__file__).parents[2])
-    else pytest.mark.skipif(False, reason="asked by default too")
+    pytest.mark.skipif(False, reason="asked by default too")
+    if CHANGED["pages_changed"](CHANGED["changed_files"]())
+    else pytest.mark.thorough
 )
 """Of tests of pages that take seconds: thorough runs have them always, default ones where something
 of pages changed.
