@@ -16,6 +16,7 @@ from lecture_judged import lecture_claims
 
 from gainproof.jobs import workers
 from gainproof.jobs.cache import FOLDER_VARIABLE
+from gainproof.pages import citing
 from gainproof.verify.judge.claim import file
 
 AS_ASKED = sys.dont_write_bytecode
@@ -75,7 +76,9 @@ def shared_cache(tmp_path_factory: pytest.TempPathFactory) -> Iterator[None]:
         # the tests themselves take all processors; what asks for several processes names them
         changed.setattr(workers, "processors", lambda: 1)
         # pages and lists read all claim files, which takes a second; it depends on the text alone
-        changed.setattr(file, "read_claim_text", cache(file.read_claim_text))
+        read_once = cache(file.read_claim_text)
+        changed.setattr(file, "read_claim_text", read_once)
+        changed.setattr(citing, "read_claim_text", read_once)
         keeper = kept_processes.Keeper()
         changed.setattr(workers, "Process", keeper.process())
         yield

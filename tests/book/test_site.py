@@ -6,7 +6,7 @@ from collections.abc import Callable, Sequence
 from pathlib import Path
 
 import pytest
-from browser import needs_browser, opened, serious_findings
+from browser import needs_browser, of_changed_pages, opened, serious_findings
 from page_faults import KEPT, empty_alike, page_faults
 
 from gainproof.bad_input import BadInputError
@@ -161,6 +161,7 @@ def test_nothing_is_loaded_from_elsewhere(files: dict[str, bytes]) -> None:
 
 
 @needs_browser
+@of_changed_pages
 @pytest.mark.parametrize(
     "findings",
     [
@@ -183,6 +184,7 @@ def test_a_page_of_each_kind_is_without_fault(
 
 
 @needs_browser
+@of_changed_pages
 def test_faults_of_a_page_are_found(files: dict[str, bytes], tmp_path: Path) -> None:
     folder = tmp_path / "book"
     site.write(files, folder)
@@ -202,26 +204,28 @@ def test_faults_of_a_page_are_found(files: dict[str, bytes], tmp_path: Path) -> 
 
 
 @needs_browser
+@of_changed_pages
 def test_a_formula_of_another_colour_is_seen_after_many(tmp_path: Path) -> None:
     """Of formulas that look alike the first are seen, and each that does not."""
     formula = "<math><mi>sin</mi><mo>+</mo><mi>y</mi></math>"
     page = tmp_path / "page.html"
-    for style, faults in (("color: #222", 0), ("color: #ccc", 2)):
-        page.write_text(
-            '<!doctype html><html lang="en"><head><title>t</title></head><body><main><h1>h</h1>'
-            f'<p style="background: #fff; color: #000">{formula * 9} and</p>'
-            f'<p style="background: #fff; {style}">{formula}</p></main></body></html>',
-            encoding="utf-8",
-        )
-        with opened() as browser:
+    with opened() as browser:
+        for style, faults in (("color: #222", 0), ("color: #ccc", 2)):
+            page.write_text(
+                '<!doctype html><html lang="en"><head><title>t</title></head><body><main><h1>h</h1>'
+                f'<p style="background: #fff; color: #000">{formula * 9} and</p>'
+                f'<p style="background: #fff; {style}">{formula}</p></main></body></html>',
+                encoding="utf-8",
+            )
             ((_, found),) = page_faults(browser, [page])
             tab = browser.new_page()
             tab.goto(page.as_uri())
             assert empty_alike(tab) == 9 - KEPT
-        assert len([each for each in found if "color-contrast" in each]) == faults, found
+            assert len([each for each in found if "color-contrast" in each]) == faults, found
 
 
 @needs_browser
+@of_changed_pages
 def test_the_search_finds(files: dict[str, bytes], tmp_path: Path) -> None:
     """From the field of any page: the form leads to the page that searches."""
     folder = tmp_path / "book"

@@ -6,8 +6,9 @@ from typing import Any
 
 import pytest
 import sympy as sp
-from hypothesis import given
+from hypothesis import given, settings
 from hypothesis import strategies as st
+from samples import samples
 from sympy.polys.rings import PolyRing
 
 from gainproof.derive.algebra.common_factor import without_common_factor
@@ -22,6 +23,7 @@ polynomials = st.dictionaries(powers, coefficients.filter(bool), min_size=1, max
 )
 
 
+@settings(max_examples=samples(30))
 @given(polynomials, polynomials, polynomials)
 def test_fraction_is_as_short_as_sympy_writes_it(num: Any, den: Any, factor: Any) -> None:
     found = without_common_factor(num * factor, den * factor)

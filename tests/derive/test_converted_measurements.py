@@ -10,6 +10,7 @@ from typing import Any
 import pytest
 import sympy as sp
 from catalogue_subjects import certificate, subject
+from one_of_each import cases
 
 from gainproof.derive.algebra.positive import NoPlainSign
 from gainproof.derive.derivation import Step
@@ -61,7 +62,7 @@ KERNELS = sorted(graphs() | space_graphs())
 
 
 @pytest.mark.parametrize("step", [29, pytest.param(1, marks=pytest.mark.thorough)])
-@pytest.mark.parametrize("name", KERNELS)
+@pytest.mark.parametrize("name", cases(KERNELS, KERNELS[::2].__contains__))
 def test_an_altered_node_of_a_kernel_is_noticed(name: str, step: int, original: Plain) -> None:
     """Each sum turned into a product, each product into a sum, quotients turned round, signs
     dropped: one at a time.

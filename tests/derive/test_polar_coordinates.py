@@ -9,6 +9,7 @@ from typing import Any
 
 import pytest
 from catalogue_subjects import certificate
+from one_of_each import cases
 
 from gainproof.derive.sensors import polar_forms
 from gainproof.derive.sensors.polar_forms import Direction
@@ -103,32 +104,32 @@ def claimed(data: Plain, name: str) -> Plain:
     return claim
 
 
-@pytest.mark.parametrize(
-    "name",
-    [
-        "elevation-slopes",
-        "bearing-slopes",
-        "jacobian",
-        "determinant",
-        "inverse-jacobian",
-        "covariance",
-        "axes",
-        "mean",
-        "bias",
-        "curvature",
-        "rates",
-        "range-acceleration",
-        "angle-accelerations",
-        "second-rates",
-        "uniform",
-        "turning-along",
-        "third",
-        "closed-form",
-        "plane-covariance",
-        "plane-uniform-x",
-        "course-rates",
-    ],
+SIGNED = (
+    "elevation-slopes",
+    "bearing-slopes",
+    "jacobian",
+    "determinant",
+    "inverse-jacobian",
+    "covariance",
+    "axes",
+    "mean",
+    "bias",
+    "curvature",
+    "rates",
+    "range-acceleration",
+    "angle-accelerations",
+    "second-rates",
+    "uniform",
+    "turning-along",
+    "third",
+    "closed-form",
+    "plane-covariance",
+    "plane-uniform-x",
+    "course-rates",
 )
+
+
+@pytest.mark.parametrize("name", cases(SIGNED, SIGNED[::3].__contains__))
 def test_an_altered_sign_is_noticed(name: str, original: Plain, document: Document) -> None:
     """The right side with its sign turned, or 1 where it is 0."""
     data = copy.deepcopy(original)
@@ -164,8 +165,8 @@ def decided(document: Document, number: int, data: Plain) -> str:
 KERNELS = sorted(graphs())
 
 
-@pytest.mark.parametrize("step", [9, pytest.param(1, marks=pytest.mark.thorough)])
-@pytest.mark.parametrize("name", KERNELS)
+@pytest.mark.parametrize("step", [27, pytest.param(1, marks=pytest.mark.thorough)])
+@pytest.mark.parametrize("name", cases(KERNELS, KERNELS[::2].__contains__))
 def test_an_altered_node_of_a_kernel_is_noticed(name: str, step: int, original: Plain) -> None:
     """Each sum turned into a product, each product into a sum, quotients turned round, signs
     dropped: one at a time. Whatever can still be read is refused.

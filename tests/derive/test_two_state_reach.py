@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 from fractions import Fraction
+from itertools import product
 
 import pytest
+from one_of_each import cases
 
 from gainproof.derive.printer.bound import prove
 from gainproof.derive.printer.formats import FLOAT32, FLOAT64, Format
@@ -15,11 +17,17 @@ from gainproof.derive.steady_state.module import INDEX_KERNELS
 HALF = Fraction(1, 2)
 
 
-@pytest.mark.parametrize("form", [FLOAT64, FLOAT32], ids=lambda form: form.name)
+RATIOS = product((Fraction(0), HALF), (Fraction(0), Fraction(1, 1000), Fraction(2, 3), Fraction(1)))
+
+
 @pytest.mark.parametrize(
-    "e", [Fraction(0), Fraction(1, 1000), Fraction(2, 3), Fraction(1)], ids=str
+    ("n", "e", "form"),
+    cases(
+        [(*ratios, form) for ratios in RATIOS for form in (FLOAT64, FLOAT32)],
+        lambda case: case[2] is FLOAT64 or case[:2] == (HALF, Fraction(2, 3)),
+    ),
+    ids=lambda given_: getattr(given_, "name", str(given_)),
 )
-@pytest.mark.parametrize("n", [Fraction(0), HALF], ids=str)
 def test_kernels_have_bounds(e: Fraction, n: Fraction, form: Format) -> None:
     """Noise ratios at the ends, next to one and between: gains and derivatives keep the limits."""
     for name, most in (

@@ -46,7 +46,7 @@ def test_what_holds_is_taken_and_is_the_same() -> None:
 @pytest.mark.parametrize(
     "name",
     [
-        "random-velocity",
+        "random-acceleration",
         *(pytest.param(each, marks=pytest.mark.thorough) for each in catalogue()),
     ],
 )

@@ -14,7 +14,6 @@ from gainproof.files import places
 from gainproof.jobs.cache import default_folder
 
 Capture = pytest.CaptureFixture[str]
-pytestmark = pytest.mark.usefixtures("all_derived")
 
 HEAD = r"""
 format = "gainproof claims 1"

@@ -184,7 +184,7 @@ def test_a_module_in_the_working_folder_does_no_harm(tmp_path: Path) -> None:
 def test_an_output_that_takes_no_more_is_named() -> None:
     with open("/dev/full", "w") as full:
         done = subprocess.run(
-            [sys.executable, "-m", "gainproof", "list"],
+            [sys.executable, "-m", "gainproof", "campaign"],
             stdout=full,
             stderr=subprocess.PIPE,
             text=True,
@@ -212,7 +212,9 @@ def test_a_reader_that_stops_early_is_no_error() -> None:
 
 
 @pytest.mark.skipif(os.name != "posix", reason="signals of POSIX systems")
-@pytest.mark.parametrize("number", [signal.SIGINT, signal.SIGTERM])
+@pytest.mark.parametrize(
+    "number", [signal.SIGINT, pytest.param(signal.SIGTERM, marks=pytest.mark.thorough)]
+)
 def test_an_interrupted_run_leaves_no_half_written_file(
     number: signal.Signals, tmp_path: Path
 ) -> None:

@@ -55,13 +55,25 @@ def libraries(package: Path) -> list[Path]:
 
 
 @pytest.fixture(scope="module")
-def in_c(written: Path, tmp_path_factory: pytest.TempPathFactory) -> Iterator[ModuleType]:
-    """The module of a package that is compiled."""
+def once_compiled(written: Path, tmp_path_factory: pytest.TempPathFactory) -> Path:
     package = Path(shutil.copytree(written, tmp_path_factory.mktemp("compiled") / PACKAGE))
     done = run(package, f"{PACKAGE}.compile")
     assert done.returncode == 0, done.stderr
     assert "the same bits" in done.stdout
     assert len(libraries(package)) == 1
+    return package
+
+
+@pytest.fixture
+def compiled(once_compiled: Path, tmp_path: Path) -> Path:
+    """A copy to do harm to."""
+    return Path(shutil.copytree(once_compiled, tmp_path / PACKAGE))
+
+
+@pytest.fixture(scope="module")
+def in_c(once_compiled: Path) -> Iterator[ModuleType]:
+    """The module of a package that is compiled."""
+    package = once_compiled
     sys.path.insert(0, str(package.parent))
     yield importlib.import_module(f"{PACKAGE}.{MODULE}")
     sys.path.remove(str(package.parent))
@@ -175,8 +187,8 @@ def test_double_words_are_never_computed_by_the_plain_function() -> None:
     assert _found(accurate.block, accurate.name, accurate.work) is None
 
 
-def test_a_library_that_is_not_as_numpy_is_not_used(package: Path) -> None:
-    assert run(package, f"{PACKAGE}.compile").returncode == 0
+def test_a_library_that_is_not_as_numpy_is_not_used(compiled: Path) -> None:
+    package = compiled
     before = libraries(package)
     source = package / "c" / f"{MODULE}.c"
     text = source.read_text(encoding="utf-8")
@@ -245,8 +257,8 @@ def test_what_the_compiler_says_is_told(package: Path) -> None:
     assert libraries(package) == []
 
 
-def test_a_library_that_cannot_be_loaded_is_told_and_numpy_computes(package: Path) -> None:
-    assert run(package, f"{PACKAGE}.compile").returncode == 0
+def test_a_library_that_cannot_be_loaded_is_told_and_numpy_computes(compiled: Path) -> None:
+    package = compiled
     (library,) = libraries(package)
     library.write_bytes(b"no library")
     kernel = KERNELS[0]
@@ -260,8 +272,8 @@ def test_a_library_that_cannot_be_loaded_is_told_and_numpy_computes(package: Pat
     assert done.stdout.strip() == str(tuple(map(float, want)))
 
 
-def test_a_run_of_generate_leaves_libraries_alone(package: Path) -> None:
-    assert run(package, f"{PACKAGE}.compile").returncode == 0
+def test_a_run_of_generate_leaves_libraries_alone(compiled: Path) -> None:
+    package = compiled
     before = libraries(package)
     options = ["generate", SUBJECT, "--out", str(package), "--target", "c"]
     assert cli.main([*options, "--check"]) == 0

@@ -64,7 +64,7 @@ INNER = st.one_of(
 """Shares of what a border allows: anywhere, next to it, next to 0."""
 
 
-@settings(max_examples=samples(60), deadline=None)
+@settings(max_examples=samples(30), deadline=None)
 @given(INNER, INNER, INNER)
 def test_the_whole_region_up_to_its_borders(first: float, second: float, third: float) -> None:
     """Gains are floats; the border they are near to is decided by them, not by the shares."""

@@ -24,7 +24,7 @@ NUMBER = st.tuples(SIZE, st.sampled_from([-1.0, 1.0])).map(lambda pair: pair[0] 
     "operation",
     [lambda a, b: a + b, lambda a, b: a - b, lambda a, b: a * b, lambda a, b: (a + b) * (a - b)],
 )
-@settings(max_examples=samples(60), deadline=None)
+@settings(max_examples=samples(30), deadline=None)
 @given(NUMBER, NUMBER, NUMBER, NUMBER)
 def test_operations(
     operation: Callable[[Any, Any], Any], a: float, b: float, c: float, d: float
@@ -51,7 +51,7 @@ def test_sides_with_numbers() -> None:
             assert abs(Fraction(float(high)) + Fraction(float(low)) - wanted) <= wanted / 2**100
 
 
-@settings(max_examples=samples(60), deadline=None)
+@settings(max_examples=samples(30), deadline=None)
 @given(st.floats(1e-6, 1.999), st.floats(1e-6, 0.999), st.floats(-60.0, -1.0))
 def test_gaps_of_all_sizes(alpha: float, share: float, near: float) -> None:
     """Within 4 * 2^-52 of themselves, among numbers that are computed in other ways."""

@@ -7,6 +7,7 @@ from itertools import combinations
 from typing import Any
 
 import pytest
+from one_of_each import cases
 
 from gainproof.figures.catalogue import CATALOGUE
 from gainproof.figures.entry import Entry
@@ -56,7 +57,9 @@ def overlapping(words: list[tuple[str, Any]]) -> list[tuple[str, str]]:
     ]
 
 
-@pytest.mark.parametrize("entry", LECTURE, ids=[entry.name for entry in LECTURE])
+@pytest.mark.parametrize(
+    "entry", cases(LECTURE, LECTURE[::3].__contains__), ids=[entry.name for entry in LECTURE]
+)
 def test_words_lie_on_the_sheet_and_not_on_one_another(entry: Entry) -> None:
     table = entry.table()
     words, sheet = words_of(lambda sheet: entry.draw(table, sheet), entry.size)

@@ -17,7 +17,6 @@ Capture = pytest.CaptureFixture[str]
 TEX = r"\begin{equation} \beta = \frac{\alpha^2}{2 - \alpha} \end{equation}"
 
 
-@pytest.mark.usefixtures("all_derived")
 def test_the_template_checks_as_it_is(tmp_path: Path, capsys: Capture) -> None:
     path = tmp_path / "my paper's.toml"
     assert cli.main(["check", "--new", str(path)]) == 0

@@ -19,6 +19,7 @@ from typing import Any
 import pytest
 import sympy as sp
 from catalogue_subjects import derived
+from lecture_judged import LECTURE
 
 import gainproof
 from gainproof.bad_input import BadInputError
@@ -154,9 +155,9 @@ def test_where_a_loop_runs_already() -> None:
     assert asyncio.run(asked()).accepted
 
 
-@pytest.mark.usefixtures("all_derived")
+@pytest.mark.usefixtures("lecture_known")
 def test_a_claim_file_is_judged() -> None:
-    found = gainproof.check("suzuki")
+    found = gainproof.check(LECTURE)
     assert len(found) == len(list(found))
     assert "proved" in str(found)
     first = next(iter(found))

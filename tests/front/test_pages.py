@@ -10,6 +10,7 @@ from pathlib import Path
 
 import pytest
 import shown_commands
+from browser import of_changed_pages
 
 DOCS = Path(__file__).resolve().parents[2] / "docs"
 PAGES = sorted(path for path in DOCS.glob("*.md") if "```console" in path.read_text("utf-8"))
@@ -33,7 +34,15 @@ def test_there_is_a_page() -> None:
 
 @pytest.mark.usefixtures("all_derived")
 @pytest.mark.skipif(os.name != "posix", reason="the pages use a POSIX shell")
-@pytest.mark.parametrize("page", PAGES, ids=lambda page: page.name)
+@pytest.mark.parametrize(
+    "page",
+    [
+        # packages of kernels with their tests, in C too: they have tests of their own
+        pytest.param(page, marks=of_changed_pages if page.name == "generate.md" else ())
+        for page in PAGES
+    ],
+    ids=lambda page: page.name,
+)
 def test_page(page: Path, tmp_path: Path) -> None:
     commands = 0
     for language, content in BLOCK.findall(page.read_text("utf-8")):

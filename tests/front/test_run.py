@@ -11,6 +11,7 @@ from typing import Any
 
 import pytest
 from catalogue_subjects import certificate as certificate_of
+from one_of_each import cases
 
 from gainproof import cli
 from gainproof.claims import judgements
@@ -61,9 +62,7 @@ class House:
 
 
 @pytest.fixture
-def house(
-    all_derived: None, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: Capture
-) -> House:
+def house(tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: Capture) -> House:
     # paths from here are the same in every test, so that what was judged for one is known to all
     monkeypatch.chdir(tmp_path)
     session = open_session(quiet=True)
@@ -202,7 +201,7 @@ def test_a_statement_left_out_has_status_1(house: House, capsys: Capture) -> Non
     assert "2 of 3 accepted" in capsys.readouterr().out
 
 
-@pytest.mark.parametrize("content", ["", "{", "[]", "null"])
+@pytest.mark.parametrize("content", cases(["", "{", "[]", "null"], lambda t: t in {"{", "null"}))
 def test_an_unreadable_certificate_has_status_1(content: str, house: House) -> None:
     (house.generated / "random_velocity.json").write_text(content)
     assert house.run() == 1

@@ -13,10 +13,12 @@ from __future__ import annotations
 
 from fractions import Fraction
 from functools import cache
+from itertools import product
 
 import numpy as np
 import pytest
 from numpy.typing import NDArray
+from one_of_each import cases
 
 from gainproof.position_velocity import PROCESS_NOISES, steady_state
 from gainproof.verify.oracles import tracks
@@ -78,8 +80,12 @@ def errors_of(setting: str, process_noise: str) -> NDArray[np.float64]:
     return tracks.prediction_errors(model, gain, samples, TRACKS, seed=1986)
 
 
-@pytest.mark.parametrize("process_noise", sorted(PROCESS_NOISES))
-@pytest.mark.parametrize("setting", sorted(SETTINGS))
+CASES = list(product(sorted(SETTINGS), sorted(PROCESS_NOISES)))
+FIRST, SECOND = CASES[0]
+ONE_OF_EACH = [case for case in CASES if case[0] == FIRST or case[1] == SECOND]
+
+
+@pytest.mark.parametrize(("setting", "process_noise"), cases(CASES, ONE_OF_EACH.__contains__))
 def test_sample_covariance_is_that_of_the_kernels(setting: str, process_noise: str) -> None:
     found = steady_state(*SETTINGS[setting], process_noise)
     assert agrees(errors_of(setting, process_noise), found.predicted)

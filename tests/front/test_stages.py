@@ -1,13 +1,16 @@
 """What is kept of a stage is used as long as all it depends on is the same, and no longer."""
 
+import importlib
 import json
 import subprocess
 import sys
+from collections.abc import Callable
 from fractions import Fraction
 from pathlib import Path
 
 import pytest
 import sympy as sp
+from one_of_each import cases
 
 from gainproof.bad_input import BadInputError
 from gainproof.derive.definition_text import definition_text
@@ -96,47 +99,69 @@ from pathlib import Path
 Path(__file__).with_name("factors.py").write_text("FACTOR = 5")"""
 
 
-@pytest.mark.parametrize(
-    ("imports", "before", "after"),
-    [
-        (MODULE, {"factors.py": "FACTOR = 3"}, {"factors.py": "FACTOR = 5"}),
-        (MODULE, {"factors.py": "FACTOR = 3"}, {"factors/__init__.py": "FACTOR = 5"}),
-        (MODULE, {"factors.py": "FACTOR = 3"}, {"first/factors.py": "FACTOR = 5"}),
-        (EDITED_MEANWHILE, {"factors.py": "FACTOR = 3"}, {}),
-        (OPTIONAL, {}, {"factors.py": "FACTOR = 5"}),
-        (DATA, {"factor.txt": "3"}, {"factor.txt": "5"}),
-        (DATA, {}, {"factor.txt": "5"}),
-        (WORKING_FOLDER, {"factor.txt": "3", "other/factor.txt": "5"}, {}),
-        (VARIABLE, {}, {}),
-        (LISTED, {f"{n}.dat": "" for n in range(3)}, {f"{n}.dat": "" for n in range(5)}),
-        (PROGRAM, {"factor.txt": "3"}, {"factor.txt": "5"}),
-    ],
-    ids=[
-        *("module", "package before a module", "module on the path", "edited meanwhile"),
-        *("module that was not there", "data", "data that were not there"),
-        *("data of the working folder", "variable", "folder", "another program"),
-    ],
-)
+SURROUNDINGS = {
+    "module": (MODULE, {"factors.py": "FACTOR = 3"}, {"factors.py": "FACTOR = 5"}),
+    "package before a module": (
+        *(MODULE, {"factors.py": "FACTOR = 3"}, {"factors/__init__.py": "FACTOR = 5"}),
+    ),
+    "module on the path": (
+        *(MODULE, {"factors.py": "FACTOR = 3"}, {"first/factors.py": "FACTOR = 5"}),
+    ),
+    "edited meanwhile": (EDITED_MEANWHILE, {"factors.py": "FACTOR = 3"}, {}),
+    "module that was not there": (OPTIONAL, {}, {"factors.py": "FACTOR = 5"}),
+    "data": (DATA, {"factor.txt": "3"}, {"factor.txt": "5"}),
+    "data that were not there": (DATA, {}, {"factor.txt": "5"}),
+    "data of the working folder": (
+        WORKING_FOLDER,
+        {"factor.txt": "3", "other/factor.txt": "5"},
+        {},
+    ),
+    "variable": (VARIABLE, {}, {}),
+    "folder": (*(LISTED, {f"{n}.dat": "" for n in range(3)}, {f"{n}.dat": "" for n in range(5)}),),
+    "another program": (PROGRAM, {"factor.txt": "3"}, {"factor.txt": "5"}),
+}
+IN_PROCESSES = cases(SURROUNDINGS, lambda name: name in {"module", "variable"})
+"""A file, which is executed wherever it is, and what only the process knows."""
+
+
+def _changed(
+    name: str, folder: Path, monkeypatch: pytest.MonkeyPatch, derive: Callable[[Path], object]
+) -> None:
+    """What is derived of an own file tells what surrounds it now."""
+    imports, before, after = SURROUNDINGS[name]
+    file = folder / "own.py"
+    file.write_text(OWN.format(imports=imports, factor="FACTOR"))
+    (folder / "other").mkdir()
+    monkeypatch.setenv("PYTHONPATH", str(folder / "first"))
+    monkeypatch.syspath_prepend(folder / "first")
+    found = []
+    for files, factor, place in ((before, "3", "."), (after, "5", "other")):
+        for path, text in files.items():
+            _written(folder / path, text)
+        monkeypatch.setenv("FACTOR", factor)
+        monkeypatch.chdir(folder / place)
+        importlib.invalidate_caches()
+        found.append(str(derive(file)))
+    assert ["5" in each for each in found] == [False, True]
+
+
+@pytest.mark.parametrize("name", SURROUNDINGS)
 def test_what_an_own_file_makes_of_its_surroundings_belongs_to_it(
-    imports: str,
-    before: dict[str, str],
-    after: dict[str, str],
-    tmp_path: Path,
-    monkeypatch: pytest.MonkeyPatch,
+    name: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     """The old proof was shown, and the old kernel printed, after an imported file had changed."""
-    file = tmp_path / "own.py"
-    file.write_text(OWN.format(imports=imports, factor="FACTOR"))
-    (tmp_path / "other").mkdir()
-    monkeypatch.setenv("PYTHONPATH", str(tmp_path / "first"))
-    found = []
-    for files, factor, folder in ((before, "3", "."), (after, "5", "other")):
-        for name, text in files.items():
-            _written(tmp_path / name, text)
-        monkeypatch.setenv("FACTOR", factor)
-        monkeypatch.chdir(tmp_path / folder)
-        found.append(str(derivations.derive_file(file, _shop(tmp_path)).programs))
-    assert ["5" in each for each in found] == [False, True]
+    cache = str(tmp_path / "cache")
+    _changed(name, tmp_path, monkeypatch, lambda f: own_file.derive_file(str(f), cache)["programs"])
+
+
+@pytest.mark.parametrize("name", IN_PROCESSES)
+def test_surroundings_belong_to_a_file_whose_process_derives_it(
+    name: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def derive(file: Path) -> object:
+        return derivations.derive_file(file, _shop(tmp_path)).programs
+
+    _changed(name, tmp_path, monkeypatch, derive)
 
 
 @pytest.mark.parametrize(
@@ -218,7 +243,7 @@ def test_a_package_without_a_file_of_its_own_is_forgotten(tmp_path: Path) -> Non
 
 def test_two_own_files_with_modules_of_one_name(tmp_path: Path) -> None:
     """A process that derived the first takes the module beside the second for it."""
-    session = _shop(tmp_path)
+    cache = str(tmp_path / "cache")
     found = []
     for number in (3, 5):
         folder = tmp_path / str(number)
@@ -226,37 +251,36 @@ def test_two_own_files_with_modules_of_one_name(tmp_path: Path) -> None:
         (folder / "factors.py").write_text(f"FACTOR = {number}\n")
         text = OWN.format(imports="from factors import FACTOR", factor="FACTOR")
         (folder / "own.py").write_text(text)
-        found.append(str(derivations.derive_file(folder / "own.py", session).programs))
+        found.append(own_file.derive_file(str(folder / "own.py"), cache)["programs"])
     assert found[0] != found[1]
 
 
-@pytest.mark.parametrize(
-    "arguments",
-    [
-        ["list"],
-        ["cite", "random-velocity"],
-        ["check", "FILE"],
-        ["explain", "FILE", "square"],
-        ["design", "--tracking-index", "1"],
-    ],
-    ids=lambda arguments: arguments[0],
-)
-def test_commands_that_derive_nothing_import_no_computer_algebra(
-    arguments: list[str], tmp_path: Path
-) -> None:
+def test_commands_that_derive_nothing_import_no_computer_algebra(tmp_path: Path) -> None:
     """Not in any of their processes: where they look for it, there is a module that raises."""
     (tmp_path / "sympy.py").write_text("raise ImportError('computer algebra is not wanted here')")
     claims = tmp_path / "own.toml"
     claims.write_text(CLAIM)
-    words = [str(claims) if word == "FILE" else word for word in arguments]
+    commands = [
+        ["list"],
+        ["cite", "random-velocity"],
+        ["check", str(claims)],
+        ["explain", str(claims), "square"],
+        ["design", "--tracking-index", "1"],
+    ]
+    script = (
+        "import sys; from functools import cache; from gainproof import cli;"
+        "from gainproof.verify.judge.claim import file;"
+        "file.read_claim_text = cache(file.read_claim_text);"
+        f"sys.exit(str([cli.main(each) for each in {commands}]))"
+    )
     run = subprocess.run(
-        [sys.executable, "-m", "gainproof", *words],
+        [sys.executable, "-c", script],
         env={"PYTHONPATH": str(tmp_path), "GAINPROOF_CACHE": str(tmp_path / "cache")},
         capture_output=True,
         text=True,
         check=False,
     )
-    assert run.returncode == 0, run.stderr
+    assert run.stderr.splitlines()[-1] == str([0] * len(commands)), run.stderr
 
 
 def _shop(folder: Path) -> Session:

@@ -58,7 +58,7 @@ def largest_error(found: SteadyState, truth: Any) -> Fraction:
 
 
 @pytest.mark.parametrize("process_noise", sorted(PROCESS_NOISES))
-@settings(max_examples=samples(8), deadline=None)
+@settings(max_examples=samples(4), deadline=None)
 @given(arguments=st.tuples(DEVIATION, DEVIATION, DEVIATION, DEVIATION))
 def test_entries_are_those_of_the_riccati_equation_in_units(
     process_noise: str, arguments: tuple[float, float, float, float]

@@ -34,7 +34,7 @@ from gainproof.verify.oracles.riccati import closed_loop, predict, update
 from gainproof.verify.oracles.state_space import StateSpace
 
 NAMES = sorted(PROCESS_NOISES)
-EVERY = pytest.mark.parametrize("name", NAMES)
+EVERY = pytest.mark.parametrize("name", cases(NAMES, {NAMES[0], NAMES[-1]}.__contains__))
 SHAPES = {
     "random-velocity": ((0, 0), (0, 1)),
     "random-acceleration": ((Fraction(1, 4), Fraction(1, 2)), (Fraction(1, 2), 1)),
@@ -100,7 +100,7 @@ def test_the_ratio_is_that_of_the_run(name: str, index: float, first: float) -> 
 
 
 @EVERY
-@pytest.mark.parametrize("share", [0.1, 0.01, 1e-6])
+@pytest.mark.parametrize("share", cases([0.1, 0.01, 1e-6], lambda share: share != 0.01))
 def test_samples_to_steady_gains(name: str, share: float) -> None:
     indices = np.array([0.003, 0.05, 1.0, 30.0])
     found = samples_to_steady_gains(indices, share, name)
@@ -135,7 +135,7 @@ def test_a_start_of_ones_own() -> None:
 
 
 @EVERY
-@settings(max_examples=samples(24), deadline=None)
+@settings(max_examples=samples(12), deadline=None)
 @given(st.floats(-7, 6).map(lambda e: 10.0**e))
 def test_hand_over(name: str, index: float) -> None:
     last = int(hand_over_sample(index, name))

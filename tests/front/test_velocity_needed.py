@@ -48,7 +48,7 @@ def ends(index: Reals, covariance: str = "predicted", noise: str = DEFAULT) -> l
 
 @pytest.mark.parametrize("noise", NOISES)
 @pytest.mark.parametrize("covariance", COVARIANCES)
-@settings(max_examples=samples(6), deadline=None)
+@settings(max_examples=samples(3), deadline=None)
 @given(index=st.floats(-6, 6).map(lambda e: 10.0**e), share=SHARES)
 @example(index=10.0**5.5, share=0.5)
 def test_the_answer_is_exact_for_a_wanted_variance_within_the_promise(

@@ -161,7 +161,7 @@ def test_a_file_does_not_change_what_the_next_one_comes_to() -> None:
         (hostile / "number-of-a-tower-of-powers.toml").read_text("utf-8"),
         template("t").replace("filter_gain.2", "filter_gain.1"),
     ]
-    seconds = 3.0
+    seconds = 1.0
 
     def job(text: str) -> Job:
         arguments = {"path": "t", "text": text, "models": [], "seconds": seconds}
@@ -182,7 +182,7 @@ def test_a_file_does_not_change_what_the_next_one_comes_to() -> None:
 
     refused, hung, _, after = asyncio.run(all_in_one())
     assert refused["error"] == "BadInputError"
-    assert "stopped after 3 processor seconds" in hung["result"]["claims"][0]["reason"]
+    assert "stopped after 1 processor seconds" in hung["result"]["claims"][0]["reason"]
     assert verdicts(after["result"]) == verdicts(alone)
 
 

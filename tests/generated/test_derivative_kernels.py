@@ -62,7 +62,7 @@ def derivative_kernels(family: str) -> list[PrintedKernel]:
 @pytest.mark.parametrize(
     "family", cases(sorted(STEADY_STATES), lambda family: family == "continuous_white_acceleration")
 )
-@settings(max_examples=samples(6), deadline=None)
+@settings(max_examples=samples(3), deadline=None)
 @given(exponent=st.floats(-20, 20))
 def test_derivatives_are_those_of_the_run(family: str, exponent: float) -> None:
     index = 10.0**exponent

@@ -56,7 +56,7 @@ def covariances(gains: list[flint.arb]) -> dict[str, flint.arb]:
 
 
 @pytest.mark.parametrize("dtype", DTYPES)
-@settings(max_examples=samples(16), deadline=None)
+@settings(max_examples=samples(8), deadline=None)
 @given(PART, st.one_of(SMALL, st.floats(0.01, 1.99)), PART)
 def test_variances(dtype: str, alpha: float, beta: float, share: float) -> None:
     given_ = rounded(dtype, alpha, beta, share)
@@ -72,7 +72,7 @@ def test_variances(dtype: str, alpha: float, beta: float, share: float) -> None:
 
 
 @pytest.mark.parametrize("dtype", DTYPES)
-@settings(max_examples=samples(16), deadline=None)
+@settings(max_examples=samples(8), deadline=None)
 @given(PLACE, PLACE, PLACE)
 def test_the_whole_region_by_its_coordinates(dtype: str, x: float, d: float, m: float) -> None:
     given_ = rounded(dtype, x, d, m)
@@ -93,7 +93,7 @@ def test_the_whole_region_by_its_coordinates(dtype: str, x: float, d: float, m: 
         assert worst_excess(updated_, dtype, given_, truth) <= 1
 
 
-@settings(max_examples=samples(40), deadline=None)
+@settings(max_examples=samples(20), deadline=None)
 @given(PLACE, PLACE, PLACE)
 def test_all_places_of_the_region_are_stable_and_come_back(x: float, d: float, m: float) -> None:
     gains = [float(gain) for gain in alpha_beta_gamma.gains_of_coordinates(x, d, m)]
@@ -103,7 +103,7 @@ def test_all_places_of_the_region_are_stable_and_come_back(x: float, d: float, m
 
 
 @pytest.mark.parametrize("dtype", cases(DTYPES, lambda dtype: dtype == "float64"))
-@settings(max_examples=samples(8), deadline=None)
+@settings(max_examples=samples(4), deadline=None)
 @given(st.floats(0.2, 0.95), st.floats(0.05, 1.5), st.floats(0.05, 0.9))
 def test_lags_are_those_of_a_run(dtype: str, alpha: float, beta: float, share: float) -> None:
     given_ = rounded(dtype, alpha, beta, share)

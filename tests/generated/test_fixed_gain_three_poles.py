@@ -51,7 +51,7 @@ def truth(gains: list[flint.arb]) -> dict[str, flint.arb]:
 
 
 @pytest.mark.parametrize("dtype", cases(["float64", "float32"], lambda x: x == "float64"))
-@settings(max_examples=samples(40), deadline=None)
+@settings(max_examples=samples(20), deadline=None)
 @given(gain(2.0), gain(4.0), gain(8.0))
 def test_the_reduced_cubic(dtype: str, alpha: float, beta: float, gamma: float) -> None:
     kind = np.dtype(dtype).type
@@ -65,7 +65,7 @@ def test_the_reduced_cubic(dtype: str, alpha: float, beta: float, gamma: float) 
         assert worst_excess(KERNEL, dtype, given_, true) <= 1
 
 
-@settings(max_examples=samples(60), deadline=None)
+@settings(max_examples=samples(30), deadline=None)
 @given(gain(2.0), gain(4.0), gain(8.0))
 def test_the_poles_as_the_docstring_says(alpha: float, beta: float, gamma: float) -> None:
     found = alpha_beta_gamma.closed_loop_poles(alpha, beta, gamma)

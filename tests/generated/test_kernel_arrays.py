@@ -154,7 +154,7 @@ def test_no_warning_and_no_nan_anywhere_in_the_domain(kernel: PrintedKernel, dty
 
 
 @pytest.mark.parametrize("dtype", DTYPES)
-@settings(max_examples=samples(20), deadline=None)
+@settings(max_examples=samples(10), deadline=None)
 @given(data=st.data())
 def test_any_array_inside_the_domain_is_taken(dtype: str, data: st.DataObject) -> None:
     kernel = data.draw(st.sampled_from([k for k in KERNELS if not k.whole]))

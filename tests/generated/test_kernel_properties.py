@@ -53,7 +53,7 @@ def bounds(family: str, *names: str) -> Fraction:
 
 
 @pytest.mark.parametrize("family", FAMILIES)
-@settings(max_examples=samples(16), deadline=None)
+@settings(max_examples=samples(8), deadline=None)
 @given(index=MODERATE)
 def test_predicted_and_updated_covariance_are_consistent(family: str, index: float) -> None:
     k = values(family, "gains", index)
@@ -98,7 +98,7 @@ def test_an_inconsistent_covariance_is_noticed(family: str) -> None:
 
 
 @pytest.mark.parametrize("family", FAMILIES)
-@settings(max_examples=samples(5), deadline=None)
+@settings(max_examples=samples(3), deadline=None)
 @given(
     interval=st.fractions(Fraction(1, 50), 50, max_denominator=50),
     sensor=st.fractions(Fraction(1, 50), 50, max_denominator=50),
@@ -154,7 +154,7 @@ def test_units_scale_as_the_index_says(
 
 
 @pytest.mark.parametrize("family", FAMILIES)
-@settings(max_examples=samples(10), deadline=None)
+@settings(max_examples=samples(5), deadline=None)
 @given(index=MODERATE)
 def test_no_output_is_more_sensitive_than_the_square_of_the_index(
     family: str, index: float
@@ -170,7 +170,7 @@ INCREASING = ("gains", "predictor_gains", "predicted_covariance", "updated_covar
 
 
 @pytest.mark.parametrize("family", FAMILIES)
-@settings(max_examples=samples(24), deadline=None)
+@settings(max_examples=samples(12), deadline=None)
 @given(data=st.data())
 def test_everything_grows_with_the_index(family: str, data: st.DataObject) -> None:
     exponents = st.floats(-300, 300)
@@ -189,7 +189,7 @@ def test_everything_grows_with_the_index(family: str, data: st.DataObject) -> No
 
 
 @pytest.mark.parametrize("family", FAMILIES)
-@settings(max_examples=samples(16), deadline=None)
+@settings(max_examples=samples(8), deadline=None)
 @given(exponent=st.floats(-150, 12))
 def test_round_trip_from_index_to_gain_and_back(family: str, exponent: float) -> None:
     index = 10.0**exponent
@@ -215,7 +215,7 @@ def test_round_trip_from_index_to_gain_and_back(family: str, exponent: float) ->
 
 
 @pytest.mark.parametrize("family", FAMILIES)
-@settings(max_examples=samples(16), deadline=None)
+@settings(max_examples=samples(8), deadline=None)
 @given(exponent=st.floats(-150, 4))
 def test_each_gain_gives_the_other(family: str, exponent: float) -> None:
     gains = values(family, "gains", 10.0**exponent)
@@ -241,7 +241,7 @@ def test_each_gain_gives_the_other(family: str, exponent: float) -> None:
 
 
 @pytest.mark.parametrize("family", FAMILIES)
-@settings(max_examples=samples(16), deadline=None)
+@settings(max_examples=samples(8), deadline=None)
 @given(index=MODERATE)
 def test_poles_have_the_sum_and_product_that_the_gains_give(family: str, index: float) -> None:
     z = values(family, "closed_loop_poles", index)

@@ -57,7 +57,7 @@ def by_name(run: Any, transition: Matrix) -> Mapping[str, Any]:
 
 
 @pytest.mark.parametrize("family", FAMILIES)
-@settings(max_examples=samples(6), deadline=None)
+@settings(max_examples=samples(3), deadline=None)
 @given(index=ANY)
 def test_doubling(family: str, index: float) -> None:
     model = state_space(STEADY_STATES[family], index)
@@ -70,7 +70,7 @@ def test_doubling(family: str, index: float) -> None:
 
 
 @pytest.mark.parametrize("family", FAMILIES)
-@settings(max_examples=samples(6), deadline=None)
+@settings(max_examples=samples(3), deadline=None)
 @given(index=SETTLED)
 def test_kalman_recursion_run_to_convergence(family: str, index: float) -> None:
     model = state_space(STEADY_STATES[family], index)
@@ -78,7 +78,7 @@ def test_kalman_recursion_run_to_convergence(family: str, index: float) -> None:
 
 
 @pytest.mark.parametrize("family", FAMILIES)
-@settings(max_examples=samples(5), deadline=None)
+@settings(max_examples=samples(3), deadline=None)
 @given(index=st.floats(-4, 3).map(lambda e: 2.0**e))
 def test_kalman_recursion_in_multiprecision(family: str, index: float) -> None:
     model = state_space(STEADY_STATES[family], index)
@@ -90,7 +90,7 @@ def test_kalman_recursion_in_multiprecision(family: str, index: float) -> None:
 
 
 @pytest.mark.parametrize("family", FAMILIES)
-@settings(max_examples=samples(6), deadline=None)
+@settings(max_examples=samples(3), deadline=None)
 @given(index=SETTLED)
 def test_polished_riccati_solver(family: str, index: float) -> None:
     model = state_space(STEADY_STATES[family], index)

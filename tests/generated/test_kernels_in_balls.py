@@ -11,6 +11,7 @@ import math
 from collections.abc import Callable
 from fractions import Fraction
 from functools import partial
+from itertools import product
 from typing import Any
 
 import numpy as np
@@ -19,6 +20,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from kernel_errors import broken_promises, log_uniform, measure, near_supremum
 from kernel_truth import truth_at
+from one_of_each import cases
 from printed_kernels import DTYPES, PrintedKernel, common_domain, groups, printed_kernels, promise
 from samples import samples
 
@@ -32,6 +34,20 @@ CASES = [
     for key in GROUPS
     for dtype in DTYPES
 ]
+ONE_OF_EACH = {
+    "random_velocity",
+    "random_acceleration",
+    "acceleration_increments",
+    "random_jerk",
+    "least_squares_line",
+    "recursion_two_states",
+    "alpha_beta",
+    "updated_gains",
+    "interacting_gains",
+    "multipath_location",
+    "position_velocity_random_velocity",
+}
+"""Families of printed kernels: one of each kind of derivation."""
 # where a pole turns real, a centre changes sign, and their neighbours
 THREE_STATES = (
     "acceleration_increments",
@@ -61,7 +77,7 @@ def places(argument: str, low: float, high: float) -> st.SearchStrategy[float]:
 
 
 @pytest.mark.parametrize(("family", "argument", "dtype"), CASES)
-@settings(max_examples=samples(5), deadline=None)
+@settings(max_examples=samples(3), deadline=None)
 @given(data=st.data())
 def test_error_is_within_the_stated_bound(
     family: str, argument: str, dtype: str, data: st.DataObject
@@ -73,16 +89,23 @@ def test_error_is_within_the_stated_bound(
 
 
 @pytest.mark.sampled
-@pytest.mark.parametrize(("family", "argument", "dtype"), CASES)
+@pytest.mark.parametrize(
+    ("family", "argument", "dtype"),
+    cases(
+        [(*key, dtype) for key, dtype in product(GROUPS, DTYPES)],
+        lambda case: case[0] in ONE_OF_EACH and ("float64" in case or "random_velocity" in case),
+    ),
+)
 def test_error_is_within_the_stated_bound_over_the_whole_domain(
     family: str, argument: str, dtype: str
 ) -> None:
     kernels = GROUPS[family, argument]
     low, high = common_domain(kernels, dtype)
-    few = samples(14 if family in SLOWLY_KNOWN else 30)
+    usual = 15 if dtype == "float64" else 30  # of which fewer lie in the range of an output
+    few = samples(10 if family in SLOWLY_KNOWN else usual)
     points = log_uniform(low, high, few, seed=1)
     if argument == "tracking_index":
-        points += log_uniform(1e-6, 1e6, samples(20), seed=2) + SPECIAL
+        points += log_uniform(1e-6, 1e6, samples(10), seed=2) + SPECIAL
     elif argument == "sample_number":
         points = [*map(round, points), *range(int(low), 60)]
     else:
@@ -109,8 +132,17 @@ def edges(kernels: list[PrintedKernel], dtype: str) -> list[float]:
     return found
 
 
-@pytest.mark.parametrize("dtype", DTYPES)
-@pytest.mark.parametrize("kernel", printed_kernels(), ids=lambda kernel: kernel.id)
+@pytest.mark.parametrize(
+    ("kernel", "dtype"),
+    cases(
+        product(printed_kernels(), DTYPES),
+        lambda case: (
+            case[0].family in ONE_OF_EACH
+            and (case[1] == "float64" or case[0].family == "random_velocity")
+        ),
+    ),
+    ids=lambda given_: getattr(given_, "id", given_),
+)
 def test_an_error_just_above_the_bound_is_noticed(kernel: PrintedKernel, dtype: str) -> None:
     low, high = kernel.domain[dtype]
     point = low + 7 if kernel.whole else min(max(0.6, 2 * low), high)

@@ -24,7 +24,7 @@ def kernels(family: str) -> Any:
 
 
 @pytest.mark.parametrize("family", FAMILIES)
-@settings(max_examples=samples(16), deadline=None)
+@settings(max_examples=samples(8), deadline=None)
 @given(samples=st.lists(st.integers(-1000, 1000), min_size=6, max_size=40))
 def test_the_filter_with_printed_gains_is_the_batch_fit(family: str, samples: list[int]) -> None:
     """Exact arithmetic on the printed gains: only their rounding separates the two.

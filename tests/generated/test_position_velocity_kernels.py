@@ -73,7 +73,7 @@ def broken(process_noise: str, index: Any, ratio: Any, dtype: str = "float64") -
 
 
 @pytest.mark.parametrize("process_noise", sorted(PROCESS_NOISES))
-@settings(max_examples=samples(8), deadline=None)
+@settings(max_examples=samples(4), deadline=None)
 @given(index=ORDINARY, ratio=ORDINARY)
 def test_within_the_stated_bound(process_noise: str, index: float, ratio: float) -> None:
     assert not list(broken(process_noise, index, ratio))

@@ -70,7 +70,7 @@ def truth(gains: list[flint.arb], matrix: Matrix) -> Mapping[str, flint.arb]:
 
 @pytest.mark.parametrize("noise", NOISES)
 @pytest.mark.parametrize("dtype", cases(["float64", "float32"], lambda x: x == "float64"))
-@settings(max_examples=samples(12), deadline=None)
+@settings(max_examples=samples(6), deadline=None)
 @given(PART, st.one_of(SMALL, st.floats(0.01, 1.99)), PART)
 def test_by_the_gains(noise: str, dtype: str, alpha: float, beta: float, share: float) -> None:
     kind = np.dtype(dtype).type
@@ -82,7 +82,7 @@ def test_by_the_gains(noise: str, dtype: str, alpha: float, beta: float, share: 
 
 
 @pytest.mark.parametrize("noise", NOISES)
-@settings(max_examples=samples(12), deadline=None)
+@settings(max_examples=samples(6), deadline=None)
 @given(PLACE, PLACE, PLACE)
 def test_by_the_coordinates(noise: str, x: float, d: float, m: float) -> None:
     with flint.ctx.workprec(WORKING):

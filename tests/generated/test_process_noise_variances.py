@@ -36,7 +36,7 @@ def truth(alpha: flint.arb, beta: flint.arb) -> Mapping[str, flint.arb]:
 
 
 @pytest.mark.parametrize("dtype", ["float64", "float32"])
-@settings(max_examples=samples(40), deadline=None)
+@settings(max_examples=samples(20), deadline=None)
 @given(st.floats(1e-6, 0.9999), st.floats(1e-6, 1.9999))
 def test_by_the_gains(dtype: str, alpha: float, beta: float) -> None:
     kind: Any = getattr(__import__("numpy"), dtype)
@@ -46,7 +46,7 @@ def test_by_the_gains(dtype: str, alpha: float, beta: float) -> None:
         assert worst_excess(KERNELS["process_noise_variances"], dtype, given_, true) <= 1
 
 
-@settings(max_examples=samples(40), deadline=None)
+@settings(max_examples=samples(20), deadline=None)
 @given(st.floats(-6, 6), st.floats(-6, 6))
 def test_by_the_coordinates(x: float, y: float) -> None:
     place = [10.0**x, 10.0**y]

@@ -5,11 +5,13 @@ from __future__ import annotations
 import math
 from collections.abc import Callable
 from fractions import Fraction
+from itertools import product
 from typing import Any
 
 import flint
 import numpy as np
 import pytest
+from one_of_each import cases
 from polar_points import EPSILON, allowed, misses, points, promises, signature
 from sight_pair_truth import is_pair, pair_terms, pair_truth
 from sight_truth import is_shift, motions, moves, terms, truth
@@ -20,6 +22,11 @@ from gainproof.verify.oracles import sight
 KERNELS = [getattr(range_doppler, n) for n in range_doppler.__all__ if n[0].islower()]
 EACH = pytest.mark.parametrize("kernel", KERNELS, ids=lambda kernel: kernel.__name__)
 DTYPES = pytest.mark.parametrize("dtype", list(EPSILON))
+EACH_FORMAT = pytest.mark.parametrize(
+    ("kernel", "dtype"),
+    cases(product(KERNELS, EPSILON), lambda case: case[1] == "float64" or case[0] in KERNELS[::3]),
+    ids=lambda given_: getattr(given_, "__name__", given_),
+)
 SIZES = (1e-3, 1.0, 1e3, 1e6, 1e9)
 
 
@@ -33,8 +40,7 @@ def sizes(kernel: Callable[..., Any]) -> Callable[..., Any]:
     return pair_terms(name) if is_pair(name) else terms(name)
 
 
-@EACH
-@DTYPES
+@EACH_FORMAT
 @pytest.mark.parametrize("count", [40, pytest.param(600, marks=pytest.mark.thorough)])
 def test_errors_are_as_promised(kernel: Callable[..., Any], dtype: str, count: int) -> None:
     given = points(kernel, dtype, count, seed=7)
@@ -68,8 +74,7 @@ def sights(kernel: Callable[..., Any], dtype: str, each: int, seed: int) -> Any:
     return np.array([c for c in columns if np.isfinite(c).all()], dtype).T
 
 
-@EACH
-@DTYPES
+@EACH_FORMAT
 def test_from_a_millimetre_to_a_million_kilometres(kernel: Callable[..., Any], dtype: str) -> None:
     given = sights(kernel, dtype, 8, seed=2)
     if is_pair(kernel.__name__) and dtype == "float32":
@@ -222,8 +227,7 @@ def test_coordinates_next_to_zero_are_no_error() -> None:
         assert found.range_rate_D_y == 1
 
 
-@EACH
-@DTYPES
+@EACH_FORMAT
 def test_never_nan(kernel: Callable[..., Any], dtype: str) -> None:
     given = points(kernel, dtype, 20_000, seed=11)
     with np.errstate(all="raise"):

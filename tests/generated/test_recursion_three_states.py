@@ -50,7 +50,7 @@ def held(kernel: str, found: Any, truth: dict[str, Fraction], dtype: str) -> Non
     ("name", "dtype"),
     cases(product(NOISES, DTYPES), lambda case: "random_jerk" in case or "float64" in case),
 )
-@settings(max_examples=samples(10), deadline=None)
+@settings(max_examples=samples(5), deadline=None)
 @given(st.tuples(SIZE, SIZE, SIZE), st.tuples(SHEAR, SHEAR, SHEAR), TIME, SIZE)
 def test_prediction(
     name: str,
@@ -71,7 +71,7 @@ def test_prediction(
 
 
 @pytest.mark.parametrize("dtype", DTYPES)
-@settings(max_examples=samples(24), deadline=None)
+@settings(max_examples=samples(12), deadline=None)
 @given(st.tuples(SIZE, SIZE, SIZE), st.tuples(SHEAR, SHEAR, SHEAR), SIZE)
 def test_update(dtype: str, sizes: tuple[float, ...], shears: tuple[float, ...], r: float) -> None:
     kind = np.dtype(dtype).type
@@ -124,7 +124,7 @@ def test_a_whole_track(name: str, missed: Sequence[int]) -> None:
     ("name", "dtype"),
     cases(product(NOISES, DTYPES), lambda case: "random_jerk" in case or "float64" in case),
 )
-@settings(max_examples=samples(10), deadline=None)
+@settings(max_examples=samples(5), deadline=None)
 @given(TIME, TIME, st.one_of(st.just(0.0), SIZE), SIZE)
 def test_start(name: str, dtype: str, s: float, t: float, q: float, r: float) -> None:
     """Against the normal equations of three positions and a state of which nothing is known."""

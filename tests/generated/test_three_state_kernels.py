@@ -21,7 +21,7 @@ NAMES = ("gains", "predictor_gains", "predicted_covariance", "updated_covariance
 
 
 @pytest.mark.parametrize("family", cases(sorted(THREE_STATES), lambda name: "jerk" in name))
-@settings(max_examples=samples(8), deadline=None)
+@settings(max_examples=samples(4), deadline=None)
 @given(index=st.floats(-40, 40).map(lambda e: 10.0**e))
 def test_doubling(family: str, index: float) -> None:
     model = state_space(THREE_STATES[family], index)

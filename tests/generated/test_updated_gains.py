@@ -160,7 +160,7 @@ def test_a_promise_that_is_too_good_would_be_noticed(
 INDICES = st.floats(-3, 3).map(lambda x: 10.0**x)
 
 
-@settings(max_examples=samples(60), deadline=None)
+@settings(max_examples=samples(30), deadline=None)
 @given(INDICES, INDICES)
 def test_properties_of_updates(nominal: float, index: float) -> None:
     room = 60 * 2.0**-52

@@ -49,27 +49,46 @@ def test_pages_are_what_a_reader_sees() -> None:
     assert not FOUND["pages_changed"](["generated/bounds.json", "verify/judge/judge.py"])
 
 
-def test_it_is_asked_of_the_commit(tmp_path: Path) -> None:
-    """In a house of two commits, and of one, which has no parent."""
+@pytest.mark.parametrize("path", FOUND["PAGES"])
+def test_where_pages_are_made_is_there(path: str) -> None:
+    """A folder with another name would never be seen to change."""
+    assert (SCRIPT.parents[1] / path).exists()
+
+
+def test_it_is_asked_of_commits_and_of_the_tree(tmp_path: Path) -> None:
+    """Without a repository or a parent nobody can tell: no room differs, and pages are tested."""
 
     def run(*command: str) -> subprocess.CompletedProcess[str]:
         return subprocess.run(command, cwd=tmp_path, capture_output=True, text=True, check=False)
 
-    for name in (".ci/changed.py", "tests/derive/test_a.py", "derive/a.py", "docs/a.md"):
+    def commit(name: str, text: str) -> None:
         (tmp_path / name).parent.mkdir(parents=True, exist_ok=True)
-        (tmp_path / name).write_text(SCRIPT.read_text() if name.startswith(".ci") else "")
-    commit = ("git", "-c", "user.name=a", "-c", "user.email=a@b", "commit", "-qam", "one")
-    asked = (sys.executable, ".ci/changed.py")
+        (tmp_path / name).write_text(text)
+        run("git", "add", ".")
+        names = ("-c", "user.name=a", "-c", "user.email=a@b", "-c", "commit.gpgsign=false")
+        assert run("git", *names, "commit", "-qm", "one").returncode == 0
+
+    def folders() -> list[str]:
+        return run(sys.executable, ".ci/changed.py").stdout.split()
+
+    def pages() -> bool:
+        return run(sys.executable, ".ci/changed.py", "--pages").returncode == 0
+
+    (tmp_path / ".ci").mkdir()
+    (tmp_path / ".ci" / "changed.py").write_text(SCRIPT.read_text())
+    assert (folders(), pages()) == ([], True)
     run("git", "init", "-q")
-    run("git", "add", ".")
-    assert run(*commit).returncode == 0
-    assert run(*asked).stdout.strip() == ""
-    assert run(*asked, "--pages").returncode == 1
-    (tmp_path / "derive/a.py").write_text("x = 1\n")
-    assert run(*commit).returncode == 0
-    assert run(*asked).stdout.split() == ["tests/derive"]
-    assert run(*asked, "--pages").returncode == 1
-    (tmp_path / "docs/a.md").write_text("A page.\n")
-    run(*commit)
-    assert run(*asked).stdout.split() == []
-    assert run(*asked, "--pages").returncode == 0
+    commit("tests/derive/test_a.py", "")
+    assert (folders(), pages()) == ([], True)
+    commit("derive/a.py", "x = 1\n")
+    assert (folders(), pages()) == (["tests/derive"], False)
+    commit("docs/a.md", "A page.\n")
+    assert (folders(), pages()) == ([], True)
+    commit("README.md", "Words.\n")
+    assert (folders(), pages()) == ([], False)
+    (tmp_path / "docs" / "a.md").write_text("Another.\n")
+    assert pages()
+    commit("docs/a.md", "Another.\n")
+    commit("README.md", "More words.\n")
+    (tmp_path / "docs" / "new.md").touch()
+    assert pages()

@@ -38,7 +38,10 @@ def test_what_one_run_after_the_other_asks_is_done_by_one_process(
     assert (keeper.started, keeper.asked) == (1, 2)
     monkeypatch.chdir(tmp_path)
     assert workers.run([CHECK]) == first
-    assert (keeper.started, keeper.asked) == (2, 3)
+    assert (keeper.started, keeper.asked) == (1, 3)
+    monkeypatch.setenv("A_VARIABLE_MORE", "1")
+    assert workers.run([CHECK]) == first
+    assert (keeper.started, keeper.asked) == (2, 4)
     monkeypatch.setattr(workers, "Process", Process)
     assert workers.run([CHECK]) == first
 

@@ -4,9 +4,11 @@ from __future__ import annotations
 
 import importlib
 import importlib.util
+import runpy
 import shutil
 from collections.abc import Iterator
 from contextlib import contextmanager
+from pathlib import Path
 from typing import Any
 
 import pytest
@@ -25,6 +27,18 @@ def missing() -> str:
 
 
 needs_browser = pytest.mark.skipif(bool(missing()), reason=missing() or "all is there")
+
+
+CHANGED = runpy.run_path(str(Path(__file__).parents[2] / ".ci" / "changed.py"))
+"""What `.ci/run` knows of changes too."""
+of_changed_pages = (
+    pytest.mark.skipif(False, reason="asked by default too")
+    if CHANGED["pages_changed"](CHANGED["changed_files"]())
+    else pytest.mark.thorough
+)
+"""Of tests of pages that take seconds: thorough runs have them always, default ones where something
+of pages changed.
+"""
 
 
 @contextmanager

@@ -27,7 +27,9 @@ from gainproof.jobs.tasks import TASKS, derives
 
 OWN_WORKER, OWN_SEED = workers.WORKER, workers.REPRODUCIBLE["PYTHONHASHSEED"]
 NOT_READ = ("PYTEST_CURRENT_TEST", FOLDER_VARIABLE)
-"""Variables that differ from test to test and that no worker process looks at."""
+"""Variables that differ from test to test and that no worker process looks at. None looks at its
+working folder either but for those that execute a file, which are not kept.
+"""
 MOST_JOBS = 25
 """Of one process, so that what it keeps does not grow for the whole session."""
 
@@ -94,7 +96,7 @@ class Keeper:
     def taken(self, settings: Mapping[str, str], *, derives: bool) -> _Interpreter:
         """One that has been used, or else a new one."""
         seen = tuple(sorted((n, v) for n, v in settings.items() if n not in NOT_READ))
-        key = (os.getcwd(), seen, sys.executable, derives)
+        key = (seen, sys.executable, derives)
         while self.idle.get(key):
             one = self.idle[key].pop()
             if one.process.poll() is None:

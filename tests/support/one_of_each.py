@@ -19,3 +19,8 @@ def cases(every: Iterable[Case], kept: Callable[[Case], bool]) -> list[Any]:
         for case in every
         for values in [case if isinstance(case, tuple) else (case,)]
     ]
+
+
+def further(*values: Any) -> Any:
+    """A case that `-m thorough` has, of a kind of which the default run has another."""
+    return pytest.param(*values, marks=pytest.mark.thorough)

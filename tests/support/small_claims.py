@@ -39,9 +39,11 @@ def judged(
 ) -> ClaimVerdict:
     """The verdict on one claim; `fields` is its formula, or lines of the claim's table.
 
-    `symbols` are added to LETTERS, which are those of a setting without a model.
+    `symbols` are added to those of LETTERS that the claim may use, in a setting without a model.
     """
-    letters = LETTERS if "algebra" in setting else {}
+    # of most claims it takes a sixth of the time to read twenty letters that they do not use
+    said = f"{fields} {symbols}"
+    letters = {k: v for k, v in LETTERS.items() if k in said} if "algebra" in setting else {}
     table = "".join(f"'{k}' = {v}\n" for k, v in {**letters, **(symbols or {})}.items())
     lines = fields if " = '" in fields or " = [" in fields else f"latex = '{fields}'"
     claim = f"[[claims]]\nid = '1'\nplace = 'here'\nsetting = 's'\nkind = '{kind}'\n{lines}\n"

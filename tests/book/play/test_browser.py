@@ -8,13 +8,13 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from browser import needs_browser, opened, serious_findings
+from browser import needs_browser, of_changed_pages, opened, serious_findings
 from one_of_each import cases
 from play_page import write_page
 
 from gainproof.book.play.subjects import SUBJECTS, subject_of
 
-pytestmark = needs_browser
+pytestmark = [needs_browser, of_changed_pages]
 
 KERNELS = {
     "gains": "",

@@ -5,7 +5,7 @@ from __future__ import annotations
 from pathlib import Path
 
 import pytest
-from browser import needs_browser, opened
+from browser import needs_browser, of_changed_pages, opened
 
 from gainproof.book import site
 from gainproof.book.derivation_pages import derivation_page
@@ -14,7 +14,7 @@ from gainproof.generated import random_velocity
 from gainproof.jobs.session import open_session
 from gainproof.subjects import derivations
 
-pytestmark = needs_browser
+pytestmark = [needs_browser, of_changed_pages]
 
 
 @pytest.fixture(scope="module")

@@ -41,7 +41,7 @@ def test_every_step_is_of_a_tower_and_every_tower_is_spoken_of() -> None:
     assert [kernel["name"] for kernel in found.kernels] == list(found.programs)
 
 
-@settings(max_examples=samples(120), deadline=None)
+@settings(max_examples=samples(60), deadline=None)
 @given(st.floats(-0.5, 2.5), st.floats(-1, 5))
 def test_the_region_is_that_of_eigenvalues(alpha: float, beta: float) -> None:
     largest = root_moduli([alpha, beta])[0]

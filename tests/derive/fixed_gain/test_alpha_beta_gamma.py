@@ -24,7 +24,7 @@ def test_every_step_is_of_a_tower_and_every_tower_is_spoken_of() -> None:
     assert [kernel["name"] for kernel in found.kernels] == list(found.programs)
 
 
-@settings(max_examples=samples(160), deadline=None)
+@settings(max_examples=samples(80), deadline=None)
 @given(st.floats(-0.5, 2.5), st.floats(-1, 5), st.floats(-1, 8))
 def test_the_region_is_that_of_eigenvalues(alpha: float, beta: float, gamma: float) -> None:
     largest = root_moduli([alpha, beta, gamma])[0]
@@ -33,7 +33,7 @@ def test_the_region_is_that_of_eigenvalues(alpha: float, beta: float, gamma: flo
         assert (largest < 1) == (min(conditions) > 0)
 
 
-@settings(max_examples=samples(80), deadline=None)
+@settings(max_examples=samples(40), deadline=None)
 @given(st.floats(0.01, 1.99), st.floats(0.01, 0.99), st.floats(0.01, 1.2))
 def test_its_inner_border_too(alpha: float, part: float, share: float) -> None:
     """Where the last inequality decides: gamma as a share of what it admits."""

@@ -2,14 +2,18 @@
 
 from __future__ import annotations
 
+import copy
 import random
 from fractions import Fraction
+from functools import cache
+from itertools import product
 
 import numpy as np
 import pytest
 import scipy.linalg
 import sympy as sp
 from graph_kernels import balls
+from one_of_each import cases
 from own_models import free_number, own_model
 
 from gainproof.derive.algebra.leading_terms import prime_powers
@@ -17,6 +21,7 @@ from gainproof.derive.any_two_state import printed
 from gainproof.derive.own_model.choice import derive_own_model
 from gainproof.derive.steady_state.towers import surd
 from gainproof.derive.subject import Subject
+from gainproof.subjects.derived import Derived
 from gainproof.subjects.deriving import plain_subject
 from gainproof.subjects.rechecking import expected_of, recheck
 
@@ -43,7 +48,13 @@ def gains_at_one(subject: Subject) -> list[float]:
     return [float(found[name].mid()) for name in ("alpha", "beta")]
 
 
-@pytest.mark.parametrize("count", [1, 2, 4, 10])
+@cache
+def of_decimals(count: int) -> Derived:
+    """Derived once; nobody changes it."""
+    return plain_subject(derive_own_model(own_model(with_decimals(count, count), [[0, 0], [0, 1]])))
+
+
+@pytest.mark.parametrize("count", cases([1, 2, 4, 10], lambda count: count == 10))
 def test_models_of_some_decimals_are_proved_and_right(count: int) -> None:
     transition = with_decimals(count, count)
     subject = derive_own_model(own_model(transition, [[0, 0], [0, 1]]))
@@ -56,10 +67,9 @@ def test_models_of_some_decimals_are_proved_and_right(count: int) -> None:
     assert gains_at_one(subject) == pytest.approx((p[:, 0] / (p[0, 0] + 1)).tolist(), rel=1e-8)
 
 
-@pytest.mark.parametrize("count", [30, 200])
+@pytest.mark.parametrize("count", cases([30, 200], lambda count: count == 30))
 def test_numbers_beyond_the_checker_are_told_as_too_long(count: int) -> None:
-    subject = derive_own_model(own_model(with_decimals(count, count), [[0, 0], [0, 1]]))
-    derived = plain_subject(subject)
+    derived = of_decimals(count)
     report = recheck(derived.certificate, expected_of(derived))
     assert not report["accepted"]
     assert report["given_up"]
@@ -68,10 +78,10 @@ def test_numbers_beyond_the_checker_are_told_as_too_long(count: int) -> None:
 
 
 def test_what_is_too_long_and_wrong_besides_is_told_as_wrong() -> None:
-    subject = derive_own_model(own_model(with_decimals(30, 30), [[0, 0], [0, 1]]))
-    derived = plain_subject(subject)
-    derived.certificate["statements"][-1]["claim"] = {}
-    report = recheck(derived.certificate, expected_of(derived))
+    derived = of_decimals(30)
+    certificate = copy.deepcopy(derived.certificate)
+    certificate["statements"][-1]["claim"] = {}
+    report = recheck(certificate, expected_of(derived))
     assert {"given up", "rejected"} <= {entry["status"] for entry in report["statements"]}
     assert not report["accepted"]
     assert not report["given_up"]
@@ -101,9 +111,13 @@ def test_the_root_of_a_number_of_two_large_primes_is_found() -> None:
 R = sp.Symbol("r", real=True)
 
 
-@pytest.mark.parametrize("entry", [1 / R, 2 + 1 / R**2, (1 + R**2) / R**2, 1 / (3 * R) + 1 / R**3])
-@pytest.mark.parametrize("place", ["transition", "noise"])
-def test_quotients_by_a_parameter_below_one_are_proved(entry: sp.Expr, place: str) -> None:
+ENTRIES = [1 / R, 2 + 1 / R**2, (1 + R**2) / R**2, 1 / (3 * R) + 1 / R**3]
+PLACED = list(product(("transition", "noise"), ENTRIES))
+ONE_OF_EACH = (PLACED[1], PLACED[-1])
+
+
+@pytest.mark.parametrize(("place", "entry"), cases(PLACED, lambda case: case in ONE_OF_EACH))
+def test_quotients_by_a_parameter_below_one_are_proved(place: str, entry: sp.Expr) -> None:
     """They are polynomials over the odds of it, which the checker does not find by itself."""
     numbers = (free_number("r", below_one=True),)
     in_transition = place == "transition"

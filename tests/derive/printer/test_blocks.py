@@ -57,7 +57,7 @@ def layouts(draw: st.DrawFn, shape: tuple[int, ...]) -> Reals:
 SHAPES = st.lists(st.integers(0, FEW + 2), max_size=4).map(tuple)
 
 
-@settings(max_examples=samples(300), deadline=None)
+@settings(max_examples=samples(100), deadline=None)
 @given(data=st.data(), shape=SHAPES, length=st.sampled_from(LENGTHS))
 def test_every_block_has_what_broadcasting_gives(
     data: st.DataObject, shape: tuple[int, ...], length: int
@@ -86,7 +86,7 @@ def results(draw: st.DrawFn, shape: tuple[int, ...]) -> Reals:
     return made if draw(st.booleans()) else np.repeat(made[..., None], 2, -1)[..., 1]
 
 
-@settings(max_examples=samples(150), deadline=None)
+@settings(max_examples=samples(50), deadline=None)
 @given(data=st.data(), shape=SHAPES, length=st.sampled_from(LENGTHS), workers=st.integers(1, 3))
 def test_calls_give_what_numpy_gives(
     data: st.DataObject, shape: tuple[int, ...], length: int, workers: int
@@ -102,7 +102,7 @@ def test_calls_give_what_numpy_gives(
             assert np.array_equal(mine, reference)
 
 
-@settings(max_examples=samples(150), deadline=None)
+@settings(max_examples=samples(50), deadline=None)
 @given(data=st.data(), length=st.sampled_from(LENGTHS), workers=st.integers(1, 3))
 def test_the_first_wrong_element_is_told_by_its_own_place(
     data: st.DataObject, length: int, workers: int

@@ -7,6 +7,7 @@ from dataclasses import replace
 from fractions import Fraction
 
 import pytest
+from one_of_each import cases
 
 from gainproof.derive.printer.bound import OutputBound
 from gainproof.derive.printer.bound_data import bounds_from, identity, plain
@@ -18,8 +19,10 @@ from gainproof.derive.printer.together import groups, prove_all
 from gainproof.derive.printer.write import module_files
 from gainproof.subjects.deriving import build
 
+SUBJECTS = ["random-acceleration", "filter-step", "random-velocity", "polar-coordinates"]
 
-@pytest.mark.parametrize("name", ["random-velocity", "polar-coordinates"])
+
+@pytest.mark.parametrize("name", cases(SUBJECTS, SUBJECTS[:2].__contains__))
 def test_bounds_come_back_as_they_were_and_print_the_same_files(name: str) -> None:
     """One with differences and places where digits are lost, one of signed inputs."""
     module = build(name).module

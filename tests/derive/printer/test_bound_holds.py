@@ -67,7 +67,7 @@ def positive_graphs(draw: st.DrawFn) -> Kernel:
 
 
 @given(positive_graphs(), st.integers(0, 2**32))
-@settings(max_examples=samples(24), deadline=None)
+@settings(max_examples=samples(12), deadline=None)
 def test_random_positive_graphs(kernel: Kernel, seed: int) -> None:
     with suppress(PrintingError):  # refused: an over- or underflow inside the domain
         check(kernel, 40, seed)

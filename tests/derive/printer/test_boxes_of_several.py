@@ -99,7 +99,7 @@ SHARE = st.floats(0, 1)
 
 
 @given(kernels(), st.lists(st.tuples(SHARE, SHARE), min_size=4, max_size=4), st.floats(0, 8))
-@settings(max_examples=samples(48), deadline=None)
+@settings(max_examples=samples(24), deadline=None)
 def test_ranges_ratios_and_slopes_hold(
     kernel: Kernel, shares: list[tuple[float, float]], size: float
 ) -> None:
@@ -126,7 +126,7 @@ def test_ranges_ratios_and_slopes_hold(
 
 
 @given(st.tuples(SHARE, SHARE), st.floats(0, 8))
-@settings(max_examples=samples(16), deadline=None)
+@settings(max_examples=samples(8), deadline=None)
 def test_computed_values_lie_in_their_ranges(shares: tuple[float, float], size: float) -> None:
     b = GraphBuilder()
     x, z = b.symbol("x"), b.symbol("z")

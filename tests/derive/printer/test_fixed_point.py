@@ -62,7 +62,10 @@ def points_of(form: Format, count: int, seed: int) -> list[float]:
 
 @pytest.mark.parametrize(
     ("which", "name"),
-    cases(product(FACTORS, KINDS), lambda case: "held" in case or "float64" in case),
+    cases(
+        product(FACTORS, KINDS),
+        lambda case: case in (("increments", "float64"), ("held", "float32")),
+    ),
 )
 def test_measured_error_is_within_the_bound(which: str, name: str) -> None:
     (form,) = (form for form in FORMATS if form.name == name)
@@ -209,7 +212,7 @@ def test_a_map_that_may_be_negative_is_refused() -> None:
         prove(kernel_of(graph, lower="1/2", upper=2), FLOAT64)
 
 
-@settings(max_examples=samples(120), deadline=None)
+@settings(max_examples=samples(60), deadline=None)
 @given(
     st.floats(1e-6, 1e6), st.floats(1e-6, 1e6), st.floats(1e-6, 1e6), st.floats(0.001, 0.9),
     st.booleans(),

@@ -49,7 +49,7 @@ def loses(steps: Program, outputs: Sequence[int], chosen: Plan) -> str:
     return "" if chosen.work == max(beyond, 0) else f"{beyond} buffers"
 
 
-@settings(max_examples=samples(400), deadline=None)
+@settings(max_examples=samples(150), deadline=None)
 @given(given_=programs())
 def test_no_plan_loses_what_is_read_later(given_: tuple[Program, list[int]]) -> None:
     steps, outputs = given_

@@ -45,7 +45,7 @@ def test_known_bounds(form: Format) -> None:
 
 
 @given(positive_graphs(), st.integers(0, 2**32))
-@settings(max_examples=samples(10), deadline=None)
+@settings(max_examples=samples(5), deadline=None)
 def test_random_positive_graphs(kernel: Kernel, seed: int) -> None:
     with suppress(PrintingError):  # refused: an over- or underflow, mostly of float32
         assert not outside_bounds(kernel, 40, seed)

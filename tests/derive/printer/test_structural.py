@@ -78,7 +78,7 @@ def test_a_planted_rounding_raises_the_bound() -> None:
 
 @pytest.mark.usefixtures("alone")
 @given(positive_graphs(), st.integers(0, 2**32))
-@settings(max_examples=samples(16), deadline=None)
+@settings(max_examples=samples(8), deadline=None)
 def test_random_positive_graphs(kernel: Kernel, seed: int) -> None:
     with suppress(PrintingError):  # refused: an over- or underflow, mostly of float32
         assert not outside_bounds(kernel, 40, seed)

@@ -63,7 +63,7 @@ PLAIN = st.recursive(
 )
 
 
-@settings(max_examples=samples(30))
+@settings(max_examples=samples(10))
 @given(PLAIN)
 def test_json_comes_back(value: object) -> None:
     text = canonical_json(value)

@@ -10,6 +10,7 @@ from typing import Any
 import pytest
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
+from one_of_each import further
 from samples import samples
 from tests.verify.certificate.toy_writer import statement as written
 
@@ -168,7 +169,7 @@ def _cyclic() -> Data:
         _squared_sums,
         _different_denominators,
         _long_denominator,
-        _many_denominators,
+        further(_many_denominators),
         _nested_multiplicities,
         _tall_tower,
         _many_derivatives,

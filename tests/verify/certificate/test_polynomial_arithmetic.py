@@ -42,7 +42,7 @@ def _same(value: Polynomial, expected: Any) -> bool:
     return bool(sp.expand(_symbolic(value) - expected) == 0)
 
 
-@settings(deadline=None, max_examples=samples(20))
+@settings(deadline=None, max_examples=samples(10))
 @given(polynomials, polynomials)
 def test_arithmetic(a: Polynomial, b: Polynomial) -> None:
     assert _same(a + b, _symbolic(a) + _symbolic(b))
@@ -55,7 +55,7 @@ def test_arithmetic(a: Polynomial, b: Polynomial) -> None:
     assert hash(a + b - b) == hash(a)
 
 
-@settings(deadline=None, max_examples=samples(20))
+@settings(deadline=None, max_examples=samples(10))
 @given(polynomials, st.integers(0, 2), coefficients)
 def test_calculus(a: Polynomial, position: int, number: Fraction) -> None:
     symbol = (X, Y, Z)[position]
@@ -94,7 +94,7 @@ def _field() -> Field:
     )
 
 
-@settings(deadline=None, max_examples=samples(20))
+@settings(deadline=None, max_examples=samples(10))
 @given(polynomials)
 def test_reduction(a: Polynomial) -> None:
     field = _field()

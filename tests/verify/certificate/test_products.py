@@ -40,7 +40,7 @@ def _numbered(terms: Found) -> Terms:
     return {monomial_of(m): c for m, c in terms.items()}
 
 
-@settings(deadline=None, max_examples=samples(40))
+@settings(deadline=None, max_examples=samples(20))
 @given(_terms(2), _terms(MAXIMUM_EXPONENT))
 def test_as_sympy_has_it(first: Found, second: Found) -> None:
     expected = (
@@ -63,7 +63,7 @@ def test_too_many_terms_are_refused() -> None:
 monomials = st.tuples(*[st.integers(0, MAXIMUM_EXPONENT)] * 3)
 
 
-@settings(max_examples=samples(100))
+@settings(max_examples=samples(50))
 @given(st.lists(monomials, min_size=1, max_size=5), monomials)
 def test_numbers_are_as_their_exponents(
     found: list[tuple[int, ...]], limits: tuple[int, ...]

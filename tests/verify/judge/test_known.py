@@ -9,6 +9,7 @@ import sys
 from collections.abc import Iterator, Mapping
 from dataclasses import fields, is_dataclass, replace
 from fractions import Fraction
+from functools import cache
 from pathlib import Path
 from typing import Any
 
@@ -43,6 +44,7 @@ TASKS = (
 )
 
 
+@cache
 def tasks() -> list[Task]:
     """One of each kind for every claim of some files, whether the judge would ask it or not."""
     found: list[Task] = []

@@ -7,6 +7,7 @@ from typing import Any
 
 import flint
 import pytest
+from one_of_each import further
 
 from gainproof.verify.oracles import ball, differences, distance, doubling
 from gainproof.verify.oracles.matrices import matrix
@@ -64,7 +65,7 @@ def test_every_ball_has_the_radius_asked_for(noise: str, index: float) -> None:
         assert float(entry.rad() / abs(entry.mid())) <= 1e-40
 
 
-@pytest.mark.parametrize("index", [1e-100, 1e-3, 1.0, 4.0, 30.0, 1e40])
+@pytest.mark.parametrize("index", [1e-100, 1e-3, further(1.0), 4.0, further(30.0), 1e40])
 @pytest.mark.parametrize("noise", list(NOISES))
 def test_balls_and_doubling_agree(noise: str, index: float) -> None:
     found = ball.enclose(spectrum(state_space(two_states(noise))), index)
@@ -73,12 +74,15 @@ def test_balls_and_doubling_agree(noise: str, index: float) -> None:
         assert distance.relative_error(fraction(entry), found.state.entries()[name]) < 1e-39
 
 
-def test_doubling_reaches_the_smallest_and_the_largest_floats() -> None:
-    for noise, index in [("velocity increments", 5e-324), ("continuous white", 1.7e308)]:
-        found = ball.enclose(spectrum(state_space(two_states(noise))), index)
-        run = doubling.steady_state(state_space(two_states(noise), index))
-        for name, entry in run.state.entries().items():
-            assert distance.relative_error(fraction(entry), found.state.entries()[name]) < 1e-39
+@pytest.mark.parametrize(
+    ("noise", "index"),
+    [("velocity increments", 5e-324), further("continuous white", 1.7e308)],
+)
+def test_doubling_reaches_the_smallest_and_the_largest_floats(noise: str, index: float) -> None:
+    found = ball.enclose(spectrum(state_space(two_states(noise))), index)
+    run = doubling.steady_state(state_space(two_states(noise), index))
+    for name, entry in run.state.entries().items():
+        assert distance.relative_error(fraction(entry), found.state.entries()[name]) < 1e-39
 
 
 @pytest.mark.parametrize("index", ["1/1000", "3", "40"])

@@ -6,6 +6,7 @@ import random
 from fractions import Fraction
 
 import pytest
+from one_of_each import cases
 
 from gainproof.verify.judge.cells.ground import value_at
 from gainproof.verify.judge.cells.lifting import cells
@@ -21,7 +22,7 @@ BOXES = (
 )
 
 
-@pytest.mark.parametrize("seed", range(12))
+@pytest.mark.parametrize("seed", cases(range(12), lambda seed: 2 < seed < 9))
 def test_every_cut_has_the_same_sign_there(seed: int) -> None:
     source = random.Random(seed)
     count = source.choice((2, 3))

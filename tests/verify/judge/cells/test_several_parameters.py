@@ -5,6 +5,7 @@ from __future__ import annotations
 from fractions import Fraction
 
 import pytest
+from one_of_each import further
 
 from gainproof.verify.judge.cells.decision import decide_in_cells
 from gainproof.verify.judge.exact.box import Box
@@ -176,7 +177,9 @@ def test_limits_are_named() -> None:
         judged("=", x, y, Box(lower=Fraction(2), upper=Fraction(1)))
 
 
-@pytest.mark.parametrize("others", ["", "a", "z", "ab", "az", "uvz", "abyz"])
+@pytest.mark.parametrize(
+    "others", ["", further("a"), further("z"), further("ab"), "az", further("uvz"), "abyz"]
+)
 @pytest.mark.parametrize("vanishes", ["one", "difference", "product"])
 def test_a_part_is_told_however_many_symbols_cancel(others: str, vanishes: str) -> None:
     """What both sides vanish on is no border of the part: a sample may lie there by chance."""

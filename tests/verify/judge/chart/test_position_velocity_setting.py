@@ -9,7 +9,7 @@ from fractions import Fraction
 import pytest
 from claim_texts import HEAD, SOLVED
 from mpmath import inverse, matrix, mp, mpf
-from one_of_each import cases
+from one_of_each import cases, further
 
 from gainproof.verify.judge.claim.file import read_claim_text
 from gainproof.verify.judge.exact.enclose import enclosed
@@ -185,22 +185,22 @@ def trend(what: str, along: str, way: str) -> str:
     ("kind", "fields", "wanted"),
     [
         ("identity", r"S = \frac{d T}{o}", "proved"),
-        ("identity", r"K = \frac{L o^2}{d^2}", "proved"),
+        further("identity", r"K = \frac{L o^2}{d^2}", "proved"),
         ("identity", r"K = \frac{2 L o^2}{d^2}", "refuted"),
         ("inequality", r"P > 0", "proved"),
         ("inequality", r"P < \frac{a^2 T^4}{3}", "refuted"),
         ("monotone", trend("G", "S", "increasing"), "proved"),
         ("monotone", trend("G", "S", "decreasing"), "refuted"),
         ("limit", r"\lim_{S \to 0} G = \frac{Z}{o^2}", "proved"),
-        ("limit", r"\lim_{S \to \infty} G = \frac{N}{o^2}", "proved"),
-        ("limit", r"\lim_{S \to \infty} G = \frac{Z}{o^2}", "refuted"),
-        ("monotone", trend(r"\frac{Z}{N}", "r", "decreasing"), "proved"),
-        ("monotone", trend(r"\frac{Z}{N}", "r", "increasing"), "refuted"),
+        further("limit", r"\lim_{S \to \infty} G = \frac{N}{o^2}", "proved"),
+        further("limit", r"\lim_{S \to \infty} G = \frac{Z}{o^2}", "refuted"),
+        further("monotone", trend(r"\frac{Z}{N}", "r", "decreasing"), "proved"),
+        further("monotone", trend(r"\frac{Z}{N}", "r", "increasing"), "refuted"),
         ("value", r"\frac{Z}{N} \approx 0.536 \quad (r \to 0)", "proved"),
-        ("value", r"\frac{Z}{N} \approx 0.537 \quad (r \to 0)", "refuted"),
+        further("value", r"\frac{Z}{N} \approx 0.537 \quad (r \to 0)", "refuted"),
         # with these the index changes in ways that the formulas hide
         ("identity", r"\frac{\partial G}{\partial T} = 0", "refuted"),
-        ("identity", r"\frac{\partial G}{\partial o} = 0", "refuted"),
+        further("identity", r"\frac{\partial G}{\partial o} = 0", "refuted"),
     ],
 )
 def test_claims(kind: str, fields: str, wanted: str) -> None:

@@ -15,7 +15,7 @@ from samples import samples
 import gainproof.verify
 from gainproof.verify.judge.claim.file import ClaimFile, ClaimFileError, read_claim_text
 
-INPUTS = 60
+INPUTS = 30
 COUNTED = 6
 """Of so many the calls of one are counted, which takes as long as reading it four times."""
 AT_MOST = 2

@@ -9,6 +9,7 @@ import itertools
 from collections.abc import Iterable
 
 import pytest
+from one_of_each import further
 
 from gainproof.verify.judge.claim.errors import MOST_FOUND
 from gainproof.verify.judge.claim.file import ClaimFile, ClaimFileError, read_claim_text
@@ -235,7 +236,17 @@ EXCLUDE = [
 """Where the first may be the cause of the second, only the first is told."""
 
 
-@pytest.mark.parametrize("pair", list(itertools.combinations(FAULTS, 2)), ids="-".join)
+PAIRS = list(itertools.combinations(FAULTS, 2))
+
+
+def _is_kept(pair: tuple[str, str]) -> bool:
+    """Each fault beside the next, those of which one may be the other's cause, and some."""
+    return pair in itertools.pairwise(FAULTS) or set(pair) in EXCLUDE or PAIRS.index(pair) % 10 == 0
+
+
+@pytest.mark.parametrize(
+    "pair", [pair if _is_kept(pair) else further(pair) for pair in PAIRS], ids="-".join
+)
 def test_two_faults_are_two_errors(pair: tuple[str, str]) -> None:
     text = spoiled(pair)
     found = errors_of(text)

@@ -10,6 +10,7 @@ from __future__ import annotations
 
 import pytest
 from claim_texts import judged
+from one_of_each import further
 
 from gainproof.verdicts.verdict_text import overview
 
@@ -58,17 +59,19 @@ def model(form: str, size: int, measured: int = 2) -> str:
             f"q as the variance of an increment at each sample: Q_{{22}} = q{REST}",
         ),
         ("white", 1, "q^2 T^3", "q^2 as the density of the process noise: Q_{22} = q^2 T"),
-        ("white", 1, "q^2 T^4", f"q^2 as {CONSTANT}: Q_{{22}} = q^2 T^2{REST}"),
-        ("white", 2, "q T^3", "q as the density of the process noise: Q_{22} = q T"),
-        (
+        further("white", 1, "q^2 T^4", f"q^2 as {CONSTANT}: Q_{{22}} = q^2 T^2{REST}"),
+        further("white", 2, "q T^3", "q as the density of the process noise: Q_{22} = q T"),
+        further(
             "constant",
             2,
             "q^2 T^3",
             f"q^2 as the density of the process noise: Q_{{22}} = q^2 T{REST}",
         ),
         ("constant", 2, "q T^4", f"q as {CONSTANT}: Q_{{22}} = q T^2"),
-        ("increment", 2, "q^2 T^3", "q^2 as the density of the process noise: Q_{22} = q^2 T"),
-        (
+        further(
+            "increment", 2, "q^2 T^3", "q^2 as the density of the process noise: Q_{22} = q^2 T"
+        ),
+        further(
             "increment",
             1,
             "q^2 T^2",
@@ -76,7 +79,7 @@ def model(form: str, size: int, measured: int = 2) -> str:
         ),
         # no meaning of the strength has these
         ("white", 1, "q T^7", None),
-        ("constant", 2, "2 q^2 T^4", None),
+        further("constant", 2, "2 q^2 T^4", None),
     ],
 )
 def test_another_strength_is_named(form: str, size: int, formula: str, named: str | None) -> None:

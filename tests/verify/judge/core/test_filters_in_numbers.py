@@ -8,6 +8,7 @@ from fractions import Fraction
 import numpy as np
 import pytest
 import scipy.linalg
+from one_of_each import cases, further
 from small_claims import check, judged
 
 Rows = list[list[Fraction]]
@@ -85,7 +86,7 @@ def solved(f: Rows, q: Rows, h: Rows, r: Fraction) -> tuple[list[float], float] 
     return [float(g) for g in gain[:, 0]], float(p[0, 0])
 
 
-@pytest.mark.parametrize("seed", range(24))
+@pytest.mark.parametrize("seed", cases(range(24), lambda seed: seed < 6))
 def test_any_model_of_numbers_has_the_gain_that_scipy_finds(seed: int) -> None:
     f, q, h, r = drawn(seed)
     found = solved(f, q, h, r)
@@ -141,16 +142,16 @@ WHITE = [["0", "0", "0"], ["0", "0", "0"], ["0", "0", r"\frac{1}{9}"]]
         # index 2 (1 - s)^3/(s (1 + s)) is 4/3
         (JERK, "1", "identity", r"a = \frac{8}{9}", "proved"),
         (JERK, "1", "identity", r"b = \frac{8}{9}", "proved"),
-        (JERK, "1", "identity", r"c = \frac{4}{9}", "proved"),
+        further(JERK, "1", "identity", r"c = \frac{4}{9}", "proved"),
         (JERK, "1", "identity", r"c = \frac{1}{2}", "refuted"),
         (JERK, "1", "value", r"a \approx 0.85", "refuted"),
-        (JERK, "1", "identity", "S = 9", "proved"),
+        further(JERK, "1", "identity", "S = 9", "proved"),
         # an index whose gains are no radicals: c^2 = q (1 - a), as c^2 S = Q_33 and S (1 - a) = R
         (WHITE, "1", "identity", r"\frac{c^2}{1 - a} = \frac{1}{9}", "proved"),
         (WHITE, "1", "identity", r"\frac{c^2}{1 - a} = \frac{1}{8}", "refuted"),
-        (WHITE, "4", "identity", r"\frac{c^2}{1 - a} = \frac{1}{36}", "proved"),
+        further(WHITE, "4", "identity", r"\frac{c^2}{1 - a} = \frac{1}{36}", "proved"),
         (WHITE, "4", "identity", "S = P + 4", "proved"),
-        (WHITE, "4", "identity", "S = P + 3", "refuted"),
+        further(WHITE, "4", "identity", "S = P + 3", "refuted"),
         (WHITE, "4", "inequality", "0 < c < b < a < 1", "proved"),
         (WHITE, "4", "inequality", "a < b", "refuted"),
         (WHITE, "4", "value", r"a \approx 0.5", "refuted"),

@@ -7,13 +7,14 @@ from fractions import Fraction
 
 import pytest
 import radical_fuzz
+from one_of_each import cases
 from radical_fuzz import disagreements
 
 from gainproof.verify.judge.exact import truth as truth_module
 from gainproof.verify.judge.exact.statement import Rel
 
 
-@pytest.mark.parametrize("seed", range(4))
+@pytest.mark.parametrize("seed", cases(range(4), lambda seed: seed < 2))
 def test_no_disagreement(seed: int) -> None:
     wrong, verdicts = disagreements(seed, 60)
     assert not wrong

@@ -127,7 +127,9 @@ def test_parts_come_to_one_verdict_and_to_no_other(
         assert (told is None) == (verdict == comes_to or verdict != "proved")
 
 
+@pytest.mark.thorough
 def test_verdicts_of_the_lecture_are_replayed() -> None:
+    """By default `test_every_verdict_replayed` does this as `explain` does it."""
     claims = lecture_claims()
     replayed = [c for c in claims if (c["evidence"]["certificate"] or {}).get("statement")]
     assert len(replayed) > 20

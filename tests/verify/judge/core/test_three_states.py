@@ -8,7 +8,7 @@ from typing import Any
 
 import flint
 import pytest
-from one_of_each import cases
+from one_of_each import cases, further
 from small_claims import check, judged
 
 from gainproof.verify.judge.exact.calculus import roots_made_prime, substituted
@@ -71,7 +71,7 @@ def solved_for(name: str) -> Environment:
     return steady_state(model(name))
 
 
-@pytest.mark.parametrize("name", NOISES)
+@pytest.mark.parametrize("name", cases(NOISES, lambda name: name in list(NOISES)[::2]))
 @pytest.mark.parametrize(
     "place",
     cases([Fraction(1, 20), Fraction(3, 4), Fraction(40)], lambda place: place == Fraction(3, 4)),
@@ -122,17 +122,19 @@ DECREASING = "about = ['c', 'a']\ntrend = 'decreasing'\ntext = 'c falls with a'"
         ("identity", r"b^2 = 2 a c", "proved", "acceleration increments"),
         ("identity", r"a (a + b + \frac{c}{2}) = 2 b", "proved", "acceleration increments"),
         ("identity", r"a (a + b + c) = 2 b", "refuted", ""),
-        ("identity", r"2 a c - b^2 = \frac{1}{12} c^2", "proved", "jerk constant"),
+        further("identity", r"2 a c - b^2 = \frac{1}{12} c^2", "proved", "jerk constant"),
         ("identity", r"2 a c - b^2 = \frac{1}{11} c^2", "refuted", ""),
         ("identity", r"2 a^2 + 2 a b - 4 b + a c = \frac{1}{18} c^2", "proved", "jerk constant"),
-        ("identity", r"2 a^2 + 2 a b - 4 b + a c = \frac{1}{60} c^2", "proved", "white jerk"),
+        further(
+            "identity", r"2 a^2 + 2 a b - 4 b + a c = \frac{1}{60} c^2", "proved", "white jerk"
+        ),
         ("identity", r"2 a^2 + 2 a b - 4 b - a c = \frac{1}{60} c^2", "refuted", ""),
-        ("inequality", "c < b < 2 a", "proved", "acceleration increments"),
+        further("inequality", "c < b < 2 a", "proved", "acceleration increments"),
         ("inequality", "b < c", "refuted", ""),
         ("inequality", "b < a", "conditional", "acceleration increments"),
-        ("monotone", INCREASING, "proved", "any of"),
+        further("monotone", INCREASING, "proved", "any of"),
         ("monotone", DECREASING, "refuted", ""),
-        ("limit", r"\lim_{a \to 0} \frac{a c}{b^2} = \frac{1}{2}", "proved", "any of"),
+        further("limit", r"\lim_{a \to 0} \frac{a c}{b^2} = \frac{1}{2}", "proved", "any of"),
         ("limit", r"\lim_{a \to 0} \frac{a c}{b^2} = \frac{1}{3}", "refuted", ""),
     ],
 )
@@ -148,7 +150,7 @@ def test_family_is_found(kind: str, fields: str, wanted: str, family: str) -> No
     [
         (r"2 a c - b^2 = \frac{1}{12} c^2", "process noise jerk constant over each interval"),
         (r"4 a c - b^2 = \frac{1}{3} c^2", "K_3 = 2 c/T^2"),
-        (r"a c - b^2 = \frac{1}{48} c^2", "K_3 = c/(2 T^2)"),
+        further(r"a c - b^2 = \frac{1}{48} c^2", "K_3 = c/(2 T^2)"),
     ],
 )
 def test_meaning_of_the_third_gain_is_found(latex: str, third: str) -> None:
@@ -201,7 +203,7 @@ OF_OWN_MODEL = [
     ("inequality", "a < 1", "proved"),
     ("inequality", r"a < \frac{9}{10}", "conditional"),
 ]
-ONE_OF_A_KIND = [OF_OWN_MODEL[n] for n in (1, 3, 5, 8)]
+ONE_OF_A_KIND = [OF_OWN_MODEL[n] for n in (1, 3, 8)]
 
 
 @pytest.mark.parametrize(

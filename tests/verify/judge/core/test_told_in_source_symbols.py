@@ -11,6 +11,7 @@ from typing import Any
 import numpy as np
 import pytest
 from claim_texts import claim_file
+from one_of_each import further
 from scipy.linalg import solve_discrete_are
 
 from gainproof.verify.judge.exact.algebraic import Algebraic, rational_point
@@ -77,7 +78,7 @@ INDEX = "'L' = { quantity = 'tracking_index', meaning = 'index' }"
 
 
 @pytest.mark.parametrize("model", MODELS, ids=lambda model: str(model["name"]))
-@pytest.mark.parametrize("bound", ["8/9", "3/4", "1/3"])
+@pytest.mark.parametrize("bound", [further("8/9"), "3/4", further("1/3")])
 def test_where_a_gain_is_below_a_bound(model: Mapping[str, Any], bound: str) -> None:
     top, bottom = bound.split("/")
     latex = rf"a < \frac{{{top}}}{{{bottom}}}"
@@ -115,7 +116,7 @@ def number_in(text: str) -> float:
     ("kind", "latex", "domain"),
     [
         ("inequality", r"a < \frac{3}{4}", "for 0 < q < 81/100"),
-        ("inequality", r"a \geq \frac{3}{4}", "for q >= 81/100"),
+        further("inequality", r"a \geq \frac{3}{4}", "for q >= 81/100"),
         ("inequality", r"(a - \frac{3}{4})^2 > 0", "for 0 < q < 81/100 or q > 81/100"),
         ("inequality", r"a + b > 0", "for q > 0"),
     ],

@@ -9,6 +9,7 @@ from fractions import Fraction
 
 import pytest
 from free_gains import predicted_covariance, radius, verdict
+from one_of_each import further
 from small_claims import check
 
 from gainproof.verify.judge.verdict import ClaimVerdict
@@ -51,20 +52,20 @@ def test_best_gains_are_proved(latex: str, states: int, fixed: str) -> None:
     ("latex", "states"),
     [
         (TWO.replace("-\\frac", "\\frac"), 2),
-        (TWO.replace("{2}", "{3}"), 2),
-        (TWO.replace("\\sqrt{\\beta}", "\\sqrt{2\\beta}"), 2),
-        (TWO.replace("+ \\sqrt", "- \\sqrt"), 2),
+        further(TWO.replace("{2}", "{3}"), 2),
+        further(TWO.replace("\\sqrt{\\beta}", "\\sqrt{2\\beta}"), 2),
+        further(TWO.replace("+ \\sqrt", "- \\sqrt"), 2),
         (r"(\alpha + \frac{\beta}{2})^2 = 2\beta", 2),
         (r"\alpha(\alpha + \beta) = 2\beta", 2),
         (r"\alpha = \frac{1}{2}", 2),
         (FIRST, 3),
-        (SECOND, 3),
+        further(SECOND, 3),
         (EXPLICIT.replace("{4}", "{2}"), 3),
         (EXPLICIT.replace("- \\frac", "+ \\frac"), 3),
-        (THREE.replace("8 - 4", "8 + 4"), 3),
-        (THREE.replace("4\\alpha\\beta =", "2\\alpha\\beta ="), 3),
-        (THREE.replace("- 8\\alpha^2", "- 4\\alpha^2"), 3),
-        (THREE.replace("3\\alpha - 8", "3\\alpha + 8"), 3),
+        further(THREE.replace("8 - 4", "8 + 4"), 3),
+        further(THREE.replace("4\\alpha\\beta =", "2\\alpha\\beta ="), 3),
+        further(THREE.replace("- 8\\alpha^2", "- 4\\alpha^2"), 3),
+        further(THREE.replace("3\\alpha - 8", "3\\alpha + 8"), 3),
     ],
 )
 def test_others_are_refuted(latex: str, states: int) -> None:
@@ -110,9 +111,9 @@ def compared(latex: str, least: str, domain: str = "") -> ClaimVerdict:
     [
         # the smoothed variance has no minimum at one lag, and another formula beyond it
         (SMOOTHED, "s_{11}", r"\beta < 2", "proved"),
-        (SMOOTHED, r"\sqrt{s_{11}}", r"\beta < 2", "proved"),
+        further(SMOOTHED, r"\sqrt{s_{11}}", r"\beta < 2", "proved"),
         (SMOOTHED, "s_{11}", r"\beta \leq 2", "conditional"),
-        (SMOOTHED, "s_{11}", "", "conditional"),
+        further(SMOOTHED, "s_{11}", "", "conditional"),
         (FAST, "s_{11}", r"\beta > 2", "proved"),
         (FAST, "s_{11}", "", "conditional"),
         (TWO, "p_{11} - B", "", "proved"),
@@ -120,11 +121,16 @@ def compared(latex: str, least: str, domain: str = "") -> ClaimVerdict:
         (TWO, "s_{11}", r"\beta < 2", "refuted"),
         (SMOOTHED.replace("2(1", "3(1"), "s_{11}", r"\beta < 2", "refuted"),
         (SMOOTHED.replace("(2 +", "(2 -"), "s_{11}", r"\beta < 2", "refuted"),
-        (r"\alpha = \frac{\sqrt{\beta^2 + 16\beta} - \beta}{4}", "s_{11}", r"\beta < 2", "refuted"),
+        further(
+            r"\alpha = \frac{\sqrt{\beta^2 + 16\beta} - \beta}{4}",
+            "s_{11}",
+            r"\beta < 2",
+            "refuted",
+        ),
         (SMOOTHED, "-s_{11}", r"\beta < 2", "refuted"),
         # as good as all others, so not the only one
         (SMOOTHED, "0", r"\beta < 2", "refuted"),
-        (SMOOTHED, "B", r"\beta < 2", "refuted"),
+        further(SMOOTHED, "B", r"\beta < 2", "refuted"),
         (TWO, r"\alpha", "", "refuted"),
         # the domain says which filters of a lag are meant, or admits no lag
         (SMOOTHED, "s_{11}", r"\alpha < 1", "undecided"),

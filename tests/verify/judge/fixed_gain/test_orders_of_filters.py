@@ -45,6 +45,7 @@ LIKE_ANOTHER = [
     ("MV RV RA", "e_{12}", "p_{11}", "refuted"),
     ("RV RA MV", "e_{12}", "p_{11}", "refuted"),
     ("RV RA", r"\alpha", "p_{11}", "proved"),
+    ("RV RA MV", r"\alpha", "p_{11}", "proved"),
     ("MV RA", "e_{12}", "e_{12}", "refuted"),
 ]
 

@@ -9,6 +9,7 @@ from fractions import Fraction
 
 import pytest
 from free_gains import radius, verdict
+from one_of_each import further
 from small_claims import check
 
 from gainproof.verify.judge.replay import replay
@@ -27,18 +28,18 @@ GAINS = (r"\alpha", r"\beta", r"\gamma")
         (TWO.replace("< 4", "\\leq 4"), 2, False),
         (TWO.replace("< 4 - 2\\alpha", ""), 2, False),
         (TWO.replace("0 < \\alpha \\text{ and }", ""), 2, False),
-        (TWO.replace("4 - 2", "4 + 2"), 2, False),
-        (TWO.replace("4 - 2", "5 - 2"), 2, False),
+        further(TWO.replace("4 - 2", "4 + 2"), 2, False),
+        further(TWO.replace("4 - 2", "5 - 2"), 2, False),
         (TWO.replace("4 - 2", "3 - 2"), 2, True),
         (TWO.replace("4 - 2", "4 - 3"), 2, True),
         (TWO.replace("0 < \\alpha", "0 < \\alpha < 1"), 2, True),
         (TWO.replace("0 < \\beta", "1 < \\beta"), 2, True),
         (THREE.replace(" \\text{ and } 0 < \\gamma", ""), 3, False),
-        (THREE.replace("< \\alpha\\beta", "\\leq \\alpha\\beta"), 3, False),
-        (THREE.replace("< \\alpha\\beta", "< 2\\alpha\\beta"), 3, False),
+        further(THREE.replace("< \\alpha\\beta", "\\leq \\alpha\\beta"), 3, False),
+        further(THREE.replace("< \\alpha\\beta", "< 2\\alpha\\beta"), 3, False),
         (THREE.replace("1 - \\frac", "1 + \\frac"), 3, True),
-        (THREE.replace("\\frac{\\alpha}{2}", "\\alpha"), 3, False),
-        (THREE.replace("0 < \\gamma", "\\frac{1}{9} < \\gamma"), 3, True),
+        further(THREE.replace("\\frac{\\alpha}{2}", "\\alpha"), 3, False),
+        further(THREE.replace("0 < \\gamma", "\\frac{1}{9} < \\gamma"), 3, True),
         (TWO, 3, False),
     ],
 )
@@ -80,21 +81,21 @@ MV = r"given = ['\alpha = -\frac{\beta}{2}+\sqrt{\beta}']"
     ("given", "domain", "sense", "wanted"),
     [
         (RV, r"0 < \alpha < 1", "sufficient", "proved"),
-        (RV, r"0 < \alpha \leq 1", "sufficient", "proved"),
+        further(RV, r"0 < \alpha \leq 1", "sufficient", "proved"),
         (RV, r"0 < \alpha < \frac{3}{2}", "sufficient", "conditional"),
-        (RV, r"0 \leq \alpha < 1", "sufficient", "conditional"),
+        further(RV, r"0 \leq \alpha < 1", "sufficient", "conditional"),
         (MV, r"0 < \alpha < 1", "sufficient", "proved"),
         (MV, r"0 \leq \alpha < 1", "sufficient", "conditional"),
         # the relation alone admits a second, unstable gain of the velocity
         (RA, r"0 < \alpha < 1", "sufficient", "conditional"),
         (RA, r"0 < \alpha < 1, \beta < 2", "sufficient", "proved"),
-        (RA, r"0 < \alpha \leq 1, \beta \leq 2", "sufficient", "conditional"),
+        further(RA, r"0 < \alpha \leq 1, \beta \leq 2", "sufficient", "conditional"),
         (RA, r"\alpha = 1", "unstable", "proved"),
         (RA, r"\alpha = \frac{1}{2}", "unstable", "conditional"),
         (RA, r"\alpha = \frac{1}{2}, \beta > 2", "unstable", "proved"),
         (RV, r"\alpha = 1", "unstable", "refuted"),
-        (RA, r"\beta \geq 2", "unstable", "proved"),
-        (RA, r"\beta > \frac{3}{2}", "unstable", "conditional"),
+        further(RA, r"\beta \geq 2", "unstable", "proved"),
+        further(RA, r"\beta > \frac{3}{2}", "unstable", "conditional"),
     ],
 )
 def test_named_filters(given: str, domain: str, sense: str, wanted: str) -> None:

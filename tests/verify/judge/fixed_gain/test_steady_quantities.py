@@ -9,6 +9,7 @@ from fractions import Fraction
 import numpy as np
 import pytest
 from free_gains import lags, predicted_covariance, radius, verdict
+from one_of_each import further
 from small_claims import check, judged
 
 from gainproof.verify.judge.exact.calculus import substituted
@@ -20,9 +21,9 @@ from gainproof.verify.judge.fixed_gain.matrices import GainModel
 GAINS = (
     (Fraction(1, 2), Fraction(1, 3)),
     (Fraction(5, 4), Fraction(1, 5)),
-    (Fraction(1, 5), Fraction(3)),
+    further((Fraction(1, 5), Fraction(3))),
     (Fraction(1, 2), Fraction(1, 3), Fraction(1, 10)),
-    (Fraction(6, 5), Fraction(1), Fraction(1, 4)),
+    further((Fraction(6, 5), Fraction(1), Fraction(1, 4))),
     (Fraction(3, 4), Fraction(2), Fraction(2)),
 )
 
@@ -95,23 +96,23 @@ G = r"\frac{8\beta^2}{(2-\alpha)\{2\alpha\beta - \gamma(2-\alpha)\}(4-2\alpha-\b
         (P.replace("+ \\alpha\\beta", "- 3\\alpha\\beta").replace("p_", "s_"), 2, "proved"),
         (P, 3, "refuted"),
         (f"p_{{11}} = {G} + \\frac{{\\alpha}}{{2-\\alpha}} B", 3, "proved"),
-        (f"p_{{11}} = {G} + \\frac{{\\alpha}}{{2+\\alpha}} B", 3, "refuted"),
-        (f"p_{{11}} = {G} - \\frac{{\\alpha}}{{2-\\alpha}} B", 3, "refuted"),
-        (r"p_{22} = \frac{2\beta^2}{\alpha(4 - 2\alpha - \beta) T^2} B", 2, "proved"),
-        (r"p_{22} = \frac{\beta^2}{\alpha(4 - 2\alpha - \beta) T^2} B", 2, "refuted"),
-        (r"e_{10} = 0", 2, "proved"),
-        (r"e_{11} = 0", 2, "proved"),
+        further(f"p_{{11}} = {G} + \\frac{{\\alpha}}{{2+\\alpha}} B", 3, "refuted"),
+        further(f"p_{{11}} = {G} - \\frac{{\\alpha}}{{2-\\alpha}} B", 3, "refuted"),
+        further(r"p_{22} = \frac{2\beta^2}{\alpha(4 - 2\alpha - \beta) T^2} B", 2, "proved"),
+        further(r"p_{22} = \frac{\beta^2}{\alpha(4 - 2\alpha - \beta) T^2} B", 2, "refuted"),
+        further(r"e_{10} = 0", 2, "proved"),
+        further(r"e_{11} = 0", 2, "proved"),
         (r"e_{12} = \frac{a_c}{\beta} T^2", 2, "proved"),
         (r"e_{12} = -\frac{a_c}{\beta} T^2", 2, "refuted"),
         (r"e_{12} = \frac{a_c}{\alpha} T^2", 2, "refuted"),
-        (r"e_{12} = 0", 2, "refuted"),
+        further(r"e_{12} = 0", 2, "refuted"),
         (r"f_{12} = (1 - \alpha) \frac{a_c}{\beta} T^2", 2, "proved"),
-        (r"f_{12} = \frac{a_c}{\beta} T^2", 2, "refuted"),
+        further(r"f_{12} = \frac{a_c}{\beta} T^2", 2, "refuted"),
         # growing without bound, hence no value that stays
         (r"e_{13} = \frac{j_c}{\beta} T^3", 2, "refuted"),
         (r"e_{12} = 0", 3, "proved"),
-        (r"e_{13} = \frac{j_c T^3}{\gamma}", 3, "proved"),
-        (r"e_{13} = \frac{j_c T^3}{2\gamma}", 3, "refuted"),
+        further(r"e_{13} = \frac{j_c T^3}{\gamma}", 3, "proved"),
+        further(r"e_{13} = \frac{j_c T^3}{2\gamma}", 3, "refuted"),
     ],
 )
 def test_identities(latex: str, states: int, wanted: str) -> None:

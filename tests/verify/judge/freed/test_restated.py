@@ -7,6 +7,7 @@ from fractions import Fraction
 
 import mpmath
 import pytest
+from one_of_each import further
 from samples import samples
 from small_claims import check, judged
 
@@ -27,31 +28,31 @@ def claim(latex: str, domain: str) -> str:
         (r"y = \ln x \Rightarrow x = e^y", "x > 0"),
         (r"x = e^y \Rightarrow y = \ln x", "x > 0"),
         (r"x = e^y \Leftrightarrow y = \ln x", "x > 0"),
-        (r"x = 10^{y/10} \Leftrightarrow y = 10 \log_{10} x", "x > 0"),
-        (r"z = \sin x, y = \cos x \Rightarrow z^2 + y^2 = 1", "x > 0"),
+        further(r"x = 10^{y/10} \Leftrightarrow y = 10 \log_{10} x", "x > 0"),
+        further(r"z = \sin x, y = \cos x \Rightarrow z^2 + y^2 = 1", "x > 0"),
         (r"e^x > 1 \Rightarrow x > 0", "x > -10"),
         (r"e^x \geq 1 \Leftrightarrow x \geq 0", "x > -10"),
-        (
+        further(
             r"p = e^{-t^2/(2 s^2)} \Leftrightarrow t = s \sqrt{-2 \ln p}",
             "0 < p < 1, t > 0, s > 0",
         ),
-        (r"e^{-x^2/s^2} = \frac12 \Leftrightarrow x = s\sqrt{\ln 2}", "x > 0, s > 0"),
-        (r"10 \lg q = 10\lg\frac12 \Leftrightarrow q = \frac12", "q > 0"),
-        (r"e^{-q} = \frac12 \Leftrightarrow q = \ln 2", "q > 0"),
-        (r"\ln x < \ln y \Leftrightarrow x < y", "x > 0, y > 0"),
-        (r"e^{-x} < e^{-y} \Leftrightarrow x > y", "x > 0"),
-        (r"s > 10 t \Rightarrow 10 \lg\frac{s}{t} > 10", "s > 0, t > 0"),
+        further(r"e^{-x^2/s^2} = \frac12 \Leftrightarrow x = s\sqrt{\ln 2}", "x > 0, s > 0"),
+        further(r"10 \lg q = 10\lg\frac12 \Leftrightarrow q = \frac12", "q > 0"),
+        further(r"e^{-q} = \frac12 \Leftrightarrow q = \ln 2", "q > 0"),
+        further(r"\ln x < \ln y \Leftrightarrow x < y", "x > 0, y > 0"),
+        further(r"e^{-x} < e^{-y} \Leftrightarrow x > y", "x > 0"),
+        further(r"s > 10 t \Rightarrow 10 \lg\frac{s}{t} > 10", "s > 0, t > 0"),
         (r"e^x > y \Rightarrow x > \ln y", "y > 0"),
-        (r"(\frac{1}{2})^x < y \Leftrightarrow x > -\log_2 y", "y > 0"),
-        (r"x = e^y \Rightarrow y > 0", "x > 1"),
+        further(r"(\frac{1}{2})^x < y \Leftrightarrow x > -\log_2 y", "y > 0"),
+        further(r"x = e^y \Rightarrow y > 0", "x > 1"),
         (r"-2 y = \ln x \Rightarrow x = e^{-2 y}", "x > 0"),
         (r"\ln x > 0 \Leftrightarrow x > 1", "x > 0"),
-        (r"10 \log_{10} x > 20 \Leftrightarrow x > 100", "x > 0"),
-        (r"\ln x > 1 \Rightarrow x > 2", "x > 0"),
+        further(r"10 \log_{10} x > 20 \Leftrightarrow x > 100", "x > 0"),
+        further(r"\ln x > 1 \Rightarrow x > 2", "x > 0"),
         (r"x > 3 \Rightarrow \ln x > 1", "x > 0"),
         (r"\sin x > 0 \Rightarrow x < 4", "0 < x < 6"),
         (r"1 < x \Rightarrow \ln x > 0", "x > 0"),
-        (r"2 > x \Rightarrow e^x < 8", "x > 0"),
+        further(r"2 > x \Rightarrow e^x < 8", "x > 0"),
     ],
 )
 def test_what_is_true_is_proved(latex: str, domain: str) -> None:
@@ -66,28 +67,28 @@ def test_what_is_true_is_proved(latex: str, domain: str) -> None:
     ("latex", "domain"),
     [
         (r"y = \ln x \Rightarrow x = e^{2 y}", "x > 0"),
-        (r"x = 10^{y/20} \Leftrightarrow y = 10 \log_{10} x", "x > 0"),
-        (r"e^x > 1 \Leftrightarrow x > 1/10", "x > -10"),
+        further(r"x = 10^{y/20} \Leftrightarrow y = 10 \log_{10} x", "x > 0"),
+        further(r"e^x > 1 \Leftrightarrow x > 1/10", "x > -10"),
         (r"\ln x > 0 \Leftrightarrow x > 2", "x > 0"),
-        (r"10 \lg q = -3 \Leftrightarrow q = \frac12", "q > 0"),
-        (r"e^{-q} = \frac12 \Leftrightarrow q = \ln 3", "q > 0"),
+        further(r"10 \lg q = -3 \Leftrightarrow q = \frac12", "q > 0"),
+        further(r"e^{-q} = \frac12 \Leftrightarrow q = \ln 3", "q > 0"),
         (r"x < 1 \Rightarrow -\ln x < 0", "x > 0"),
-        (r"-y = \ln x \Rightarrow y = \ln x", "x > 0"),
-        (r"2 y = \ln x \Rightarrow x = e^y", "x > 0"),
+        further(r"-y = \ln x \Rightarrow y = \ln x", "x > 0"),
+        further(r"2 y = \ln x \Rightarrow x = e^y", "x > 0"),
         (r"\ln x \ln x > 1 \Rightarrow x > 2", "x > 0"),
         (r"x > 2 \Rightarrow (\frac{1}{2})^x > \frac{1}{4}", "x > 0"),
-        (
+        further(
             r"p = e^{-t^2/(2 s^2)} \Leftrightarrow t = s \sqrt{-\ln p}",
             "0 < p < 1, t > 0, s > 0",
         ),
-        (r"\log_{10} x < 0 \Leftrightarrow x < 1", "x > -1"),
-        (r"\ln x > 1 \Rightarrow x > 3", "x > 0"),
+        further(r"\log_{10} x < 0 \Leftrightarrow x < 1", "x > -1"),
+        further(r"\ln x > 1 \Rightarrow x > 3", "x > 0"),
         (r"x > 2 \Rightarrow \ln x > 1", "x > 0"),
         (r"\sin x > 0 \Rightarrow x < 3", "0 < x < 6"),
         (r"1 < x \Rightarrow \ln x < 0", "x > 0"),
-        (r"e^x \leq 1 \Rightarrow x < 0", "x > -10"),
+        further(r"e^x \leq 1 \Rightarrow x < 0", "x > -10"),
         (r"e^x \geq 1 \Rightarrow x > 0", "x > -10"),
-        (r"e^{-x} \leq 1 \Rightarrow x > 0", "x > -10"),
+        further(r"e^{-x} \leq 1 \Rightarrow x > 0", "x > -10"),
     ],
 )
 def test_what_is_false_is_refuted(latex: str, domain: str) -> None:
@@ -216,7 +217,7 @@ ORDERS = {"<": lambda a, b: a < b, r"\leq": lambda a, b: a <= b, ">": lambda a, 
 
 
 @pytest.mark.sampled
-@pytest.mark.parametrize("seed", range(samples(40)))
+@pytest.mark.parametrize("seed", range(samples(10)))
 def test_what_is_proved_holds_at_a_thousand_points(seed: int) -> None:
     generator = random.Random(seed)
     name, function = generator.choice(list(FUNCTIONS.items()))

@@ -5,6 +5,7 @@ from __future__ import annotations
 from fractions import Fraction
 
 import pytest
+from one_of_each import further
 from small_claims import check, judged
 
 from gainproof.verify.judge.exact.box import Box
@@ -22,10 +23,10 @@ TRUE = [
     (r"\lvert \cos x - 1 \rvert \leq \frac{x^2}{2}", None),
     (r"\lvert \arctan x \rvert \leq \lvert x \rvert", "-1 < x < 2"),
     (r"\lvert \sin x \rvert < 2 x", "x > 0"),
-    (r"e^{-\lvert x \rvert} \leq \frac{1}{1 + \lvert x \rvert}", None),
+    further(r"e^{-\lvert x \rvert} \leq \frac{1}{1 + \lvert x \rvert}", None),
     (r"\lvert x \rvert e^{-\lvert y \rvert} \leq \lvert x \rvert", None),
     (r"\lvert \tanh x \rvert \leq \lvert x \rvert", "x < 0"),
-    (r"\lvert \tan x \rvert \geq \lvert x \rvert", "-1 < x < 1"),
+    further(r"\lvert \tan x \rvert \geq \lvert x \rvert", "-1 < x < 1"),
     (r"\lvert \tan x \rvert \geq x", "0 < x < 1"),
     (r"x \leq \lvert \ln(1 - x) \rvert", "0 < x < 1"),
 ]

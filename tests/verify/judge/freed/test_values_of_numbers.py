@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import mpmath
 import pytest
+from one_of_each import further
 from small_claims import check, judged
 
 from gainproof.verify.judge.exact.expression import Expr, number
@@ -16,9 +17,9 @@ from gainproof.verify.judge.freed.ranges import EULER, Ranges
     [
         (r"\lg x < \ln x", "x > 1"),
         (r"\lg x > \ln x", "0 < x < 1"),
-        (r"\log_2 x < x", "x > 0"),
-        (r"\log_2 x \leq x - 1", r"x \geq 2"),
-        (r"10 \log_{10}(1 + x) \leq 4.343 x", r"x \geq 0"),
+        further(r"\log_2 x < x", "x > 0"),
+        further(r"\log_2 x \leq x - 1", r"x \geq 2"),
+        further(r"10 \log_{10}(1 + x) \leq 4.343 x", r"x \geq 0"),
         (r"2^x \geq x + 1", r"x \geq 1"),
         (r"e^{1/2} x > 1.6487 x", "x > 0"),
         (r"e^{1/2} x + e^{1/3} x^2 > 1.6487 x + 1.3956 x^2", "x > 0"),

@@ -6,6 +6,7 @@ from __future__ import annotations
 
 import json
 from collections.abc import Mapping
+from functools import cache
 from pathlib import Path
 from typing import Any
 
@@ -60,6 +61,10 @@ def verdicts() -> Mapping[str, Any]:
     return {claim["id"]: claim for claim in json.loads(text)["claims"]}
 
 
+read = cache(read_claim_text)
+"""Most of what judging one claim takes; of the file itself it is done once."""
+
+
 def judged_with(name: str, before: str, after: str) -> ClaimVerdict:
     """The verdict on one claim, the first such piece of its formula replaced."""
     start = TEXT.index(f'\nid = "{name}"\n')
@@ -68,7 +73,7 @@ def judged_with(name: str, before: str, after: str) -> ClaimVerdict:
     piece = TEXT[place : end if end > 0 else None]
     assert before in piece, piece
     text = TEXT[:place] + piece.replace(before, after, 1) + (TEXT[end:] if end > 0 else "")
-    file = read_claim_text(text, FILE.name)
+    file = read(text, FILE.name)
     (claim,) = (claim for claim in file.claims if claim.id == name)
     (found,) = judge_setting(file.settings[claim.setting], [claim], [], {})
     return found

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import pytest
 from matrix_claims import SYMBOLS, judged_matrices
+from one_of_each import further
 
 from gainproof.verify.judge.matrices.certificate import rejected
 
@@ -14,18 +15,18 @@ RECTANGLES = """
 TRUE = [
     ("C B = I_n", "identity", "given = ['B C = I_n']"),
     ("C = B^{-1}", "identity", "given = ['B C = I_n']"),
-    ("C K B = I_n", "identity", "given = ['K B C = I_n']"),
+    further("C K B = I_n", "identity", "given = ['K B C = I_n']"),
     (r"\det(B) \neq 0 \Leftrightarrow \det(B^T) \neq 0", "equivalence", ""),
     (r"\det(B C) \neq 0 \Leftrightarrow \det(C B) \neq 0", "equivalence", ""),
-    (r"\det(B) \neq 0 \Leftrightarrow \det(B^T B) \neq 0", "equivalence", ""),
-    (r"\det(B) \neq 0 \Leftrightarrow B^T B > 0", "equivalence", ""),
+    further(r"\det(B) \neq 0 \Leftrightarrow \det(B^T B) \neq 0", "equivalence", ""),
+    further(r"\det(B) \neq 0 \Leftrightarrow B^T B > 0", "equivalence", ""),
     (r"Q^{-1} \geq (Q + S)^{-1}", "inequality", ""),
-    (r"(I_n + S)^{-1} \leq I_n", "inequality", ""),
-    (r"Q^{-1} > (Q + V)^{-1}", "inequality", ""),
-    (r"(I_n + A^T A)^{-1} \leq I_n", "inequality", ""),
-    (r"2 I_n \geq 2 Q^{-1}", "inequality", r"given = ['Q \geq I_n']"),
+    further(r"(I_n + S)^{-1} \leq I_n", "inequality", ""),
+    further(r"Q^{-1} > (Q + V)^{-1}", "inequality", ""),
+    further(r"(I_n + A^T A)^{-1} \leq I_n", "inequality", ""),
+    further(r"2 I_n \geq 2 Q^{-1}", "inequality", r"given = ['Q \geq I_n']"),
     (r"2 I_n \geq Q^{-1}", "inequality", r"given = ['4 Q \geq 2 I_n']"),
-    (r"3 V^{-1} \geq 2 Q^{-1}", "inequality", r"given = ['3 Q \geq 2 V']"),
+    further(r"3 V^{-1} \geq 2 Q^{-1}", "inequality", r"given = ['3 Q \geq 2 V']"),
     (r"\frac{1}{2} Q > \frac{1}{2} V", "inequality", "given = ['Q > V']"),
     (r"Q + Q^{-1} \geq 2 I_n", "inequality", ""),
     (r"Q Q \geq 2 Q - I_n", "inequality", ""),

@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 
 import pytest
+from one_of_each import further
 from small_claims import check, judged
 
 from gainproof.verify.judge.exact.expression import add, number, power, sqrt, symbol
@@ -24,7 +25,7 @@ SYMBOLS = {
 }
 TRUE = [
     r"\frac{\partial F}{\partial x}(M) = \frac{u - a}{F(M)}",
-    r"\frac{\partial^2 F}{\partial x \partial y}(M) = - \frac{(u - a)(v - b)}{F(M)^3}",
+    further(r"\frac{\partial^2 F}{\partial x \partial y}(M) = - \frac{(u - a)(v - b)}{F(M)^3}"),
     r"\frac{\partial F}{\partial x}(L) = \frac{\partial F(L)}{\partial x}",
     r"\frac{\partial G}{\partial x}(u, 3) = 6 u",
     r"\frac{\partial G}{\partial y}(x, v) = x^2",

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import pytest
+from one_of_each import further
 from small_claims import check, judged
 
 SYMBOLS = {
@@ -20,25 +21,25 @@ TRUE = [
     "E[(v + w)^4] = 3 (s^2 + t^2)^2",
     "E[v^4 u^2] = 3 s^4 q",
     "E[v u] = 0",
-    r"E[\cos w] = e^{-t^2/2}",
+    further(r"E[\cos w] = e^{-t^2/2}"),
     r"E[\sin w] = 0",
     r"E[\cos 2w] = e^{-2 t^2}",
     r"E[\sin(a + w)] = e^{-t^2/2} \sin a",
-    r"E[w \sin w] = t^2 e^{-t^2/2}",
+    further(r"E[w \sin w] = t^2 e^{-t^2/2}"),
     r"E[w^2 \cos w] = (t^2 - t^4) e^{-t^2/2}",
-    r"E[w^3 \sin(a + w)] = (3 t^4 - t^6) e^{-t^2/2} \cos a",
-    r"E[\cos^2 w] = (1 + e^{-2 t^2})/2",
+    further(r"E[w^3 \sin(a + w)] = (3 t^4 - t^6) e^{-t^2/2} \cos a"),
+    further(r"E[\cos^2 w] = (1 + e^{-2 t^2})/2"),
     r"E[\sin^2 w] = (1 - e^{-2 t^2})/2",
     r"E[\sin w \cos w] = 0",
-    r"E[\cos^2 w + \sin^2 w] = 1",
-    r"E[\cos(v + w)] = e^{-(s^2 + t^2)/2}",
-    r"E[v \sin(v - w)] = s^2 e^{-(s^2 + t^2)/2}",
-    r"E[\cos(k w)] = e^{-k^2 t^2/2}",
+    further(r"E[\cos^2 w + \sin^2 w] = 1"),
+    further(r"E[\cos(v + w)] = e^{-(s^2 + t^2)/2}"),
+    further(r"E[v \sin(v - w)] = s^2 e^{-(s^2 + t^2)/2}"),
+    further(r"E[\cos(k w)] = e^{-k^2 t^2/2}"),
     r"E[\cos^4 w] = (3 + 4 e^{-2 t^2} + e^{-8 t^2})/8",
-    r"E[\sin(a + w) \cos(b + w)] = \frac{1}{2} (e^{-2 t^2} \sin(a + b) + \sin(a - b))",
-    r"E[\sin(a + w) \sin(b + w)] = \frac{1}{2} (\cos(a - b) - e^{-2 t^2} \cos(a + b))",
-    r"E[\cos(a + w) \cos(b - w)] = \frac{1}{2} (\cos(a + b) + e^{-2 t^2} \cos(a - b))",
-    r"E[c] = r e^{-t^2/2} \cos a",
+    further(r"E[\sin(a + w) \cos(b + w)] = \frac{1}{2} (e^{-2 t^2} \sin(a + b) + \sin(a - b))"),
+    further(r"E[\sin(a + w) \sin(b + w)] = \frac{1}{2} (\cos(a - b) - e^{-2 t^2} \cos(a + b))"),
+    further(r"E[\cos(a + w) \cos(b - w)] = \frac{1}{2} (\cos(a + b) + e^{-2 t^2} \cos(a - b))"),
+    further(r"E[c] = r e^{-t^2/2} \cos a"),
     r"E[c^2] = \frac{1}{2} (r^2 + s^2) (1 + e^{-2 t^2} \cos 2a)",
 ]
 FALSE = [

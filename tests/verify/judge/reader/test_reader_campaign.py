@@ -18,8 +18,8 @@ SECONDS_EACH = 10.0
 
 @pytest.mark.sampled
 def test_formulas() -> None:
-    tally = fuzz_formulas(20, samples(1000))
-    assert tally.inputs == samples(1000)
+    tally = fuzz_formulas(20, samples(500))
+    assert tally.inputs == samples(500)
     assert tally.crashes == []
     assert tally.seconds < SECONDS_EACH, tally.slowest
     # a fuzz that reads little tests the lexer only
@@ -28,14 +28,14 @@ def test_formulas() -> None:
 
 @pytest.mark.sampled
 def test_made_formulas() -> None:
-    tally = fuzz_made(20, samples(500))
+    tally = fuzz_made(20, samples(250))
     assert tally.crashes == []
     assert 0 < tally.read < tally.inputs
 
 
 @pytest.mark.sampled
 def test_claim_files() -> None:
-    tally = fuzz_files(20, samples(60))
+    tally = fuzz_files(20, samples(30))
     assert tally.crashes == []
     assert tally.seconds < SECONDS_EACH, tally.slowest
     assert tally.read > tally.inputs // 20

@@ -169,7 +169,7 @@ def trees() -> st.SearchStrategy[Tree]:
 
 
 MANY_EXAMPLES = settings(
-    max_examples=samples(150),
+    max_examples=samples(75),
     deadline=None,
     suppress_health_check=[HealthCheck.too_slow, HealthCheck.data_too_large],
 )

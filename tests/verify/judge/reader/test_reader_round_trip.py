@@ -196,7 +196,7 @@ def _root(square: Fraction) -> Fraction:
 
 
 COMMON = settings(
-    max_examples=samples(120), deadline=None, suppress_health_check=[HealthCheck.too_slow]
+    max_examples=samples(60), deadline=None, suppress_health_check=[HealthCheck.too_slow]
 )
 
 
@@ -253,7 +253,7 @@ def _few_slashes(text: str) -> bool:
     return text.count("1/k T") <= 6
 
 
-@settings(COMMON, max_examples=samples(40))
+@settings(COMMON, max_examples=samples(20))
 @given(_statements().filter(_few_slashes))
 def test_statements_printed_and_read_again(text: str) -> None:
     for reading in read_formula(text, SYMBOLS).readings[:8]:
