@@ -53,6 +53,7 @@ TRUE: list[tuple[str, dict[str, Any], str]] = [
     ("x + 1/x >= 2", {"domain": "x > 0"}, ""),
     ("a/c >= b/c", {"given": ("a >= b", "c > 0")}, ""),
     (r"n^2 \geq n", {"symbols": {"n": "integer"}}, ""),
+    ("β = α²/(2 − α)", {}, "random-velocity"),
     ("s = v*t + v*t", {"symbols": {"s": "= 2 v t"}}, ""),
 ]
 
@@ -140,6 +141,8 @@ def test_which_text_is_latex(formula: str, plain: bool) -> None:
     ("formula", "said", "message"),
     [
         ("", {}, "a formula is wanted"),
+        ("х = х", {}, "CYRILLIC SMALL LETTER HA"),
+        ("Α = Α", {}, "GREEK CAPITAL LETTER ALPHA"),
         (r"\alpha + \beta =", {}, r"(?s)ends too early.*\\beta =\n +\^"),
         (r"\beta = \undefinedcommand x", {}, "undefinedcommand"),
         ("x = y", {"symbols": {"z": "m"}}, "no symbol of the formula is called 'z'; known: x, y"),

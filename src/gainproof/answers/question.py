@@ -7,6 +7,7 @@ several filters may be meant, the text has a setting and a claim for each.
 from __future__ import annotations
 
 import re
+import unicodedata
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
 from types import MappingProxyType
@@ -21,6 +22,7 @@ from gainproof.verify.judge.claim.units import read_unit
 from gainproof.verify.judge.claim.usual_letters import Meaning
 from gainproof.verify.judge.formula import Formula
 from gainproof.verify.judge.quantity_names import quantity_names
+from gainproof.verify.judge.reader.characters import meant_character
 from gainproof.verify.judge.reader.errors import ReaderError
 from gainproof.verify.judge.reader.names import canonical_token
 from gainproof.verify.judge.reader.symbols_met import symbols_met
@@ -112,7 +114,7 @@ def question(formula: str, options: Options, models: Sequence[Mapping[str, objec
     """What is to be judged. Raises BadInputError, with a mark under the place, for a formula that
     cannot be read and for options that do not fit.
     """
-    formula = formula.strip()
+    asked, formula = formula.strip(), in_ascii(formula.strip())
     if not formula:
         raise BadInputError("a formula is wanted, got an empty one")
     if len(formula) > MOST_CHARACTERS:
@@ -153,7 +155,23 @@ def question(formula: str, options: Options, models: Sequence[Mapping[str, objec
         str(number): (*written, *_assumed(candidate, said, options))
         for number, candidate in enumerate(candidates, 1)
     }
-    return Question(formula, text, assumed)
+    return Question(asked, text, assumed)
+
+
+def in_ascii(formula: str) -> str:
+    """The formula with Greek letters, small digits and the minus sign as LaTeX has them. What looks
+    like a Latin letter and is none stays, for the reader to refuse.
+    """
+    return "".join(map(_in_ascii, formula))
+
+
+def _in_ascii(character: str) -> str:
+    meant = None if character.isascii() else meant_character(character)
+    if meant is None:
+        return character
+    if meant.startswith("\\") and "GREEK" in unicodedata.name(character, ""):
+        return f"{meant} "
+    return meant if meant[:1] in "^_-" and (meant == "-" or meant[1:].isdigit()) else character
 
 
 def _products(tokens: Sequence[str], said: Mapping[str, Meaning]) -> tuple[str, ...]:
