@@ -44,7 +44,7 @@ def ask(
     symbols: Mapping[str, str] | None = None,
     model: str | None = None,
     domain: str | None = None,
-    given: Sequence[str] = (),
+    given: str | Sequence[str] = (),
     conventions: Mapping[str, str] | None = None,
     seconds: float | None = None,
 ) -> Answer:
@@ -63,12 +63,13 @@ def ask(
         numbers).
     domain : str, optional
         Conditions under which the formula is claimed.
-    given : sequence of str
+    given : str or sequence of str
         Equations and inequalities that are hypotheses.
     conventions : mapping, optional
         Such as {"gain": "predictor"}; what is left open is searched.
     seconds : float, optional
-        Processor time, after which the verdict is undecided; None: as for `gainproof ask`.
+        Processor time for each way to understand the formula that is tried, after which it is
+        undecided; None: as for `gainproof ask`.
 
     Returns
     -------

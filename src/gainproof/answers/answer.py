@@ -130,7 +130,7 @@ class Answer:
             # where it was searched the conventions name it
             kinds.append(FILTER if self._filter().endswith(OPEN) else self._filter())
         if self.verdict == "refuted" and FILTER in guessed and self.claim["convention"] is None:
-            words += ANY_NUMBERS if NO_FILTER in self._filter() else ""
+            words += ANY_NUMBERS if NO_FILTER in self._filter() else f" for a {self._filter()}"
         return f"{words}; assumed: {' and '.join(kinds)}" if kinds else words
 
     def _filter(self) -> str:
@@ -155,7 +155,13 @@ def _together(convention: str) -> str:
     """
     if not convention.startswith(ANY_OF):
         return convention
-    choices = [choice.split(", ") for choice in convention.removeprefix(ANY_OF).split("; ")]
+    *named, last = convention.removeprefix(ANY_OF).split("; ")
+    if last.startswith("and "):  # "and 12 more"
+        choices = [choice.split(", ") for choice in named]
+        common = [part for part in choices[0] if all(part in choice for choice in choices)]
+        most = len(choices) + int(last.split()[1])
+        return ", ".join([f"any of {most} choices of process noise and conventions", *common])
+    choices = [choice.split(", ") for choice in (*named, last)]
     parts = [[*dict.fromkeys(column)] for column in zip(*choices, strict=False)]
     whole = {len(choice) for choice in choices} == {len(parts)}
     if not whole or prod(map(len, parts)) != len(choices):

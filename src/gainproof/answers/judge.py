@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import threading
 from collections.abc import Mapping, Sequence
 from types import TracebackType
 from typing import Any
@@ -11,26 +12,32 @@ from gainproof.answers.question import Options, Question, question
 from gainproof.bad_input import BadInputError
 from gainproof.claims.judgements import shipped_models
 from gainproof.claims.judging import KeptTrials, judge_text
-from gainproof.claims.time_limit import DEFAULT
+from gainproof.claims.time_limit import DEFAULT, MOST
 from gainproof.jobs.cache import Cache, default_folder
 from gainproof.jobs.worker_state import WorkerState
 from gainproof.verify.judge.worker import Workers
 
 
 class Judge:
-    """Answers formulas one after the other. To be used in a `with`, at whose end its process ends;
-    a formula that hangs costs the process, and the next one gets another.
+    """Answers formulas one after the other, also to several threads. To be used in a `with`, at
+    whose end its process ends; a formula that hangs costs the process, and the next one gets
+    another.
 
     Parameters
     ----------
     seconds : float
-        Processor time for one formula, which is undecided after that.
+        Processor time for a formula, for each way to understand it that is tried; it is undecided
+        after that.
     fresh : bool
         Take nothing of what was found before.
     """
 
     def __init__(self, *, seconds: float = DEFAULT, fresh: bool = False) -> None:
+        if not (isinstance(seconds, int | float) and 0 < seconds <= MOST):
+            raise BadInputError(f"seconds: a number above 0 and up to {MOST:g}, got {seconds!r}")
         self._models = shipped_models()
+        # the process answers one formula after the other
+        self._one_by_one = threading.Lock()
         known = KeptTrials(Cache(default_folder(), fresh))
         self._workers = Workers(self._models, seconds, 1, known)
 
@@ -56,17 +63,22 @@ class Judge:
         symbols: Mapping[str, str] | None = None,
         model: str | None = None,
         domain: str | None = None,
-        given: Sequence[str] = (),
+        given: str | Sequence[str] = (),
         conventions: Mapping[str, str] | None = None,
     ) -> Answer:
         """The verdict on a formula, as `gainproof.ask` says. Raises BadInputError."""
+        given = (given,) if isinstance(given, str) else tuple(given)
         options = Options(symbols or {}, model or "", domain or "", given, conventions or {})
+        for text in (formula, options.model, options.domain, *given):
+            if not isinstance(text, str):
+                raise BadInputError(f"a text is wanted, got {type(text).__name__}")
         return self.answer(self.question(formula, options))
 
     def answer(self, asked: Question) -> Answer:
         """The verdict on a formula that is understood. Raises BadInputError."""
         try:
-            judged = judge_text("formula", asked.text, self._models, self._workers, _silent)
+            with self._one_by_one:
+                judged = judge_text("formula", asked.text, self._models, self._workers, _silent)
         except BadInputError as error:
             raise _as_asked(error) from None
         return answer_of(asked, judged["claims"])
@@ -91,8 +103,12 @@ def _as_asked(error: BadInputError) -> BadInputError:
     """The errors of the claim file that a formula became, without its lines: by what was asked."""
     said = []
     for each in error.errors:
-        *_, field = str(each["where"]).split(".")
+        table, _, further = str(each["where"]).partition(".")
         _, _, mark = str(each["text"]).partition("\n")
-        place = "formula" if field in ("latex", "plain") else f"--{field}"
+        place = "formula"
+        if table == "settings":
+            place = "--symbol" if ".symbols" in further else "--model"
+        elif further.endswith((".domain", ".given")):
+            place = f"--{further.rpartition('.')[2]}"
         said.append("\n".join([f"{place}: {each['message']}", *([mark] if mark else [])]))
     return BadInputError("\n".join(dict.fromkeys(said)) or str(error), error.errors)

@@ -7,31 +7,28 @@ several filters may be meant, the text has a setting and a claim for each.
 from __future__ import annotations
 
 import re
-import unicodedata
-from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass, field
+from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
+from dataclasses import dataclass, field, replace
 from types import MappingProxyType
+from typing import Any
 
+from gainproof.answers.typed import Typed, condition, symbol_name, typed
 from gainproof.bad_input import BadInputError, unknown_name
 from gainproof.claims.template import FORMAT_LINE
 from gainproof.claims.toml_text import quoted
 from gainproof.verify.judge.claim import usual_letters as letters
 from gainproof.verify.judge.claim.settings import CONVENTIONS
-from gainproof.verify.judge.claim.short_form import REAL, entry_of, is_plain, kind_of
+from gainproof.verify.judge.claim.short_form import REAL, entry_of, kind_of
 from gainproof.verify.judge.claim.units import read_unit
 from gainproof.verify.judge.claim.usual_letters import Meaning
-from gainproof.verify.judge.formula import Formula
+from gainproof.verify.judge.formula import Formula, Relation
 from gainproof.verify.judge.quantity_names import quantity_names
-from gainproof.verify.judge.reader.characters import meant_character
-from gainproof.verify.judge.reader.errors import ReaderError
-from gainproof.verify.judge.reader.names import canonical_token
-from gainproof.verify.judge.reader.symbols_met import symbols_met
 
-MOST_CHARACTERS = 20_000
-"""Of a formula; the reader has limits of its own below that."""
 DEFINITION = "definition"
+WHOLE = "whole number"
 SEARCHED = "process noise searched"
 NO_FILTER = "none: about real numbers"
+ANGLES = frozenset({"sin", "cos", "tan", "asin", "acos", "atan", "cot", "sec", "csc"})
 SEARCH, NONE, FIXED = "search", "none", "fixed"
 FILTER = "filter"
 """What is assumed of no symbol."""
@@ -96,7 +93,6 @@ class Candidate:
     lines: tuple[str, ...]
     symbols: Mapping[str, Meaning]
     title: str
-    extra: tuple[str, ...] = ()
 
 
 @dataclass(frozen=True)
@@ -114,84 +110,51 @@ def question(formula: str, options: Options, models: Sequence[Mapping[str, objec
     """What is to be judged. Raises BadInputError, with a mark under the place, for a formula that
     cannot be read and for options that do not fit.
     """
-    asked, formula = formula.strip(), in_ascii(formula.strip())
-    if not formula:
-        raise BadInputError("a formula is wanted, got an empty one")
-    if len(formula) > MOST_CHARACTERS:
-        raise BadInputError(f"a formula of more than {MOST_CHARACTERS} characters")
-    plain = is_plain(formula)
     for name, value in options.conventions.items():
         if name not in CONVENTIONS:
             raise unknown_name("convention", name, CONVENTIONS)
         if value not in CONVENTIONS[name]:
             raise unknown_name(f"value of the convention {name}", value, CONVENTIONS[name])
-    said = _said(options)
-    met = symbols_met(formula, plain=plain)
-    products = _products(met.symbols, said) if plain else ()
-    read = formula
-    for word in products:
-        read = re.sub(rf"(?<![A-Za-z_]){word}(?![A-Za-z_])", " ".join(word), read)
-    met = symbols_met(read, plain=plain) if products else met
-    if met.formula is None:
-        raise BadInputError(f"not read: {met.problem}\n{met.caret}")
-    conditions = _conditions(options, plain)
-    tokens = [*dict.fromkeys((*met.symbols, *conditions))]
-    unused = [token for token in said if token not in tokens]
-    if unused:
-        raise unknown_name("symbol of the formula", unused[0], tokens)
+    names = {symbol_name(name): text for name, text in options.symbols.items()}
+    said = {token: meaning_of(token, text) for token, text in names.items()}
+    read = typed(formula, said)
+    domain, further = condition(options.domain, "domain", said) if options.domain else ("", ())
+    given = [condition(each, "given", said) for each in options.given]
+    tokens = [*dict.fromkeys((*read.symbols, *further, *(t for _, ts in given for t in ts)))]
+    for token in said:
+        if token not in tokens:
+            known = ", ".join(tokens) or "none"
+            raise BadInputError(f"--symbol: the formula has no {token}; its symbols: {known}")
+    # a definition may hold symbols of its own
+    for meaning in said.values():
+        if meaning.definition:
+            met = condition(f"{meaning.definition} = 0", "symbol", said)[1]
+            tokens += [token for token in met if token not in tokens]
     for token in ("i", "j"):
-        if token in tokens and token not in said and _in_exponent(met.formula, token):
+        if token in tokens and token not in said and _in_exponent(read.formula, token):
             raise BadInputError(
                 f"{token} in an exponent looks like the imaginary unit, and complex numbers are "
                 f"not judged: if it is a number, say --symbol '{token}: 1'"
             )
-    candidates = _candidates(tokens, said, options, models)
-    text = _text(read, plain, met.formula, candidates, options)
-    written = tuple(
-        Assumed(word, f"product {' '.join(word)}", True, f"--symbol '{word}: ...'")
-        for word in products
-    )
+    options = replace(options, domain=domain, given=tuple(text for text, _ in given))
+    candidates = _candidates(tokens, said, options, models, read.formula)
+    stated = {*further, *(token for _, ts in given for token in ts)}
+    text = _text(read, candidates, options, stated)
+    taken = [Assumed(part, how, True, f"--symbol '{part}: ...'") for part, how in read.taken]
     assumed = {
-        str(number): (*written, *_assumed(candidate, said, options))
+        str(number): (*taken, *_assumed(candidate, said, options))
         for number, candidate in enumerate(candidates, 1)
     }
-    return Question(asked, text, assumed)
+    return Question(formula.strip(), text, assumed)
 
 
-def in_ascii(formula: str) -> str:
-    """The formula with Greek letters, small digits and the minus sign as LaTeX has them. What looks
-    like a Latin letter and is none stays, for the reader to refuse.
-    """
-    return "".join(map(_in_ascii, formula))
-
-
-def _in_ascii(character: str) -> str:
-    meant = None if character.isascii() else meant_character(character)
-    if meant is None:
-        return character
-    if meant.startswith("\\") and "GREEK" in unicodedata.name(character, ""):
-        return f"{meant} "
-    return meant if meant[:1] in "^_-" and (meant == "-" or meant[1:].isdigit()) else character
-
-
-def _products(tokens: Sequence[str], said: Mapping[str, Meaning]) -> tuple[str, ...]:
-    """Words of plain text that are meant as products: nobody said what they are, and each of their
-    letters stands elsewhere too, alone or in another such word. `ab` beside a and b, not `vel`.
-    """
-    words = [
-        token
-        for token in tokens
-        if re.fullmatch("[A-Za-z]{2,4}", token)
-        and token not in said
-        and token not in letters.filter_meanings(tokens)
-    ]
-    return tuple(
-        word
-        for word in words
-        if all(
-            any(letter in other for other in (*tokens, *words) if other != word and len(other) < 5)
-            for letter in word
-        )
+def _has_angles(formula: Formula) -> bool:
+    """Whether there are sines and their like, whose arguments are no gains."""
+    return any(
+        node[0] == "call" and node[1] in ANGLES
+        for relation in formula.readings[0].relations
+        for graph in (relation.left, relation.right)
+        for node in graph["nodes"]
     )
 
 
@@ -210,33 +173,6 @@ def _in_exponent(formula: Formula, token: str) -> bool:
         for graph in (relation.left, relation.right)
         for node in graph["nodes"]
     )
-
-
-def _conditions(options: Options, plain: bool) -> list[str]:
-    """The symbols of domain and hypotheses."""
-    found: list[str] = []
-    for name, condition in (
-        ("domain", options.domain),
-        *(("given", each) for each in options.given),
-    ):
-        if condition:
-            met = symbols_met(condition, plain=plain)
-            if met.formula is None:
-                raise BadInputError(f"--{name}: not read: {met.problem}\n{met.caret}")
-            found += met.symbols
-    return found
-
-
-def _said(options: Options) -> dict[str, Meaning]:
-    """What the user says of symbols, by canonical token. Raises BadInputError."""
-    found = {}
-    for name, text in options.symbols.items():
-        try:
-            token = canonical_token(name)
-        except ReaderError as error:
-            raise BadInputError(f"--symbol {name!r}: {error.problem}") from None
-        found[token] = meaning_of(token, text)
-    return found
 
 
 def meaning_of(token: str, text: str) -> Meaning:
@@ -259,7 +195,7 @@ def meaning_of(token: str, text: str) -> Meaning:
             f"'m > 0', or a definition '= ...': {error}; {nearest}"
         ) from None
     domain = f"{token} {found[3]}" if found[3] else ""
-    words = "whole number" if found[1] else "number" if unit == "1" else f"number in {unit}"
+    words = WHOLE if found[1] else "number" if unit == "1" else f"number in {unit}"
     return Meaning("free", words, unit=unit, domain=domain, integer=bool(found[1]))
 
 
@@ -268,23 +204,34 @@ def _candidates(
     said: Mapping[str, Meaning],
     options: Options,
     models: Sequence[Mapping[str, object]],
+    formula: Formula,
 ) -> list[Candidate]:
     """The ways to understand the formula, the likeliest first."""
-    usual = letters.filter_meanings(tokens)
-    known = {**usual, **said}
-    about_filter = all(token in known for token in tokens) and any(
-        letters.is_anchor(known[token]) for token in tokens
+    known = {**letters.filter_meanings(tokens), **said}
+    about_filter = (
+        all(token in known for token in tokens)
+        and letters.is_sound([known[token] for token in tokens])
+        and not _has_angles(formula)
     )
     model = options.model or (SEARCH if about_filter else NONE)
     names = [str(each["name"]) for each in models]
     if model not in (SEARCH, NONE, FIXED, *names):
         raise unknown_name("model", model, [SEARCH, NONE, FIXED, *names])
-    free = {token: Meaning("free", REAL) for token in tokens}
+    whole = _counted(formula)
+    free = {
+        token: Meaning("free", WHOLE, integer=True) if token in whole else Meaning("free", REAL)
+        for token in tokens
+    }
     if model == NONE:
         for token, meaning in said.items():
             if meaning.role != "free":
                 said_to_be = f"{token} is said to be {meaning.quantity}, a quantity of a filter"
                 raise BadInputError(f"{said_to_be}: --model none has none")
+        if options.conventions:
+            raise BadInputError(
+                f"--convention {next(iter(options.conventions))}: the formula is understood as one "
+                "about real numbers, which has none; say --model search, or what its symbols are"
+            )
         algebra = ('kind = "algebra"',)
         return [Candidate(algebra, {**free, **said}, NO_FILTER)]
     meant = {**free, **known}
@@ -292,7 +239,7 @@ def _candidates(
         int(each.quantity[-1]) for each in meant.values() if each.quantity.startswith("gain.")
     ]
     if model == FIXED:
-        states = max(orders, default=2)
+        states = max([2, *orders])
         fixed = ('kind = "fixed_gain"', f"states = {states}", *_conventions(options, meant))
         return [Candidate(fixed, meant, f"a filter of {states} states with any gains")]
     if any(map(letters.is_numbered, tokens)) and model == SEARCH:
@@ -413,7 +360,7 @@ def _entry(token: str, meaning: Meaning) -> str:
 
 
 def _text(
-    formula: str, plain: bool, read: Formula, candidates: Sequence[Candidate], options: Options
+    read: Typed, candidates: Sequence[Candidate], options: Options, stated: Collection[str]
 ) -> str:
     lines = [FORMAT_LINE, "", "[source]", 'title = "A formula that was asked for"']
     for number, candidate in enumerate(candidates, 1):
@@ -421,31 +368,78 @@ def _text(
         lines += [*candidate.lines, "", f"[settings.s{number}.symbols]"]
         lines += [_entry(token, meaning) for token, meaning in candidate.symbols.items()]
     for number, candidate in enumerate(candidates, 1):
+        defines = _only_defines(read.formula, candidate, stated)
+        kind = DEFINITION if defines else kind_of(read.formula)
         lines += ["", "[[claims]]", f'id = "{number}"', 'place = "as asked"']
-        kind = DEFINITION if _only_defines(read, candidate) else kind_of(read)
         lines += [f'kind = "{kind}"', f'setting = "s{number}"']
-        lines += [f"{'plain' if plain else 'latex'} = {quoted(formula)}"]
+        lines += [f"{'plain' if read.plain else 'latex'} = {quoted(read.text)}"]
         lines += [f"domain = {quoted(options.domain)}"] if options.domain else []
         if options.given:
             lines += [f"given = [{', '.join(map(quoted, options.given))}]"]
     return "\n".join(lines) + "\n"
 
 
-def _only_defines(formula: Formula, candidate: Candidate) -> bool:
-    """Whether one side is a number of which nothing is known and that stands nowhere else: such a
-    formula can say what the number is, and nothing else.
+def _only_defines(formula: Formula, candidate: Candidate, stated: Collection[str]) -> bool:
+    """Whether each relation has a side with one number only, of which nothing is known and which
+    stands nowhere else, as in `\\sigma^2 = p(1 - p)`: it can say what that number is, and no more.
+    `stated` are the symbols of which conditions say something.
     """
     reading = formula.readings[0]
-    if len(reading.relations) != 1 or reading.conditions or reading.relations[0].operator != "=":
+    if reading.conditions or any(each.operator != "=" for each in reading.relations):
         return False
-    sides = reading.relations[0].left, reading.relations[0].right
-    for one, other in (sides, sides[::-1]):
-        node = one["nodes"][one["outputs"]["value"]]
-        if node[0] == "symbol" and node not in other["nodes"]:
-            meaning = candidate.symbols[node[1]]
-            if meaning.role == "free" and meaning.meaning == REAL:
-                return True
-    return False
+
+    def unknown(token: str) -> bool:
+        meaning = candidate.symbols[token]
+        return meaning.role == "free" and meaning.meaning == REAL and token not in stated
+
+    def defines(relation: Relation) -> bool:
+        return any(
+            len(symbols := [*_symbols(one)]) == 1
+            and not {*symbols} & {*_symbols(other)}
+            and unknown(symbols[0])
+            # an equation in one number, such as \cos x = 1, is no definition of it
+            and (len(one["nodes"]) == 1 or any(_symbols(other)))
+            and sum(_uses(one["nodes"], symbols[0])) == 1
+            for one, other in (
+                (relation.left, relation.right),
+                (relation.right, relation.left),
+            )
+        )
+
+    return all(map(defines, reading.relations))
+
+
+def _symbols(graph: Mapping[str, Any]) -> Iterator[str]:
+    return (node[1] for node in graph["nodes"] if node[0] == "symbol" and node[1] != "infinity")
+
+
+def _uses(nodes: Sequence[Sequence[Any]], token: str) -> Iterator[bool]:
+    """For each place where a part of a graph is used, whether it is this symbol."""
+    at = nodes.index(["symbol", token])
+    if len(nodes) == 1:
+        yield True
+    for node in nodes:
+        yield from (part == at for part in node[1:] if type(part) is int)
+
+
+def _counted(formula: Formula) -> set[str]:
+    """The symbols of indices of sums and products and of their bounds."""
+    found: set[str] = set()
+
+    def gather(nodes: Sequence[Sequence[Any]], number: int) -> None:
+        node = nodes[number]
+        found.update({node[1]} if node[0] == "symbol" and node[1] != "infinity" else ())
+        for part in node[1:]:
+            if type(part) is int:
+                gather(nodes, part)
+
+    for relation in formula.readings[0].relations:
+        for graph in (relation.left, relation.right):
+            for node in graph["nodes"]:
+                if node[0] == "call" and node[1] in ("sum", "product"):
+                    for part in node[3:]:
+                        gather(graph["nodes"], part)
+    return found
 
 
 def _assumed(
@@ -456,6 +450,11 @@ def _assumed(
         for token, meaning in candidate.symbols.items()
     ]
     found.append(Assumed(FILTER, candidate.title, not options.model, "--model"))
+    found += [
+        Assumed("convention", f"{name} = {value}", False, "--convention")
+        for name, value in options.conventions.items()
+    ]
+    found += [Assumed("domain", options.domain, False, "--domain")] if options.domain else []
     found += [Assumed("given", relation, False, "--given") for relation in options.given]
     return tuple(found)
 

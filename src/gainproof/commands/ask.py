@@ -18,7 +18,8 @@ Says of each FORMULA, in LaTeX or as plain text, whether it is right: proved, re
 where it fails and the nearest true formula, or true on a part only. Letters are understood as the
 field uses them (alpha, beta, gamma, K_1, P_{11}, T, Lambda, sigma_v, sigma_w and more); a formula
 with other letters is about real numbers, wherever all of its parts have a value. Whatever was
-guessed is said, and can be said otherwise.
+guessed is said, and can be said otherwise. A formula that begins with a minus sign stands behind
+--.
 
 Nothing of a formula is executed. Exit status 0 if every formula is settled, whatever the verdict; 1
 if one is not; 2 for one that cannot be read, after the others were answered."""
@@ -73,17 +74,19 @@ def run(options: argparse.Namespace) -> int:
     from gainproof.bad_input import BadInputError, harmless
 
     asked = _options(options)
+    formulas = list(_formulas(options.formulas))
+    if options.save is not None and len(formulas) != 1:
+        raise BadInputError(f"--save writes one formula, got {len(formulas)}")
     answers: list[Answer] = []
     errors: list[str] = []
     with Judge(seconds=options.seconds, fresh=options.fresh) as judge:
-        for formula in _formulas(options.formulas):
+        for formula in formulas:
             try:
-                question = judge.question(formula, asked)
+                answer = judge.answer(judge.question(formula, asked))
                 if options.save is not None:
-                    _save(options.save, question.text)
-                answer = judge.answer(question)
+                    _save(options.save, answer.text)
             except BadInputError as error:
-                errors.append(str(error))
+                errors.append(f"{formula}: {error}")
                 if not options.json:
                     sys.stdout.flush()
                     print(f"gainproof: {harmless(str(error))}", file=sys.stderr)
@@ -129,6 +132,8 @@ def _options(options: argparse.Namespace) -> Options:
             name, there, value = word.partition(sign)
             if not there or not name.strip() or not value.strip():
                 raise BadInputError(f"--{option} {word!r}: wanted is NAME{sign} and what it is")
+            if name.strip() in found:
+                raise BadInputError(f"--{option} {name.strip()} is said twice")
             found[name.strip()] = value.strip()
         return found
 

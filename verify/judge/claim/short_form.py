@@ -53,8 +53,8 @@ def expanded(parsed: Mapping[str, Any], name: str = "claims") -> Mapping[str, An
 
 
 def is_plain(formula: str) -> bool:
-    """Whether a formula is typed as plain text: it has no commands and no braces of LaTeX."""
-    return "\\" not in formula and not re.search(r"[\^_]\{", formula)
+    """Whether a formula is typed as plain text: it has no commands of LaTeX."""
+    return "\\" not in formula
 
 
 def kind_of(formula: Formula) -> str:

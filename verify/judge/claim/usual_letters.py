@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Mapping, Sequence
+from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass
 from types import MappingProxyType
 
@@ -46,7 +46,8 @@ _INDEX = (r"\Lambda", r"\lambda", r"\Gamma")
 _INTERVALS = ("T", "dt", r"\Delta t", r"\Delta T", "T_s", "t_s", r"\tau")
 _MEASUREMENT_DEVIATIONS = tuple(rf"\sigma_{x}" for x in ("v", "n", "m", "z", "o", "x", "r"))
 _PROCESS_DEVIATIONS = (r"\sigma_w", r"\sigma_a", r"\sigma_q", r"\sigma_u")
-_DENSITIES = ("q", r"\tilde q", r"\tilde{q}", "q_c")
+_DENSITIES = ("q", r"\tildeq", "q_c")
+"""Without braces, as `bare` writes them."""
 _SAMPLES = ("k", "n", "N")
 _COVARIANCES = {
     "P": ("covariance", "covariance, predicted or updated"),
@@ -95,11 +96,19 @@ def is_anchor(meaning: Meaning) -> bool:
 
 
 def about_filter(tokens: Sequence[str]) -> bool:
-    """Whether a formula of these symbols is about a filter: all have a meaning in one, and there is
-    a gain or an entry of a covariance among them.
+    """Whether a formula of these symbols is about a filter: all have a meaning in one, no two the
+    same, and there is a gain or an entry of a covariance among them.
     """
     known = filter_meanings(tokens)
-    return all(token in known for token in tokens) and any(map(is_anchor, known.values()))
+    return all(token in known for token in tokens) and is_sound(known.values())
+
+
+def is_sound(meanings: Collection[Meaning]) -> bool:
+    """Whether these are of quantities of a filter, no two of one, with a gain or an entry of a
+    covariance among them: K_2 beside beta is another thing than beta.
+    """
+    quantities = [each.quantity for each in meanings if each.quantity]
+    return len(set(quantities)) == len(quantities) and any(map(is_anchor, meanings))
 
 
 def is_numbered(token: str) -> bool:

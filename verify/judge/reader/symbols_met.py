@@ -5,6 +5,7 @@ until it reads the equation or says what it cannot read.
 from __future__ import annotations
 
 import re
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 from gainproof.verify.judge.formula import Formula
@@ -38,9 +39,11 @@ class Met:
     caret: str = ""
 
 
-def symbols_met(text: str, *, plain: bool = False) -> Met:
-    """Read an equation in LaTeX, or as `plain` text, declaring its symbols as they come."""
-    declared: dict[str, Free] = {}
+def symbols_met(text: str, *, plain: bool = False, known: Sequence[str] = ()) -> Met:
+    """Read an equation in LaTeX, or as `plain` text, declaring its symbols as they come; `known`
+    are names that it may hold besides, such as those of several letters.
+    """
+    declared = {name: Free() for name in known}
     read = read_plain if plain else read_formula
     for _ in range(MOST_NEW_SYMBOLS):
         try:
@@ -79,6 +82,8 @@ _BEHIND = re.compile(r"('*)(?:_(?:\{([^{}]*)\}|([A-Za-z0-9]+)))?")
 def _plain_names(error: ReaderError) -> list[str]:
     """The symbol that begins where plain text was not read: LaTeX without its backslashes."""
     text, start = error.text, error.position
+    if not error.problem.endswith("is not declared"):
+        return []
     found = _PLAIN.match(text, start)
     if found is None:
         return []
