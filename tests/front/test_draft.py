@@ -13,7 +13,7 @@ from gainproof.claims.draft import draft
 from gainproof.claims.tex_rows import Equation, equations
 from gainproof.claims.tex_text import argument_of, without_comments
 from gainproof.verify.judge.claim.file import ClaimFileError, read_claim_text
-from gainproof.verify.judge.reader.symbols_met import symbols_met
+from gainproof.verify.judge.claim.symbols_met import symbols_met
 
 PAPER = r"""
 \documentclass{article}

@@ -9,13 +9,13 @@ from dataclasses import dataclass
 
 from gainproof.bad_input import BadInputError
 from gainproof.verify.judge.claim.short_form import is_plain
+from gainproof.verify.judge.claim.symbols_met import Met, symbols_met
 from gainproof.verify.judge.claim.usual_letters import filter_meanings
 from gainproof.verify.judge.formula import Formula
 from gainproof.verify.judge.reader.characters import meant_character
 from gainproof.verify.judge.reader.errors import ReaderError
 from gainproof.verify.judge.reader.latex import relations_to_latex
 from gainproof.verify.judge.reader.names import canonical_token
-from gainproof.verify.judge.reader.symbols_met import Met, symbols_met
 
 MOST_CHARACTERS = 20_000
 """Of a formula; the reader has limits of its own below that."""

@@ -8,13 +8,13 @@ import re
 from collections.abc import Iterator, Mapping, Sequence
 from typing import Any
 
+from gainproof.verify.judge.claim.symbols_met import Met, symbols_met
 from gainproof.verify.judge.claim.usual_letters import (
     Meaning,
     about_filter,
     filter_meanings,
 )
 from gainproof.verify.judge.formula import Formula
-from gainproof.verify.judge.reader.symbols_met import Met, symbols_met
 
 USUAL = "usual"
 """What `symbols` of a setting says where they mean what the field means by them."""
