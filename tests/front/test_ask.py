@@ -61,6 +61,8 @@ TRUE: list[tuple[str, dict[str, Any], str]] = [
     (r"\frac{\beta^2}{1-\alpha} = \frac{\tilde{q}T^3}{R}", {}, "filter (K)"),
     (r"\sin(\alpha + \beta) = \sin\alpha\cos\beta + \cos\alpha\sin\beta", {}, "symbols"),
     (r"e^2 > 7", {}, "symbols"),
+    ("(1-K)^2 P^- + K^2 R = (1-K) P^-", {"symbols": {"K": r"= \frac{P^-}{P^- + R}"}}, ""),
+    (r"P_k^{+} + R = P_k^{+} (1 + R/P_k^{+})", {}, ""),
     ("x y >= 0", {"given": r"\alpha > 0", "symbols": {"alpha": "= x y"}}, ""),
     ("P P + P R = R^2", {"symbols": {"P": "= R (s - 1)/2"}, "domain": r"s^2 = 5"}, ""),
     ("s = v*t + v*t", {"symbols": {"s": "= 2 v t"}}, ""),

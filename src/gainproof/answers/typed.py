@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
+import contextlib
 import re
 import unicodedata
 from collections.abc import Collection, Sequence
 from dataclasses import dataclass
 
 from gainproof.bad_input import BadInputError
-from gainproof.verify.judge.claim.short_form import is_plain
+from gainproof.verify.judge.claim.short_form import MARK, is_plain
 from gainproof.verify.judge.claim.symbols_met import Met, symbols_met
 from gainproof.verify.judge.claim.usual_letters import filter_meanings
 from gainproof.verify.judge.formula import Formula
@@ -26,6 +27,11 @@ STEP = "dt"
 _RELATION = re.compile(r"[=<>]|\\(?:leq?|geq?|approx|neq?|to|simeq|sim)\b")
 _BEGINS_WITH_RELATION = re.compile(rf"\s*&?\s*(?:{_RELATION.pattern})")
 _POWER = re.compile(r"\^\{([^{}]*)\}")
+_MARKED = re.compile(
+    r"(?:\\(?:hat|tilde|bar|mathbf)\{?)?\\?[A-Za-z]+\}?(?:_(?:\{[^{}]*\}|\w))?"
+    rf"(?:{MARK.pattern}|\([-+]\))"
+)
+"""A name with the mark of what is predicted or updated: `P_k^-`, `\\hat{x}_k(+)`."""
 _EULER = re.compile(r"(?<![A-Za-z\\_{])e(?![A-Za-z_'])")
 _LOGARITHM = re.compile(r"\\log(?![A-Za-z]|\s*_)|(?<![A-Za-z\\])log(?=\s*\()")
 
@@ -136,8 +142,11 @@ def _read(met: Met) -> Formula:
 
 def _known(text: str, said: Collection[str]) -> list[str]:
     """Names of several letters that the reader would take for products."""
-    usual = (*ONE_NAME, *([] if "\\int" in text or "integral" in text else [STEP]))
-    return [*said, *(name for name in usual if name not in said)]
+    usual = [*ONE_NAME, *([] if "\\int" in text or "integral" in text else [STEP])]
+    for found in _MARKED.finditer(text):
+        with contextlib.suppress(ReaderError):
+            usual.append(canonical_token(found[0]))
+    return [*said, *(name for name in dict.fromkeys(usual) if name not in said)]
 
 
 def _refuse_several(text: str) -> None:

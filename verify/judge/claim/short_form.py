@@ -31,6 +31,8 @@ MADE: Mapping[str, Mapping[str, str]] = {
 INEQUALITIES = frozenset({"<", "<=", ">", ">=", "!="})
 REAL = "real number"
 """The meaning of a letter of which nothing is known."""
+MARK = re.compile(r"\^(?:\{[-+]\}|[-+](?=\s*(?:[-+=/)},]|$)))")
+"""A minus or plus above a name, for what is predicted or updated."""
 _FORMULAS = ("latex", "plain", "domain")
 
 
@@ -53,8 +55,10 @@ def expanded(parsed: Mapping[str, Any], name: str = "claims") -> Mapping[str, An
 
 
 def is_plain(formula: str) -> bool:
-    """Whether a formula is typed as plain text: it has no commands of LaTeX."""
-    return "\\" not in formula
+    """Whether a formula is typed as plain text: it has no commands of LaTeX and no marks of names
+    such as `P^-`.
+    """
+    return "\\" not in formula and MARK.search(formula) is None
 
 
 def kind_of(formula: Formula) -> str:
