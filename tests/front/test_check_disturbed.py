@@ -49,7 +49,7 @@ COUNT = 20
 def many(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
     """Twenty cheap claims, each fifth of them false, and a cache without any claim."""
     monkeypatch.setenv("GAINPROOF_CACHE", str(tmp_path / "cache"))
-    monkeypatch.setattr(judgements, "_models", list)
+    monkeypatch.setattr(judgements, "shipped_models", list)
     path = tmp_path / "many.toml"
     text = HEAD
     for n in range(1, COUNT + 1):
@@ -64,7 +64,7 @@ import sys
 from gainproof import cli
 from gainproof.claims import judgements
 
-judgements._models = lambda: []  # the claims are about numbers
+judgements.shipped_models = lambda: []  # the claims are about numbers
 sys.exit(cli.main(["check", *sys.argv[1:]]))
 """
 

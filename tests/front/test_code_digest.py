@@ -54,6 +54,11 @@ def test_a_module_that_is_imported_within_a_function_belongs_to_it() -> None:
     assert "gainproof.derive.catalogue" in modules_below("gainproof.jobs.tasks")
 
 
+def test_the_face_of_the_package_is_no_part_of_a_result() -> None:
+    """An edit of what `import gainproof` offers would have every bound proved anew."""
+    assert "gainproof" not in modules_below("gainproof.subjects.generating")
+
+
 def test_the_judge_does_not_depend_on_derivations_nor_a_derivation_on_the_judge() -> None:
     assert not [name for name in modules_below("gainproof.claims.judging") if ".derive." in name]
     assert not [

@@ -35,8 +35,8 @@ def of_modules(*names: str) -> str:
     """Digest of the files of modules and of all modules of ours that these import, also within
     functions, with the files of data beside them.
 
-    `gainproof` itself and its folders count with their own text alone: what their functions import
-    when somebody calls them is no part of a module that lies below.
+    `gainproof` itself does not count, which hands names on, and its folders do with their own text
+    alone: what their functions import when somebody calls them is no part of a module below.
 
     Raises LookupError for a module that does not exist.
     """
@@ -73,16 +73,15 @@ def modules_below(*names: str) -> Mapping[str, Path]:
     waiting = list(names)
     while waiting:
         name = waiting.pop()
-        if name in found:
+        if name in found or name == _NAME:
             continue
         path = _file(name)
         if path is None:
             raise LookupError(f"no module {name}")
         found[name] = path
         parts = name.split(".")
-        waiting += [".".join(parts[:end]) for end in range(1, len(parts))]
-        if name != _NAME:
-            waiting += imports_of(path)
+        waiting += [".".join(parts[:end]) for end in range(2, len(parts))]
+        waiting += imports_of(path)
     return found
 
 
