@@ -28,6 +28,8 @@ DEFINITION = "definition"
 WHOLE = "whole number"
 SEARCHED = "process noise searched"
 NO_FILTER = "none: about real numbers"
+MOST_SAID = 1000
+"""Characters of what is said of a symbol."""
 ANGLES = frozenset({"sin", "cos", "tan", "asin", "acos", "atan", "cot", "sec", "csc"})
 SEARCH, NONE, FIXED = "search", "none", "fixed"
 FILTER = "filter"
@@ -177,7 +179,9 @@ def _in_exponent(formula: Formula, token: str) -> bool:
 
 def meaning_of(token: str, text: str) -> Meaning:
     """What a user says of a symbol, as `Options.symbols` has it. Raises BadInputError."""
-    text = text.strip()
+    text = " ".join(text.split())
+    if len(text) > MOST_SAID:
+        raise BadInputError(f"--symbol {token}: more than {MOST_SAID} characters")
     if text in quantity_names():
         return letters.quantity(text, quantity_names()[text].meaning)
     if text.startswith("="):

@@ -28,7 +28,7 @@ _RELATION = re.compile(r"[=<>]|\\(?:leq?|geq?|approx|neq?|to|simeq|sim)\b")
 _BEGINS_WITH_RELATION = re.compile(rf"\s*&?\s*(?:{_RELATION.pattern})")
 _POWER = re.compile(r"\^\{([^{}]*)\}")
 _MARKED = re.compile(
-    r"(?:\\(?:hat|tilde|bar|mathbf)\{?)?\\?[A-Za-z]+\}?(?:_(?:\{[^{}]*\}|\w))?"
+    r"(?:\\(?:hat|tilde|bar|mathbf)\{?)?\\?[A-Za-z]{1,40}\}?(?:_(?:\{[^{}]{0,40}\}|\w))?"
     rf"(?:{MARK.pattern}|\([-+]\))"
 )
 """A name with the mark of what is predicted or updated: `P_k^-`, `\\hat{x}_k(+)`."""
