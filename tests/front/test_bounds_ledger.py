@@ -214,6 +214,35 @@ def test_what_got_worse_is_said(
     ]
 
 
+@pytest.mark.parametrize(
+    ("field", "less", "more", "said"),
+    [
+        *(
+            ("beside", least, 2.5e-300, "what an underflow adds grew to 2.5e-300")
+            for least in (None, 1e-300)
+        ),
+        *(
+            ("amplification", least, {"turn": 3.0}, "its amplification of turn grew to 3")
+            for least in (None, {}, {"turn": 2.0})
+        ),
+    ],
+)
+def test_what_comes_beside_a_bound_may_only_fall_too(
+    field: str, less: object, more: object, said: str, tmp_path: Path
+) -> None:
+    before, now = entries(), entries()
+    for made, value in ((before, less), (now, more)):
+        name, entry = one_kernel(made)
+        if value is not None:
+            entry["float64"]["outputs"]["predicted_12"][field] = value
+    path = tmp_path / bounds_ledger.NAME
+    path.write_bytes(ledger({MODULE: before}))
+    place = f"{MODULE}.{name}, predicted_12 (float64)"
+    assert bounds_ledger.worse(tmp_path, ledger({MODULE: now})) == [f"{place}: {said}"]
+    path.write_bytes(ledger({MODULE: now}))
+    assert bounds_ledger.worse(tmp_path, ledger({MODULE: before})) == []
+
+
 def test_what_is_gone_is_said(tmp_path: Path) -> None:
     (tmp_path / bounds_ledger.NAME).write_bytes(ledger({MODULE: entries()}))
     now = entries()

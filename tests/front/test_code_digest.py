@@ -82,6 +82,25 @@ def test_the_text_of_the_tasks_belongs_to_their_keys(
     assert tasks.code_of("recheck", {}) != before
 
 
+@pytest.mark.parametrize("task", ["outline", "derive", "print_one", "package_one", "picture"])
+def test_the_subject_of_a_task_belongs_to_its_key(task: str) -> None:
+    """No text of an import names it: without it the old derivation is taken after an edit."""
+    field, home = ("module", "generated") if task == "picture" else ("name", "derive.families")
+    one, other = (
+        tasks.modules_of(task, {field: name if field == "module" else name.replace("_", "-")})
+        for name in ("random_jerk", "random_velocity")
+    )
+    assert f"gainproof.{home}.random_jerk" in set(one) - set(other)
+    assert f"gainproof.{home}.random_velocity" in set(other) - set(one)
+
+
+@pytest.mark.parametrize("task", ["derive_file", "package_file"])
+def test_what_a_file_of_a_user_may_import_belongs_to_its_key(task: str) -> None:
+    named = tasks.modules_of(task, {})
+    for module in ("families.random_jerk", "own_model.choice", "printer.adjoint"):
+        assert f"gainproof.derive.{module}" in named
+
+
 @pytest.mark.parametrize("changed", ["verify/certificate/__init__.py", "subjects/choice_sides.py"])
 def test_a_change_below_changes_the_digest(
     changed: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch

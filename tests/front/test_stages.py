@@ -241,6 +241,20 @@ def test_a_package_without_a_file_of_its_own_is_forgotten(tmp_path: Path) -> Non
     assert found[0] != found[1]
 
 
+@pytest.mark.parametrize("place", ["code_of", "code_digest.versions"])
+def test_what_other_code_made_of_an_own_file_is_not_taken(
+    place: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    file, cache = tmp_path / "own.py", str(tmp_path / "cache")
+    file.write_text(OWN.format(imports="", factor="3"))
+    own_file.derive_file(str(file), cache)
+    monkeypatch.setattr(own_file, "built", _not_to_be_called)
+    own_file.derive_file(str(file), cache)
+    monkeypatch.setattr(f"{own_file.__name__}.{place}", lambda *_: "another")
+    with pytest.raises(AssertionError):
+        own_file.derive_file(str(file), cache)
+
+
 def test_two_own_files_with_modules_of_one_name(tmp_path: Path) -> None:
     """A process that derived the first takes the module beside the second for it."""
     cache = str(tmp_path / "cache")

@@ -59,6 +59,22 @@ def test_the_nearest_for_each_alone_would_be_worse() -> None:
     assert assigned(2, pairs, LIMIT).tolist() == [1, 0]
 
 
+@pytest.mark.parametrize(
+    ("rows", "expected"),
+    [
+        ([[8.9, 8.5]], [1]),
+        ([[8.9], [8.8]], [-1, 0]),
+        ([[0.2, 5.0], [4.5, np.inf]], [0, -1]),  # 0.2 + 9 is less than 5 + 4.5
+        ([[0.2, 4.5], [4.5, np.inf]], [1, 0]),  # and 4.5 + 4.5 than 0.2 + 9
+    ],
+)
+def test_none_costs_as_much_as_the_limit(rows: list[list[float]], expected: list[int]) -> None:
+    squared = np.array(rows)
+    track, detection = np.nonzero(np.isfinite(squared))
+    pairs = Pairs(track, detection, squared[track, detection])
+    assert assigned(len(rows), pairs, LIMIT).tolist() == expected
+
+
 def test_without_pairs_nobody_has_a_detection() -> None:
     nothing = np.zeros(0, np.int64)
     assert assigned(3, Pairs(nothing, nothing, np.zeros(0)), LIMIT).tolist() == [-1, -1, -1]

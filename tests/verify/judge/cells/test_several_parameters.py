@@ -177,6 +177,32 @@ def test_limits_are_named() -> None:
         judged("=", x, y, Box(lower=Fraction(2), upper=Fraction(1)))
 
 
+@pytest.mark.parametrize("box", [REAL, POSITIVE, CLOSED])
+@pytest.mark.parametrize("names", ["xyz", "wxyz"])
+@pytest.mark.parametrize("operator", [">", "!="])
+def test_what_fails_on_a_border_that_is_not_solved_is_not_proved(
+    operator: str, names: str, box: Box
+) -> None:
+    """It fails where all symbols are one number, whose cube is 1/21 or 1/28; nowhere at small
+    whole numbers or halves, whose cubes have no divisor of 7.
+    """
+    cubes = number(Fraction(-1, 7))
+    for name in names:
+        cubes = cubes + power(symbol(name), 3)
+    with pytest.raises(Undecided, match="it holds wherever else"):
+        judged(operator, square(cubes), 0, box)
+
+
+@pytest.mark.parametrize(("cells", "extent"), [(3, "at least"), (4, "at least"), (5, "exactly")])
+def test_cells_of_borders_count_too(cells: int, extent: str) -> None:
+    """Two rays cut the quadrant in three: five pieces."""
+    apart = Rel(">", square(x - y) * square(x - 2 * y), number(0))
+    boxes = {"x": POSITIVE, "y": POSITIVE}
+    found = decide_in_cells(Statement((apart,)), boxes, limits=Limits(cells=cells))
+    assert found.verdict == "conditional"
+    assert f"holds {extent} for" in found.reason
+
+
 @pytest.mark.parametrize(
     "others", ["", further("a"), further("z"), further("ab"), "az", further("uvz"), "abyz"]
 )

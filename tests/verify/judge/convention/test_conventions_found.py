@@ -51,6 +51,11 @@ ALL = r"(k+1)(k+2)(k+3)"
             "the second gain K_2 = b",
         ),
         (
+            "gain = 'filter'\npower_of_T = 'search'",
+            [rf"b = \frac{{18(2k+1) T}}{{{ALL}}}"],
+            "the second gain K_2 = b/T^2",
+        ),
+        (
             "gain = 'filter'\nindex_origin = 'search'",
             [r"c = \frac{60}{k(k+1)(k+2)} \quad (3 \le k)"],
             "the first sample has number 1",
