@@ -21,7 +21,22 @@ from gainproof.cli import main
 from gainproof.jobs.process import Process
 from gainproof.verify.judge.claim.file import MOST_BYTES
 
-SHORT = "format = 'gainproof claims 1'\nclaims = ['x^2 >= 0', 'x^2 >= 1']\n[source]\ntitle = 't'\n"
+SHORT = r"""format = "gainproof claims 1"
+source = { title = "t" }
+settings.s = { title = "numbers", kind = "algebra", symbols.x = { unit = "1", meaning = "any" } }
+[[claims]]
+id = "1"
+place = "p"
+kind = "inequality"
+setting = "s"
+plain = 'x^2 >= 0'
+[[claims]]
+id = "2"
+place = "p"
+kind = "inequality"
+setting = "s"
+plain = 'x^2 >= 1'
+"""
 SLOW = "((((9^64)^64)^64)^64)^64 = 1"
 """It takes all the time that it has."""
 

@@ -107,7 +107,11 @@ def _as_asked(error: BadInputError) -> BadInputError:
         _, _, mark = str(each["text"]).partition("\n")
         place = "formula"
         if table == "settings":
-            place = "--symbol" if ".symbols" in further else "--model"
+            place = (
+                "--symbol"
+                if ".symbols" in further or "domains" in str(each["message"])
+                else "--model"
+            )
         elif further.endswith((".domain", ".given")):
             place = f"--{further.rpartition('.')[2]}"
         said.append("\n".join([f"{place}: {each['message']}", *([mark] if mark else [])]))

@@ -12,7 +12,7 @@ from dataclasses import dataclass, field, replace
 from types import MappingProxyType
 from typing import Any
 
-from gainproof.answers.typed import Typed, condition, symbol_name, typed
+from gainproof.answers.typed import Typed, condition, definition, symbol_name, typed
 from gainproof.bad_input import BadInputError, unknown_name
 from gainproof.claims.template import FORMAT_LINE
 from gainproof.claims.toml_text import quoted
@@ -21,13 +21,15 @@ from gainproof.verify.judge.claim.settings import CONVENTIONS
 from gainproof.verify.judge.claim.short_form import REAL, entry_of, kind_of
 from gainproof.verify.judge.claim.units import read_unit
 from gainproof.verify.judge.claim.usual_letters import Meaning
-from gainproof.verify.judge.formula import Formula, Relation
+from gainproof.verify.judge.formula import Formula, Graph
 from gainproof.verify.judge.quantity_names import quantity_names
 
 DEFINITION = "definition"
 WHOLE = "whole number"
 SEARCHED = "process noise searched"
 NO_FILTER = "none: about real numbers"
+EULER = Meaning("free", "Euler's number", definition=r"\exp(1)")
+"""Of a letter e that stands for itself; with an exponent the reader knows it."""
 MOST_SAID = 1000
 """Characters of what is said of a symbol."""
 ANGLES = frozenset({"sin", "cos", "tan", "asin", "acos", "atan", "cot", "sec", "csc"})
@@ -118,33 +120,42 @@ def question(formula: str, options: Options, models: Sequence[Mapping[str, objec
         if value not in CONVENTIONS[name]:
             raise unknown_name(f"value of the convention {name}", value, CONVENTIONS[name])
     names = {symbol_name(name): text for name, text in options.symbols.items()}
-    said = {token: meaning_of(token, text) for token, text in names.items()}
-    read = typed(formula, said)
-    domain, further = condition(options.domain, "domain", said) if options.domain else ("", ())
-    given = [condition(each, "given", said) for each in options.given]
-    tokens = [*dict.fromkeys((*read.symbols, *further, *(t for _, ts in given for t in ts)))]
+    read = typed(formula, names)
+    said = {token: _meaning_of(token, text, names, read) for token, text in names.items()}
+    domain = condition(options.domain, "domain", said, read) if options.domain else None
+    given = [condition(each, "given", said, read) for each in options.given]
+    conditions = [*([domain] if domain else []), *given]
+    stated = {token for each in conditions for token in each.symbols}
+    tokens = [*dict.fromkeys((*read.symbols, *(t for each in conditions for t in each.symbols)))]
     for token in said:
         if token not in tokens:
             known = ", ".join(tokens) or "none"
             raise BadInputError(f"--symbol: the formula has no {token}; its symbols: {known}")
-    # a definition may hold symbols of its own
+    taken = dict([*read.taken, *(part for each in conditions for part in each.taken)])
     for meaning in said.values():
-        if meaning.definition:
-            met = condition(f"{meaning.definition} = 0", "symbol", said)[1]
-            tokens += [token for token in met if token not in tokens]
+        if meaning.definition:  # which may hold symbols of its own
+            inner = definition(meaning.definition, "symbol", said, read)
+            tokens += [token for token in inner.symbols if token not in tokens]
+            taken |= dict(inner.taken)
+            stated |= {*inner.symbols}
     for token in ("i", "j"):
-        if token in tokens and token not in said and _in_exponent(read.formula, token):
+        if (
+            token in tokens
+            and token not in {*said, *_counted(read.formula)}
+            and _in_exponent(read.formula, token)
+        ):
             raise BadInputError(
                 f"{token} in an exponent looks like the imaginary unit, and complex numbers are "
                 f"not judged: if it is a number, say --symbol '{token}: 1'"
             )
-    options = replace(options, domain=domain, given=tuple(text for text, _ in given))
+    options = replace(
+        options, domain=domain.text if domain else "", given=tuple(each.text for each in given)
+    )
     candidates = _candidates(tokens, said, options, models, read.formula)
-    stated = {*further, *(token for _, ts in given for token in ts)}
     text = _text(read, candidates, options, stated)
-    taken = [Assumed(part, how, True, f"--symbol '{part}: ...'") for part, how in read.taken]
+    parts = [Assumed(part, how, True, f"--symbol '{part}: ...'") for part, how in taken.items()]
     assumed = {
-        str(number): (*taken, *_assumed(candidate, said, options))
+        str(number): (*parts, *_assumed(candidate, said, options))
         for number, candidate in enumerate(candidates, 1)
     }
     return Question(formula.strip(), text, assumed)
@@ -167,7 +178,7 @@ def _in_exponent(formula: Formula, token: str) -> bool:
         node = nodes[number]
         if node[0] == "symbol":
             return node[1] == token
-        return any(holds(nodes, part) for part in node[1:] if isinstance(part, int))
+        return any(holds(nodes, part) for part in _parts(node))
 
     return any(
         node[:2] == ["call", "exp"] and holds(graph["nodes"], node[2])
@@ -177,7 +188,7 @@ def _in_exponent(formula: Formula, token: str) -> bool:
     )
 
 
-def meaning_of(token: str, text: str) -> Meaning:
+def _meaning_of(token: str, text: str, names: Collection[str], read: Typed) -> Meaning:
     """What a user says of a symbol, as `Options.symbols` has it. Raises BadInputError."""
     text = " ".join(text.split())
     if len(text) > MOST_SAID:
@@ -185,7 +196,8 @@ def meaning_of(token: str, text: str) -> Meaning:
     if text in quantity_names():
         return letters.quantity(text, quantity_names()[text].meaning)
     if text.startswith("="):
-        return Meaning("free", f"short for {text[1:].strip()}", definition=text[1:].strip())
+        inner = definition(text[1:], "symbol", names, read).text
+        return Meaning("free", f"short for {text[1:].strip()}", definition=inner)
     found = re.fullmatch(r"(integer\b)?\s*([^<>]*?)\s*((?:<|>|\\leq|\\geq).*)?", text)
     unit = (found[2] if found else "") or "1"
     try:
@@ -223,7 +235,11 @@ def _candidates(
         raise unknown_name("model", model, [SEARCH, NONE, FIXED, *names])
     whole = _counted(formula)
     free = {
-        token: Meaning("free", WHOLE, integer=True) if token in whole else Meaning("free", REAL)
+        token: EULER
+        if token == "e"
+        else Meaning("free", WHOLE, integer=True)
+        if token in whole
+        else Meaning("free", REAL)
         for token in tokens
     }
     if model == NONE:
@@ -384,46 +400,46 @@ def _text(
 
 
 def _only_defines(formula: Formula, candidate: Candidate, stated: Collection[str]) -> bool:
-    """Whether each relation has a side with one number only, of which nothing is known and which
-    stands nowhere else, as in `\\sigma^2 = p(1 - p)`: it can say what that number is, and no more.
+    """Whether each relation has a number alone on one side, or a variance such as `\\sigma^2`, of
+    which nothing is known and which stands nowhere else: it can say what that is, and no more.
     `stated` are the symbols of which conditions say something.
     """
     reading = formula.readings[0]
     if reading.conditions or any(each.operator != "=" for each in reading.relations):
         return False
+    sides = [(each.left, each.right) for each in reading.relations]
+    places = [token for pair in sides for side in pair for token in {*_symbols(side)}]
 
-    def unknown(token: str) -> bool:
+    def defines(one: Graph, other: Graph) -> bool:
+        token = _alone(one)
+        if token is None or other["nodes"][other["outputs"]["value"]][0] == "matrix":
+            return False
         meaning = candidate.symbols[token]
-        return meaning.role == "free" and meaning.meaning == REAL and token not in stated
+        free = meaning.role == "free" and meaning.meaning == REAL and token not in stated
+        return free and places.count(token) == 1
 
-    def defines(relation: Relation) -> bool:
-        return any(
-            len(symbols := [*_symbols(one)]) == 1
-            and not {*symbols} & {*_symbols(other)}
-            and unknown(symbols[0])
-            # an equation in one number, such as \cos x = 1, is no definition of it
-            and (len(one["nodes"]) == 1 or any(_symbols(other)))
-            and sum(_uses(one["nodes"], symbols[0])) == 1
-            for one, other in (
-                (relation.left, relation.right),
-                (relation.right, relation.left),
-            )
-        )
+    return all(defines(left, right) or defines(right, left) for left, right in sides)
 
-    return all(map(defines, reading.relations))
+
+def _alone(graph: Graph) -> str | None:
+    """The symbol that a side of an equation is, or the deviation whose square it is."""
+    nodes = graph["nodes"]
+    node = nodes[graph["outputs"]["value"]]
+    if node[0] == "symbol":
+        return str(node[1])
+    if node[0] == "pow" and node[2] == "2" and nodes[node[1]][0] == "symbol":
+        token = str(nodes[node[1]][1])
+        return token if token.startswith("\\sigma") else None
+    return None
+
+
+def _parts(node: Sequence[Any]) -> list[int]:
+    """The numbers of the nodes that a node is made of; a matrix has its size in front."""
+    return [part for part in node[3 if node[0] == "matrix" else 1 :] if type(part) is int]
 
 
 def _symbols(graph: Mapping[str, Any]) -> Iterator[str]:
     return (node[1] for node in graph["nodes"] if node[0] == "symbol" and node[1] != "infinity")
-
-
-def _uses(nodes: Sequence[Sequence[Any]], token: str) -> Iterator[bool]:
-    """For each place where a part of a graph is used, whether it is this symbol."""
-    at = nodes.index(["symbol", token])
-    if len(nodes) == 1:
-        yield True
-    for node in nodes:
-        yield from (part == at for part in node[1:] if type(part) is int)
 
 
 def _counted(formula: Formula) -> set[str]:
@@ -433,9 +449,8 @@ def _counted(formula: Formula) -> set[str]:
     def gather(nodes: Sequence[Sequence[Any]], number: int) -> None:
         node = nodes[number]
         found.update({node[1]} if node[0] == "symbol" and node[1] != "infinity" else ())
-        for part in node[1:]:
-            if type(part) is int:
-                gather(nodes, part)
+        for part in _parts(node):
+            gather(nodes, part)
 
     for relation in formula.readings[0].relations:
         for graph in (relation.left, relation.right):

@@ -6,7 +6,7 @@ import contextlib
 import re
 import unicodedata
 from collections.abc import Collection, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from gainproof.bad_input import BadInputError
 from gainproof.verify.judge.claim.short_form import MARK, is_plain
@@ -15,24 +15,29 @@ from gainproof.verify.judge.claim.usual_letters import filter_meanings
 from gainproof.verify.judge.formula import Formula
 from gainproof.verify.judge.reader.characters import meant_character
 from gainproof.verify.judge.reader.errors import ReaderError
-from gainproof.verify.judge.reader.latex import relations_to_latex
+from gainproof.verify.judge.reader.latex import graph_to_latex, relations_to_latex
+from gainproof.verify.judge.reader.limits import MOST_CHARACTERS
 from gainproof.verify.judge.reader.names import canonical_token
 
-MOST_CHARACTERS = 20_000
-"""Of a formula; the reader has limits of its own below that."""
+MOST_NAME = 100
 ONE_NAME = (r"\Delta t", r"\Delta T")
 """What is one name wherever it stands, and no product."""
 STEP = "dt"
-"""The same, but where there is an integral."""
+"""The same, but where it is a differential."""
 _RELATION = re.compile(r"[=<>]|\\(?:leq?|geq?|approx|neq?|to|simeq|sim)\b")
 _BEGINS_WITH_RELATION = re.compile(rf"\s*&?\s*(?:{_RELATION.pattern})")
 _POWER = re.compile(r"\^\{([^{}]*)\}")
 _MARKED = re.compile(
-    r"(?:\\(?:hat|tilde|bar|mathbf)\{?)?\\?[A-Za-z]{1,40}\}?(?:_(?:\{[^{}]{0,40}\}|\w))?"
+    r"(?<![A-Za-z\\])(?:\\(?:hat|tilde|bar|mathbf)\{?)?\\?[A-Za-z]{1,40}\}?(?:_(?:\{[^{}]{0,40}\}|\w))?"
     rf"(?:{MARK.pattern}|\([-+]\))"
 )
 """A name with the mark of what is predicted or updated: `P_k^-`, `\\hat{x}_k(+)`."""
-_EULER = re.compile(r"(?<![A-Za-z\\_{])e(?![A-Za-z_'])")
+_BELOW = re.compile(r"_\{([A-Za-z0-9]+)\}")
+_DIFFERENTIAL = re.compile(
+    r"\\int|integral|diff|\\frac\s*\{?\s*(?:\\mathrm\s*\{?\s*)?d|\bd\w*\s*/\s*d"
+)
+"""Where the d of dt is one of a derivative or an integral."""
+_EULER = re.compile(r"(?<![A-Za-z\\_{])e(?![A-Za-z_'])(?!\^\{?[-+]\}?\s*(?:$|[=)}]))")
 _LOGARITHM = re.compile(r"\\log(?![A-Za-z]|\s*_)|(?<![A-Za-z\\])log(?=\s*\()")
 
 
@@ -63,59 +68,106 @@ def typed(formula: str, said: Collection[str]) -> Typed:
     """Read a formula; `said` are the symbols of which the user says what they are. Raises
     BadInputError, with a mark under the place.
     """
-    text = in_ascii(formula.strip())
-    if not text:
+    if not formula.strip():
         raise BadInputError("a formula is wanted, got an empty one")
-    if len(text) > MOST_CHARACTERS:
-        raise BadInputError(f"a formula of more than {MOST_CHARACTERS} characters")
-    _refuse_several(text)
-    plain = is_plain(text)
-    if plain:
-        text = _POWER.sub(r"^(\1)", text)
-    met = symbols_met(text, plain=plain, known=_known(text, said))
-    products = _products(met.symbols, said) if plain else ()
-    for word in products:
-        text = re.sub(rf"(?<![A-Za-z_]){word}(?![A-Za-z_])", f"({' '.join(word)})", text)
-    if products:
-        met = symbols_met(text, plain=plain, known=_known(text, said))
+    text, plain, met, products = _met(formula, said)
     taken = [(word, f"product {' '.join(word)}") for word in products]
-    if "e" not in met.symbols and _EULER.search(text):
-        taken.append(("e", "Euler's number"))
-    if _LOGARITHM.search(text):
-        taken.append(("log", "natural logarithm"))
-    return Typed(text, plain, _read(met), met.symbols, tuple(taken))
+    return Typed(text, plain, _read(met), met.symbols, tuple(taken + _meant(text, met)))
 
 
-def condition(text: str, option: str, said: Collection[str]) -> tuple[str, tuple[str, ...]]:
-    """A condition or hypothesis in LaTeX, and its symbols. Raises BadInputError."""
-    text = in_ascii(text.strip())
-    plain = is_plain(text)
-    met = symbols_met(text, plain=plain, known=_known(text, said))
+def condition(text: str, option: str, said: Collection[str], like: Typed) -> Typed:
+    """A condition or hypothesis in LaTeX, whose words are products where they are in the formula
+    that is `like` it. Raises BadInputError.
+    """
     try:
+        text, plain, met, products = _met(text, said, [word for word, _ in like.taken])
         formula = _read(met)
     except BadInputError as error:
         raise BadInputError(f"--{option}: {error}") from None
     if "or" in met.symbols:
         raise BadInputError(f"--{option}: conditions hold together; `or` is not read")
-    if not plain:
-        return text, met.symbols
-    reading = formula.readings[0]
-    if reading.conditions:
-        raise BadInputError(f"--{option}: a condition within a condition is not read")
-    return relations_to_latex(reading.relations), met.symbols
+    if plain:
+        if formula.readings[0].conditions:
+            raise BadInputError(f"--{option}: a condition within a condition is not read")
+        text = relations_to_latex(formula.readings[0].relations)
+    taken = [(word, f"product {' '.join(word)}") for word in products]
+    return Typed(text, False, formula, met.symbols, tuple(taken + _meant(text, met)))
+
+
+def definition(text: str, option: str, said: Collection[str], like: Typed) -> Typed:
+    """An expression in LaTeX. Raises BadInputError."""
+    if not text.strip():
+        raise BadInputError(f"--{option}: a formula is wanted behind =, got none")
+    # as the right side of an equation it is read like one
+    read = condition(f"0 = {text}", option, said, like)
+    relations = read.formula.readings[0].relations
+    if len(relations) != 1:
+        raise BadInputError(f"--{option}: an expression is wanted behind =, got {text[:80]!r}")
+    return replace(read, text=graph_to_latex(relations[0].right))
 
 
 def symbol_name(name: str) -> str:
     """The symbol that a user names, in LaTeX or as plain text. Raises BadInputError."""
     name = in_ascii(name.strip()).strip()
+    if len(name) > MOST_NAME:
+        raise BadInputError(f"--symbol: a name of more than {MOST_NAME} characters")
     if is_plain(name):
-        met = symbols_met(f"{name} = 0", plain=True)
+        met = symbols_met(f"{_without_braces(name)} = 0", plain=True)
         if met.formula is not None and len(met.symbols) == 1:
             return met.symbols[0]
     try:
         return canonical_token(name)
     except ReaderError as error:
         raise BadInputError(f"--symbol {name!r}: {error.problem}") from None
+
+
+def _met(
+    formula: str, said: Collection[str], products: Sequence[str] = ()
+) -> tuple[str, bool, Met, tuple[str, ...]]:
+    """The text as the reader has it, whether it is plain, what is met in it, and which words are
+    products there: those of `products` too. Raises BadInputError.
+    """
+    text = in_ascii(formula.strip())
+    if len(text) > MOST_CHARACTERS:
+        raise BadInputError(f"{len(text)} characters, at most {MOST_CHARACTERS} are read")
+    _refuse_several(text)
+    if is_plain(text):
+        text = _without_braces(text)
+    plain = is_plain(text) and "^{" not in text
+    met = symbols_met(text, plain=plain, known=_known(text, said))
+    if not plain:
+        return text, plain, met, ()
+    words = tuple(
+        dict.fromkeys((*_products(met.symbols, said), *(w for w in products if w in met.symbols)))
+    )
+    for word in words:
+        place = rf"(?<![A-Za-z_]){word}(?![A-Za-z_])"
+        if re.search(rf"[\^/]\s*{place}", text):
+            raise BadInputError(
+                f"{word} behind ^ or / may be one name or a product: write ({' '.join(word)}), or "
+                f"say what it is: --symbol '{word}: 1'"
+            )
+        text = re.sub(place, " ".join(word), text)
+    if words:
+        met = symbols_met(text, plain=plain, known=_known(text, said))
+    return text, plain, met, words
+
+
+def _without_braces(text: str) -> str:
+    """Plain text without the braces of LaTeX round a subscript, and with brackets for those round
+    an exponent.
+    """
+    return _POWER.sub(r"^(\1)", _BELOW.sub(r"_\1", text))
+
+
+def _meant(text: str, met: Met) -> list[tuple[str, str]]:
+    """What has a meaning that nobody said."""
+    found = []
+    if "e" not in met.symbols and _EULER.search(text):
+        found.append(("e", "Euler's number"))
+    if _LOGARITHM.search(text):
+        found.append(("log", "natural logarithm"))
+    return found
 
 
 def in_ascii(formula: str) -> str:
@@ -142,7 +194,7 @@ def _read(met: Met) -> Formula:
 
 def _known(text: str, said: Collection[str]) -> list[str]:
     """Names of several letters that the reader would take for products."""
-    usual = [*ONE_NAME, *([] if "\\int" in text or "integral" in text else [STEP])]
+    usual = [*ONE_NAME, *([] if _DIFFERENTIAL.search(text) else [STEP])]
     for found in _MARKED.finditer(text):
         with contextlib.suppress(ReaderError):
             usual.append(canonical_token(found[0]))

@@ -10,7 +10,6 @@ from collections.abc import Collection, Mapping
 from dataclasses import dataclass
 from typing import Any
 
-from gainproof.verify.judge.claim.short_form import expanded
 from gainproof.verify.judge.claim.vocabulary import usual_origin
 from gainproof.verify.judge.reader.plain_names import plain_name
 
@@ -38,7 +37,7 @@ class Said:
 
 def claims_said(text: str) -> dict[str, Said]:
     """What is said of every claim, by id. `text` is that of a claim file that was accepted."""
-    file = expanded(tomllib.loads(text))
+    file = tomllib.loads(text)
     shared = file.get("symbols", {})
     tables = {
         name: {**shared, **setting.get("symbols", {})} for name, setting in file["settings"].items()
@@ -50,7 +49,7 @@ def claim_words(text: str, only: Collection[str] | None = None) -> dict[str, str
     """The words of every claim that has no formula, by id: its paraphrase, or what its fields say.
     `text` is that of a claim file that was accepted; with `only`, for the claims of these ids.
     """
-    claims = expanded(tomllib.loads(text))["claims"]
+    claims = tomllib.loads(text)["claims"]
     if only is not None:
         claims = [one for one in claims if isinstance(one, Mapping) and one.get("id") in only]
     return {

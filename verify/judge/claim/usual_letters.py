@@ -95,14 +95,6 @@ def is_anchor(meaning: Meaning) -> bool:
     return meaning.quantity.startswith(("gain.", "filter_gain.", "predictor_gain.", *_ENTRIES))
 
 
-def about_filter(tokens: Sequence[str]) -> bool:
-    """Whether a formula of these symbols is about a filter: all have a meaning in one, no two the
-    same, and there is a gain or an entry of a covariance among them.
-    """
-    known = filter_meanings(tokens)
-    return all(token in known for token in tokens) and is_sound(known.values())
-
-
 def is_sound(meanings: Collection[Meaning]) -> bool:
     """Whether these are of quantities of a filter, no two of one, with a gain or an entry of a
     covariance among them: K_2 beside beta is another thing than beta.
