@@ -110,7 +110,9 @@ def _state(asked: Problem) -> Reals:
 @pytest.mark.sampled
 @pytest.mark.parametrize("dimension", [2, 3])
 def test_estimates_are_the_minima_that_scipy_finds(dimension: int) -> None:
-    """Both within a millionth of a deviation: SciPy stops when its cost changes no more."""
+    """Within what SciPy can tell of its cost: a change of the unknowns by x deviations changes it
+    by x^2, and less than a few epsilons of the cost is lost in rounding.
+    """
     for seed in range(samples(1)):
         scene = cases.random_scene(100 * dimension + seed, dimension, 3 * dimension + 3)
         n = len(scene.stations.names)
@@ -121,7 +123,9 @@ def test_estimates_are_the_minima_that_scipy_finds(dimension: int) -> None:
             found = locate(scene.stations, observed, method.name, near=where)
             wanted, cost = _minimum(scene, observed.values, found, method)
             deviations = np.sqrt(np.diag(found.covariance))
-            assert np.abs((_unknowns(found) - wanted) / deviations).max() < 1e-6, (seed, method)
+            allowed = 1e-6 + 4 * np.sqrt(EPSILON * cost)
+            off = np.abs((_unknowns(found) - wanted) / deviations).max()
+            assert off < allowed, (seed, method, cost)
             assert found.convergence.cost == pytest.approx(cost, rel=1e-9, abs=1e-9)
 
 
