@@ -19,10 +19,10 @@ from one_of_each import further
 import gainproof.answers
 from gainproof.answers.judge import Judge
 from gainproof.answers.question import Options
+from gainproof.answers.typed import is_plain
 from gainproof.bad_input import BadInputError
 from gainproof.claims.judgements import shipped_models
 from gainproof.cli import main
-from gainproof.verify.judge.claim.short_form import is_plain
 
 SCHEMA = Path(gainproof.answers.__file__).with_name("answers.schema.json")
 HOSTILE = Path(__file__).parents[1] / "verify" / "judge" / "hostile"

@@ -10,10 +10,10 @@ from hypothesis import strategies as st
 from samples import samples
 
 from gainproof.claims.draft import draft
+from gainproof.claims.symbols_met import symbols_met
 from gainproof.claims.tex_rows import Equation, equations
 from gainproof.claims.tex_text import argument_of, without_comments
 from gainproof.verify.judge.claim.file import ClaimFileError, read_claim_text
-from gainproof.verify.judge.claim.symbols_met import symbols_met
 
 PAPER = r"""
 \documentclass{article}

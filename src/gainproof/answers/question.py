@@ -12,15 +12,14 @@ from dataclasses import dataclass, field, replace
 from types import MappingProxyType
 from typing import Any
 
-from gainproof.answers.typed import Typed, condition, definition, symbol_name, typed
+from gainproof.answers import letters
+from gainproof.answers.letters import REAL, Meaning, entry_of
+from gainproof.answers.typed import Typed, condition, definition, kind_of, symbol_name, typed
 from gainproof.bad_input import BadInputError, unknown_name
 from gainproof.claims.template import FORMAT_LINE
 from gainproof.claims.toml_text import quoted
-from gainproof.verify.judge.claim import usual_letters as letters
 from gainproof.verify.judge.claim.settings import CONVENTIONS
-from gainproof.verify.judge.claim.short_form import REAL, entry_of, kind_of
 from gainproof.verify.judge.claim.units import read_unit
-from gainproof.verify.judge.claim.usual_letters import Meaning
 from gainproof.verify.judge.formula import Formula, Graph
 from gainproof.verify.judge.quantity_names import quantity_names
 

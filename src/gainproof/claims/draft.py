@@ -7,11 +7,11 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
+from gainproof.claims.symbols_met import Met, symbols_met
 from gainproof.claims.template import FORMAT_LINE, KINDS_COMMENT, SETTINGS_COMMENT, SYMBOLS_COMMENT
 from gainproof.claims.tex_rows import Equation, equations
 from gainproof.claims.tex_text import argument_of, macro_of, without_comments
 from gainproof.claims.toml_text import comment, quoted
-from gainproof.verify.judge.claim.symbols_met import Met, symbols_met
 
 MOST_EQUATIONS = 1000
 MOST_FORMULA = 4000

@@ -8,6 +8,7 @@ parts are limited.
 
 from __future__ import annotations
 
+import re
 import tomllib
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
@@ -38,7 +39,6 @@ from gainproof.verify.judge.claim.record import (
     Unit,
 )
 from gainproof.verify.judge.claim.settings import read_settings, symbol_error
-from gainproof.verify.judge.claim.short_form import expanded
 from gainproof.verify.judge.claim.symbols import complete_symbols
 from gainproof.verify.judge.dimensions.declared import shared_fault
 
@@ -138,7 +138,7 @@ def _claim_file(
     text: FileText, parsed: Mapping[str, Any], models: Sequence[str] | None
 ) -> ClaimFile | None:
     """The file, or None without a source. Errors are noted as far as others can be found."""
-    document = Fields(text, "file", expanded(parsed, text.path), TABLES)
+    document = Fields(text, "file", _with_source(parsed, text.path), TABLES)
     version = document.required_text("format")
     if version != FORMAT:
         raise document.fail("format", f"wanted {FORMAT!r}, but it is {version[:80]!r}")
@@ -224,3 +224,20 @@ def _source(text: FileText, table: object) -> SourceRecord | None:
         logarithm=fields.whole_number("logarithm", 2, GREATEST_BASE),
     )
     return record if text.noted == noted else None
+
+
+def _with_source(parsed: Mapping[str, Any], name: str) -> Mapping[str, Any]:
+    """What TOML made of a claim file, with what a source has that only says its title; `name` is
+    that of the file, from which the key comes.
+    """
+    source = parsed.get("source")
+    if not isinstance(source, Mapping):
+        return parsed
+    return {**parsed, "source": {**_usual_source(name), **source}}
+
+
+def _usual_source(name: str) -> dict[str, Any]:
+    """What a source has that only says its title."""
+    stem = re.sub(r"\.toml$", "", name.replace("\\", "/").rpartition("/")[2])
+    key = re.sub(r"[^\w.:+-]", "-", stem, flags=re.ASCII).lstrip("_.:+-")[:80]
+    return {"key": key or "source", "authors": ["unknown"], "publication": "unpublished"}

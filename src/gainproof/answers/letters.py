@@ -6,6 +6,7 @@ import re
 from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass
 from types import MappingProxyType
+from typing import Any
 
 
 @dataclass(frozen=True)
@@ -38,6 +39,8 @@ class Meaning:
     integer: bool = False
 
 
+REAL = "real number"
+"""The meaning of a letter of which nothing is known."""
 _ORDINALS = ("position", "velocity", "acceleration")
 _GAIN_LETTERS = {r"\alpha": 1, r"\beta": 2, r"\gamma": 3}
 _NAMED_GAINS = (("g", 1), ("h", 2), ("k", 3))
@@ -139,3 +142,16 @@ def _meaning(name: str) -> Meaning | None:
         row, column = sorted((int(match[2]), int(match[3])))
         return quantity(f"{kind}.{row}.{column}", f"entry {row} {column} of the {words}")
     return None
+
+
+def entry_of(meaning: Meaning) -> dict[str, Any]:
+    """The declaration of a symbol with this meaning."""
+    entry: dict[str, Any] = {"meaning": meaning.meaning}
+    if meaning.definition:
+        return entry | {"definition": meaning.definition}
+    if meaning.role == "quantity":
+        return entry | {"quantity": meaning.quantity}
+    entry["unit"] = meaning.unit
+    if meaning.domain:
+        entry["domain"] = meaning.domain
+    return entry | ({"integer": True} if meaning.integer else {})
