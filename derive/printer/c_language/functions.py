@@ -6,10 +6,11 @@ from collections.abc import Iterator
 from dataclasses import replace
 
 from gainproof.derive.printer.bound import KernelBound
-from gainproof.derive.printer.c_language.body import Body, body
+from gainproof.derive.printer.c_language.body import body
 from gainproof.derive.printer.c_language.flavour import Flavour
 from gainproof.derive.printer.c_language.names import Names, codes
 from gainproof.derive.printer.constant import constant
+from gainproof.derive.printer.emitter import Body
 from gainproof.derive.printer.formats import FLOAT64
 from gainproof.derive.printer.kernel import Input, Kernel, Output, Requirement
 
@@ -33,7 +34,7 @@ def definitions(
     """All functions of one type, and whether they start cube roots."""
     made = body(kernel, flavour, _input_names(kernel, names))
     wanted = [_required(kernel, each, names, flavour) for each in kernel.requirements]
-    near = made.near_cbrt or any(each.near_cbrt for each, _ in wanted)
+    near = any("near_cbrt" in each.operations for each in (made, *(each for each, _ in wanted)))
     lines = [
         *_values(names, flavour, made),
         *_fine(kernel, names, flavour, bound, wanted),
