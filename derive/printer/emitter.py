@@ -4,13 +4,15 @@ module. What a language writes otherwise than most is a method of its `Language`
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Sequence
+import re
+from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 
 from gainproof.derive.printer.affine import in_two_parts
 from gainproof.derive.printer.arithmetic import literal
+from gainproof.derive.printer.constant import constant
 from gainproof.derive.printer.formats import FLOAT64, FORMATS, Format
-from gainproof.derive.printer.kernel import Kernel, Output, Requirement
+from gainproof.derive.printer.kernel import Kernel
 from gainproof.derive.printer.plain import plain
 from gainproof.derive.printer.program import Program, Step
 from gainproof.derive.printer.register_plan import late
@@ -70,12 +72,32 @@ def body(kernel: Kernel, language: Language, name: Callable[[int, Step], str]) -
 
 
 def required(
-    kernel: Kernel, wanted: Requirement, language: Language, name: Callable[[int, Step], str]
-) -> Body:
-    """The steps of what is required of several inputs together."""
-    steps = plain(kernel.program)
-    output = Output(wanted.name, wanted.meaning)
-    return emitted(steps, [steps.outputs[output.name]], language, name)
+    kernel: Kernel, language: Language, name: Callable[[int, Step], str]
+) -> list[tuple[Body, str]]:
+    """Of each requirement the steps of what it asks about, and the least number that it admits."""
+    steps, form = plain(kernel.program), language.form
+    return [
+        (
+            emitted(steps, [steps.outputs[each.name]], language, name),
+            language.number(constant(each.least if form is FLOAT64 else each.single).nearest(form)),
+        )
+        for each in kernel.requirements
+    ]
+
+
+def named(names: Mapping[str, str]) -> Callable[[int, Step], str]:
+    """Names of inputs as they are, of steps by their numbers."""
+    return lambda number, step: names[step.label] if step.operation == "input" else f"t{number}"
+
+
+def unlike(names: Sequence[str], taken: Collection[str]) -> list[str]:
+    """The names with underscores behind them until none is like another, like a step's or taken."""
+    found: list[str] = []
+    for name in names:
+        while name in taken or name in found or re.fullmatch(r"t\d+", name):
+            name += "_"
+        found.append(name)
+    return found
 
 
 def emitted(

@@ -5,12 +5,11 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
+from gainproof.derive.printer import emitter
 from gainproof.derive.printer.c_language.flavour import DOUBLE, Flavour
-from gainproof.derive.printer.emitter import Body, Language
-from gainproof.derive.printer.emitter import body as emitted
+from gainproof.derive.printer.emitter import Body, Language, named
 from gainproof.derive.printer.kernel import Kernel
 from gainproof.derive.printer.near_cbrt import added_bits
-from gainproof.derive.printer.program import Step
 
 SIXTEENTHS = (4, 8, 16, 32)
 
@@ -37,11 +36,13 @@ class _C(Language):
 
 def body(kernel: Kernel, flavour: Flavour, names: Mapping[str, str]) -> Body:
     """The steps that a kernel's outputs need; `names` of inputs are texts of their values."""
+    return emitter.body(kernel, _C(flavour.form, flavour), named(names))
 
-    def name(number: int, step: Step) -> str:
-        return names[step.label] if step.operation == "input" else f"t{number}"
 
-    return emitted(kernel, _C(flavour.form, flavour), name)
+def required(kernel: Kernel, flavour: Flavour, names: Mapping[str, str]) -> list[tuple[Body, str]]:
+    """The steps of what is required of inputs together, and the condition on it."""
+    found = emitter.required(kernel, _C(flavour.form, flavour), named(names))
+    return [(made, f"({made.outputs[0]} >= {least})") for made, least in found]
 
 
 def near_cbrt(flavour: Flavour) -> list[str]:
