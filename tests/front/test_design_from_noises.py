@@ -89,6 +89,30 @@ def test_the_lines_to_paste_are_a_step_of_the_filter(states: int, tmp_path: Path
     np.testing.assert_allclose(list(map(float, out.split())), wanted, rtol=1e-14)
 
 
+@pytest.mark.parametrize("states", [2, 3])
+def test_the_lag_is_that_of_a_run(states: int, capsys: pytest.CaptureFixture[str]) -> None:
+    """Behind a target with a constant acceleration or jerk of 4, run until it is steady."""
+    noise = {2: "acceleration_noise", 3: "jerk_noise"}[states]
+    (found,) = steady_filters(0.1, 3.0, noise, 4.0, states)
+    f = np.array([[1, 0.1, 0.005], [0, 1, 0.1], [0, 0, 1]])[:states, :states]
+    true, step = np.zeros(states + 1), np.eye(states + 1)
+    for i in range(states + 1):
+        for j in range(i + 1, states + 1):
+            step[i, j] = 0.1 ** (j - i) / [1, 1, 2, 6][j - i]
+    true[states] = 4.0
+    x = np.zeros(states)
+    for _ in range(2000):
+        true = step @ true
+        predicted = f @ x
+        x = predicted + np.array(found.gain) * (true[0] - predicted[0])
+    errors = (true[0] - predicted[0], true[0] - x[0], true[1] - x[1])
+    np.testing.assert_allclose(np.array(found.lags) * 4, errors, rtol=1e-6)
+    option = {2: "--acceleration", 3: "--jerk"}[states]
+    said = ["--interval", "0.1", "--deviation", "3", f"--{noise.replace('_', '-')}", "4"]
+    assert cli.main(["design", *said, option, "4"]) == 0
+    assert f"wrong by {errors[0]:.6g} m when" in capsys.readouterr().out.replace("\n  ", " ")
+
+
 def test_the_index_is_rounded_once_however_large_its_factors() -> None:
     """T^2 underflows: Lambda is 1."""
     (found,) = steady_filters(2.0**-600, 2.0**-400, "acceleration_noise", 2.0**800)
@@ -122,11 +146,15 @@ def test_as_text_and_as_data(capsys: pytest.CaptureFixture[str]) -> None:
         (["--acceleration-noise", "x", "--interval", "2", "--deviation", "1"], "must be a number"),
         (
             ["--jerk-noise", "1", "--interval", "2", "--deviation", "1", "--states", "2"],
-            "--jerk-noise, the deviation of the jerk, drives 3 states, got 2",
+            "drives 3 states, got 2; 2 states take --velocity-noise, --acceleration-noise,",
         ),
         (
-            ["--jerk-noise", "1", "--interval", "2", "--deviation", "1", "--jerk", "2"],
-            "--jerk belongs to the named filters",
+            ["--jerk-noise", "1", "--interval", "2", "--deviation", "1", "--acceleration", "2"],
+            "--acceleration belongs to 2 states",
+        ),
+        (
+            ["--jerk-noise", "1", "--interval", "2", "--deviation", "1", "--plot", "x.svg"],
+            "--plot belongs to the named filters",
         ),
         (
             ["--jerk-noise", "1e300", "--interval", "1e9", "--deviation", "1e-300"],

@@ -8,7 +8,9 @@ HELP = "gains in metres and seconds from noises; the named filters side by side"
 DESCRIPTION = """\
 From the noises of target and sensor, --interval, --deviation and one of the noise options: gains
 per second, covariances in metres and seconds, and lines of Python and C to paste, of the Kalman
-filter in its steady state.
+filter in its steady state. Its deviations hold for a target that moves as the noise says; behind
+one that keeps an acceleration it lags, by what --acceleration (--jerk) shows. A greatest
+acceleration is no deviation: half of it to all of it is usual.
 
 Otherwise the named alpha-beta filters (RV random velocity, RA random acceleration, MV minimum
 variance, NP-S minimum smoothed variance), with --states 3 alpha-beta-gamma filters (RA, RJ random

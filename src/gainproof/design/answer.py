@@ -52,19 +52,19 @@ def _answered_by_noise(options: argparse.Namespace, noise: str) -> int:
     missing = [name for name in ("interval", "deviation") if getattr(options, name) is None]
     if missing:
         raise BadInputError(f"{option} takes --{' and --'.join(missing)} beside it")
-    for name in (*MOTIONS.values(), "plot"):
-        if getattr(options, name) is not None:
-            raise BadInputError(f"--{name} belongs to the named filters, not to {option}")
+    if options.plot is not None:
+        raise BadInputError(f"--plot belongs to the named filters, not to {option}")
     interval, deviation, value = (
         _positive(f"--{name.replace('_', '-')}", getattr(options, name))
         for name in ("interval", "deviation", noise)
     )
     states = None if options.states is None else int(options.states)
     found = steady_filters(interval, deviation, noise, value, states)
+    motion = _units(options, len(found[0].gain)).motion
     if options.json:
         print(json.dumps(plain_filters(found, interval, deviation, noise, value), indent=1))
     else:
-        print(page_of_filters(found, interval, deviation, noise, value))
+        print(page_of_filters(found, interval, deviation, noise, value, motion))
     return 0
 
 

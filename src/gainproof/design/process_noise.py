@@ -13,6 +13,7 @@ import numpy as np
 
 from gainproof.bad_input import BadInputError
 from gainproof.design.page import GAINS, number, settles, table, wrapped
+from gainproof.fixed_gain import three_states, two_states
 from gainproof.fixed_gain.settling import samples_to_settle
 from gainproof.generated import (
     acceleration_increments,
@@ -95,6 +96,9 @@ class SteadyFilter:
         K_1, K_2 per second, K_3 per second squared.
     predicted, updated : tuple of tuple of float
         Covariances of position, velocity and acceleration, m^2 s^-(i+j).
+    lags : tuple of float
+        Steady errors of predicted position, updated position and updated velocity behind a
+        constant acceleration of 1 m/s^2; of three states behind a jerk of 1 m/s^3.
     samples : float
         Until the largest closed-loop pole's modulus, to that power, is at most 1 %; infinity where
         poles in float64 do not tell.
@@ -107,6 +111,7 @@ class SteadyFilter:
     gain: tuple[float, ...]
     predicted: tuple[tuple[float, ...], ...]
     updated: tuple[tuple[float, ...], ...]
+    lags: tuple[float, ...]
     samples: float
 
     def python(self, interval: float) -> str:
@@ -145,8 +150,12 @@ def steady_filters(
     states = min(kind.models) if states is None else states
     if states not in kind.models:
         wanted = " or ".join(map(str, kind.models))
+        others = ", ".join(
+            f"--{name.replace('_', '-')}" for name, each in NOISES.items() if states in each.models
+        )
         raise BadInputError(
-            f"--{noise.replace('_', '-')}, the {kind.words}, drives {wanted} states, got {states}"
+            f"--{noise.replace('_', '-')}, the {kind.words}, drives {wanted} states, got {states}; "
+            f"{states} states take {others}"
         )
     index = _index(interval, deviation, kind, value)
     return tuple(_filter(each, index, interval, deviation) for each in kind.models[states])
@@ -192,7 +201,29 @@ def _filter(kernels: ModuleType, index: float, interval: float, deviation: float
     )
     name = kernels.__name__.rpartition(".")[2].replace("_", "-")
     title = (kernels.__doc__ or name).partition(": ")[0]
-    return SteadyFilter(name, title, index, gains, gain, predicted, updated, samples)
+    lags = _lags(gains, interval)
+    return SteadyFilter(name, title, index, gains, gain, predicted, updated, lags, samples)
+
+
+def _lags(gains: tuple[float, ...], interval: float) -> tuple[float, ...]:
+    """Of predicted position, updated position and updated velocity, in seconds to the power that
+    makes metres and metres per second of an acceleration or a jerk.
+    """
+    found: Any = (two_states if len(gains) == 2 else three_states).lags(*gains)
+    numbers = (found.predicted_position_lag, found.updated_position_lag, found.updated_velocity_lag)
+    powers = (len(gains), len(gains), len(gains) - 1)
+    return tuple(
+        _float_or_beyond(float(lag), Fraction(interval) ** power)
+        for lag, power in zip(numbers, powers, strict=True)
+    )
+
+
+def _float_or_beyond(number: float, factor: Fraction) -> float:
+    """The product; infinity or 0 where that is beyond float64."""
+    try:
+        return float(Fraction(number) * factor)
+    except OverflowError:
+        return math.inf
 
 
 def _in_units(
@@ -236,9 +267,16 @@ def _step(gain: tuple[float, ...], interval: float, declared: str, end: str) -> 
 
 
 def page_of_filters(
-    filters: Sequence[SteadyFilter], interval: float, deviation: float, noise: str, value: float
+    filters: Sequence[SteadyFilter],
+    interval: float,
+    deviation: float,
+    noise: str,
+    value: float,
+    motion: float | None = None,
 ) -> str:
-    """For a terminal: each filter with its gains, covariances and lines to paste."""
+    """For a terminal: each filter with its gains, covariances, lag behind a `motion` (m/s^2, of
+    three states m/s^3) and lines to paste.
+    """
     kind = NOISES[noise]
     three = len(filters[0].gain) == 3
     words = (kind.words_of_three if three else "") or kind.words
@@ -249,32 +287,45 @@ def page_of_filters(
     lines = []
     for each in filters:
         index = f"sqrt(q T^{kind.power})" if kind.density else f"sigma_w T^{kind.power}"
+        index = f"{index.removesuffix('^1')}/sigma_v = {number(each.tracking_index)}"
         lines += [f"{each.title}: Kalman filter in its steady state", *wrapped(said)]
-        lines += [
-            f"tracking index {index.removesuffix('^1')}/sigma_v = {number(each.tracking_index)}",
-            "",
-        ]
+        lines += [f"tracking index {index}", ""]
         named = [f"{name} = {number(x)}" for name, x in zip(GAINS, each.alpha_beta, strict=False)]
         units = ("", " per s", " per s^2")
         gains = [f"K_{i + 1} = {number(x)}{units[i]}" for i, x in enumerate(each.gain)]
         lines += wrapped(f"gains: {', '.join(named)}; {', '.join(gains)}")
-        lines += ["", *_covariances(each), ""]
-        lines += wrapped(
-            f"One standard deviation after a measurement: position {_root(each.updated, 0)} m, "
-            f"velocity {_root(each.updated, 1)} m/s"
-            + (f", acceleration {_root(each.updated, 2)} m/s^2" if three else "")
-            + "."
-        )
-        if math.isfinite(each.samples):
-            lines += wrapped(
-                f"A start is forgotten to 1 % after {settles(each.samples)} samples, "
-                f"{number(each.samples * interval)} s."
-            )
+        lines += ["", *_covariances(each), "", *_errors(each, interval, motion)]
         for language, step in (("Python", each.python), ("C", each.c)):
             lines += ["", f"One step in {language}, z being the measured position:", ""]
             lines += [f"    {line}" for line in step(interval).splitlines()]
-        lines += [""]
+        lines += ["", "As functions of the tracking index, in Python, C, Rust and others:"]
+        lines += [f"    gainproof generate {each.name} --out gains --target c", ""]
     return "\n".join(lines[:-1])
+
+
+def _errors(each: SteadyFilter, interval: float, motion: float | None) -> Iterator[str]:
+    """Deviations while the target moves as the model says, and errors while it does not."""
+    three = len(each.gain) == 3
+    yield from wrapped(
+        f"One standard deviation after a measurement: position {_root(each.updated, 0)} m, "
+        f"velocity {_root(each.updated, 1)} m/s"
+        + (f", acceleration {_root(each.updated, 2)} m/s^2" if three else "")
+        + ", of a target that moves as the model says."
+    )
+    size = 1.0 if motion is None else motion
+    unit = "m/s^3" if three else "m/s^2"
+    if all(map(math.isfinite, each.lags)):
+        predicted, position, velocity = (number(lag * size) for lag in each.lags)
+        yield from wrapped(
+            f"Behind a target that keeps {'a jerk' if three else 'an acceleration'} of "
+            f"{number(size)} {unit} it is wrong by {predicted} m when it predicts, and after a "
+            f"measurement by {position} m and {velocity} m/s."
+        )
+    if math.isfinite(each.samples):
+        yield from wrapped(
+            f"A start is forgotten to 1 % after {settles(each.samples)} samples, "
+            f"{number(each.samples * interval)} s."
+        )
 
 
 _NAMES = ("position", "velocity", "acceleration")
@@ -312,6 +363,7 @@ def plain_filters(
                 "gain_in_units": list(each.gain),
                 "predicted_covariance": [list(row) for row in each.predicted],
                 "updated_covariance": [list(row) for row in each.updated],
+                "lags_behind_one": [x if math.isfinite(x) else None for x in each.lags],
                 "samples_to_one_per_cent": each.samples if math.isfinite(each.samples) else None,
                 "python": each.python(interval),
                 "c": each.c(interval),
