@@ -126,7 +126,7 @@ def test_as_text_and_as_data(capsys: pytest.CaptureFixture[str]) -> None:
     assert cli.main(said) == 0
     text = capsys.readouterr().out
     for part in ("tracking index sigma_w T^2/sigma_v = 0.4", "alpha = 0.588167, beta = 0.256697",
-                 "K_2 = 0.128348 per s", "after 11 samples, 22 s"):  # fmt: skip
+                 "K_2 = 0.128348 per s", "falls to 1 % in 11 samples, 22 s"):  # fmt: skip
         assert part in text
     assert cli.main([*said, "--json"]) == 0
     (found,) = json.loads(capsys.readouterr().out)["filters"]

@@ -323,7 +323,7 @@ def _errors(each: SteadyFilter, interval: float, motion: float | None) -> Iterat
         )
     if math.isfinite(each.samples):
         yield from wrapped(
-            f"A start is forgotten to 1 % after {settles(each.samples)} samples, "
+            f"The slowest closed-loop pole falls to 1 % in {settles(each.samples)} samples, "
             f"{number(each.samples * interval)} s."
         )
 
