@@ -54,8 +54,8 @@ def _answered_by_noise(options: argparse.Namespace, noise: str) -> int:
         raise BadInputError(f"{option} takes --{' and --'.join(missing)} beside it")
     if options.plot is not None:
         raise BadInputError(
-            f"--plot belongs to the named filters, not to {option}; without --plot you are told the "
-            "tracking index, which --tracking-index takes"
+            f"--plot belongs to the named filters, not to {option}; without --plot the tracking "
+            "index is told, which --tracking-index takes"
         )
     interval, deviation, value = (
         _positive(f"--{name.replace('_', '-')}", getattr(options, name))
