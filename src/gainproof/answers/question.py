@@ -273,7 +273,7 @@ def _candidates(
         ]
     strengths = [token for token in tokens if meant[token].role in ("deviation", "density")]
     if not strengths:
-        words = SEARCHED if model == SEARCH else f"process noise {model}"
+        words = f"process noise {model}" if model != SEARCH else SEARCHED + _searched(meant)
         steady = ('kind = "steady_state"', f'model = "{model}"', *_conventions(options, meant))
         return [Candidate(steady, meant, f"Kalman filter in its steady state, {words}")]
     if len(strengths) > 1:
@@ -301,6 +301,13 @@ def _candidates(
             f"does not have: say what it is with --symbol '{strengths[0]}: ...'"
         )
     return found
+
+
+def _searched(meant: Mapping[str, Meaning]) -> str:
+    """Among which models the judge searches: as many states as the highest component named."""
+    parts = (part for each in meant.values() for part in each.quantity.split(".") if part.isdigit())
+    states = max(map(int, parts), default=0)
+    return f" among models of {states} states" if states > 1 else ""
 
 
 def _rows(model: Mapping[str, object], name: str) -> list[list[str]]:
