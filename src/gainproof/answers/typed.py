@@ -39,7 +39,7 @@ _DIFFERENTIAL = re.compile(
     r"\\int|integral|diff|\\frac\s*\{?\s*(?:\\mathrm\s*\{?\s*)?d|\bd\w*\s*/\s*d"
 )
 """Where the d of dt is one of a derivative or an integral."""
-_EULER = re.compile(r"(?<![A-Za-z\\_{])e(?![A-Za-z_'])(?!\^\{?[-+]\}?\s*(?:$|[=)}]))")
+_EULER = re.compile(r"(?<![A-Za-z\\_{])e(?=\s*\^)(?!\^\{?[-+]\}?\s*(?:$|[=)}]))")
 _LOGARITHM = re.compile(r"\\log(?![A-Za-z]|\s*_)|(?<![A-Za-z\\])log(?=\s*\()")
 
 
