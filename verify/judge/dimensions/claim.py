@@ -5,6 +5,7 @@ it says or rests on.
 from __future__ import annotations
 
 from collections.abc import Iterator
+from operator import methodcaller
 
 from gainproof.verify.judge.claim.record import Claim, Setting
 from gainproof.verify.judge.dimensions.dimension import Mismatch, agreed
@@ -74,7 +75,7 @@ def _faults(claim: Claim, setting: Setting) -> Iterator[str]:
     if claim.recursion is not None and claim.previous is not None:
         yield from _recursion_faults(claim.recursion, claim.previous, names)
     for token in sorted(reached(claim, setting)):
-        if (fault := fault_of(lambda one, name=token: one.of(name), names)) is not None:
+        if (fault := fault_of(methodcaller("of", token), names)) is not None:
             yield fault
 
 

@@ -138,7 +138,10 @@ class _PlainLexer:
         elif _is_function(word):
             raise self._error(f"{word} needs brackets: {word}(...)", word)
         else:
-            raise self._undeclared(word)
+            braced = text.find("}", end, end + MOST_SHOWN) if text[end : end + 1] == "{" else -1
+            raise self._undeclared(
+                text[start : braced + 1] if word.endswith("_") and braced > 0 else word
+            )
 
     def _undeclared(self, word: str) -> ReaderError:
         """The error for a word that nobody declared."""
