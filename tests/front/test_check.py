@@ -297,7 +297,7 @@ publication = "none"
 title = "numbers"
 kind = "algebra"
 [settings.s.symbols]
-'x' = { unit = "deg", meaning = "an angle" }
+'x' = { unit = "mm", meaning = "an angle" }
 'y' = { unit = "1", meaning = "a number" }
 [[claims]]
 id = "good"
@@ -331,7 +331,7 @@ def test_all_errors_are_told_in_one_run(broken: Path, capsys: Capture) -> None:
     assert cli.main(["check", str(broken)]) == 2
     shown = capsys.readouterr()
     assert not shown.out
-    assert "line 11: settings.s.symbols.x.unit: 'deg' is no unit: write rad" in shown.err
+    assert "line 11: settings.s.symbols.x.unit: 'mm' is no unit: write m" in shown.err
     assert "line 30, column 14: claims.bad.latex: the symbol z is not declared" in shown.err
     assert shown.err.count("claims.") == 1
 
@@ -374,7 +374,7 @@ def test_what_can_be_read_is_judged(broken: Path, capsys: Capture) -> None:
 
 
 def test_a_file_without_errors_is_the_same_with_keep_going(broken: Path, capsys: Capture) -> None:
-    broken.write_text(BROKEN.replace('"deg"', '"rad"').replace("y + z", "y + 0"), encoding="utf-8")
+    broken.write_text(BROKEN.replace('"mm"', '"m"').replace("y + z", "y + 0"), encoding="utf-8")
     assert cli.main(["check", str(broken), "--keep-going", "--json"]) == 0
     judged = json.loads(capsys.readouterr().out)
     assert (judged["errors"], judged["not_judged"]) == ([], [])

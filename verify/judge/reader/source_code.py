@@ -4,7 +4,7 @@
 
 from __future__ import annotations
 
-from gainproof.verify.judge.reader.alphabet import DIGITS, is_letter
+from gainproof.verify.judge.reader.alphabet import DIGITS, is_letter, skip_space
 from gainproof.verify.judge.reader.errors import ReaderError
 from gainproof.verify.judge.reader.limits import MOST_DIGITS, MOST_EXPONENT
 from gainproof.verify.judge.reader.line_end import ends_line
@@ -14,8 +14,9 @@ from gainproof.verify.judge.reader.words import CIRCLE, PLAIN_FORMS, function_of
 
 ENTRYWISE = (".*", "./", ".^")
 """Signs that act entry by entry: of matrices that is another thing than the product."""
-_PREFIXES = ("numpy.", "np.", "math.", "cmath.", "linalg.", "Math.", "std::")
-_SAME = {
+PREFIXES = ("numpy.", "np.", "math.", "cmath.", "linalg.", "Math.", "std::")
+"""Of libraries, before the name of a function."""
+SAME = {
     "fabs": "abs",
     "inv": "inverse",
     "power": "pow",
@@ -23,6 +24,7 @@ _SAME = {
     "fmax": "max",
     "fmin": "min",
 }
+"""Functions by their names in source code."""
 _CIRCLES = ("pi", "PI")
 
 
@@ -110,7 +112,9 @@ def _without_mark(text: str, start: int, end: int, vocabulary: Vocabulary) -> in
     """The end of a number with the mark of single precision, if it has one."""
     if text[end : end + 1] not in ("f", "F") or _goes_on(text, end + 1):
         return end
-    if text[end] in vocabulary.plain_names:
+    names = vocabulary.plain_names.get(text[end], ())
+    calls = text.startswith("(", skip_space(text, end + 1))
+    if any(calls or not vocabulary.is_function(name) for name in names):
         raise _two_readings(text, start, end, end + 1)
     return end + 1
 
@@ -126,7 +130,7 @@ def _two_readings(text: str, start: int, letter: int, end: int) -> ReaderError:
 
 def library_end(text: str, position: int) -> int:
     """The end of the prefixes of libraries at `position`: `np.`, `numpy.linalg.`, `std::`."""
-    while (found := next((p for p in _PREFIXES if text.startswith(p, position)), "")) and is_letter(
+    while (found := next((p for p in PREFIXES if text.startswith(p, position)), "")) and is_letter(
         text[position + len(found) : position + len(found) + 1]
     ):
         position += len(found)
@@ -138,7 +142,7 @@ def usual_word(word: str) -> str:
     `fabs`; any other word as it is.
     """
     for name in (word, word.removesuffix("f")):
-        name = _SAME.get(name, name)
+        name = SAME.get(name, name)
         if name == "sqrt" or name in PLAIN_FORMS or function_of(name) is not None:
             return name
     return word

@@ -164,6 +164,14 @@ def test_a_number_with_a_declared_letter_has_two_readings(text: str, name: str) 
     assert caught.value.column == 5
 
 
+def test_the_mark_of_c_beside_a_function_of_its_name() -> None:
+    declared = {**SYMBOLS, "f": Declared(("x",))}
+    assert read_plain("a = 1.0f/3.0f", declared).readings
+    assert read_plain("a = 1.0 f(x) + 2f(x)", declared).readings
+    with pytest.raises(ReaderError, match="may be a number or a product"):
+        read_plain("a = 1.0f(x)", declared)
+
+
 @pytest.mark.parametrize("text", ["a = 2e", "a = 3f + 1e2", "a = pow(b)", "a = 2 e - 1"])
 def test_declared_letters_behind_a_number_stay_what_they_are(text: str) -> None:
     declared = {**SYMBOLS, **{name: Declared() for name in ("e", "f", "e2")}}
