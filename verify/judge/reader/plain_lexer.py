@@ -11,6 +11,7 @@ from gainproof.verify.judge.reader.scan import MOST_SHOWN, Scanned
 from gainproof.verify.judge.reader.source_code import (
     ENTRYWISE,
     code_circle,
+    is_of_library,
     library_end,
     scan_code_number,
     usual_word,
@@ -114,7 +115,7 @@ class _PlainLexer:
             self._add("CONSTANT", circle, end)
         elif word.startswith("log_"):
             self._add(*self._logarithm(start))
-        elif of_library and not (calls and _is_function(word)):
+        elif of_library and not (calls and is_of_library(word)):
             shown = text[self.position : end][:MOST_SHOWN]
             raise self._error(f"{shown} is no function that is read", shown)
         elif word in JOINING_WORDS:

@@ -25,6 +25,8 @@ SAME = {
     "fmin": "min",
 }
 """Functions by their names in source code."""
+_OTHERS = frozenset(("cov", "var", "diag", "blkdiag", "rank", "tr"))
+_FORMS = frozenset(("abs", "sqrt", "transpose", "inverse", "kron", "pow", "hypot"))
 _CIRCLES = ("pi", "PI")
 
 
@@ -146,6 +148,13 @@ def usual_word(word: str) -> str:
         if name == "sqrt" or name in PLAIN_FORMS or function_of(name) is not None:
             return name
     return word
+
+
+def is_of_library(word: str) -> bool:
+    """Whether a library has a function of this name that means the same: `np.diff` is a difference,
+    `np.var` that of a sample.
+    """
+    return word in _FORMS or (function_of(word) is not None and word not in _OTHERS)
 
 
 def code_circle(word: str, *, of_library: bool) -> str | None:

@@ -131,6 +131,8 @@ def test_conditions_are_joined_by_the_sign_of_c() -> None:
         ("a = (x)'", 8, "the transpose of what is not declared as a matrix"),
         ("a = pow(x)", 5, "pow takes 2 arguments, not 1"),
         ("a = np.foo(x)", 5, "np.foo is no function that is read"),
+        ("a = np.diff(x, y)", 5, "np.diff is no function that is read"),
+        ("a = np.var(x)", 5, "np.var is no function that is read"),
         ("a = np.sqrt", 5, "np.sqrt is no function that is read"),
         ("a = math.x", 5, "math.x is no function that is read"),
         ("a = x + 1.2.3", 9, "a number needs digits on both sides of its one point"),
