@@ -22,7 +22,7 @@ from gainproof.answers.question import Options
 from gainproof.bad_input import BadInputError
 from gainproof.claims.judgements import shipped_models
 from gainproof.cli import main
-from gainproof.verify.judge.reader.notation import is_plain
+from gainproof.verify.judge.claim.notation import is_plain
 
 SCHEMA = Path(gainproof.answers.__file__).with_name("answers.schema.json")
 HOSTILE = Path(__file__).parents[1] / "verify" / "judge" / "hostile"

@@ -12,10 +12,10 @@ from dataclasses import replace
 from typing import Any
 
 from gainproof.verify.judge.claim.letters import NOISE_ORDERS, Meaning, bare, usual_letters
+from gainproof.verify.judge.claim.notation import is_plain
 from gainproof.verify.judge.claim.record import Claim, Setting, SymbolEntry
 from gainproof.verify.judge.quantity_names import quantity_names
 from gainproof.verify.judge.reach import closure, named_by, used
-from gainproof.verify.judge.reader.notation import is_plain
 from gainproof.verify.judge.reader.reader import read_formula
 
 USUAL = "usual"
