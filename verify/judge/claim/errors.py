@@ -13,7 +13,7 @@ from gainproof.verify.judge.reader.plain_names import plain_name
 
 MOST_FOUND = 200
 """Errors of one file after which no more are looked for."""
-MOST_LINES = 10_000
+MOST_LINES = 4_000
 """Lines of a file that are looked through for the place of a formula."""
 Made = TypeVar("Made")
 _HEADERS = ("[[claims]]", "[settings", "[symbols", "[source]")

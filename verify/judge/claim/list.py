@@ -107,13 +107,11 @@ def read_claims(
 
 
 def _places(text: FileText, table: Sequence[object]) -> dict[int, int]:
-    """The lines of claims that are formulas alone, by number: one pass over the file."""
+    """The lines of claims that are formulas alone, by number."""
     found: dict[int, int] = {}
     line = text.line_of_key("claims") or 1
     for number, one in enumerate(table, start=1):
         place = text.place_of(one, line) if isinstance(one, str) else None
-        if place is None and isinstance(one, str):
-            break  # the others are not looked for either, each in all of the file
         if place is not None:
             found[number] = line = place[0]
     return found

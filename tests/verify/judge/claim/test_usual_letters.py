@@ -202,6 +202,16 @@ def test_two_usual_letters_of_one_meaning_are_refused(formulas: tuple[str, ...],
         read_claim_text(text_of(ACCELERATION, *formulas))
 
 
+def test_symbols_that_the_file_declares_are_its_own_affair() -> None:
+    own = "[settings.s.symbols]\n"
+    for name in ("\\beta", "K_2"):
+        own += f"'{name}' = {{ quantity = 'gain.2', meaning = 'x' }}\n"
+    text = text_of(ACCELERATION, r"\beta = K_2", table=own).replace(HEAD, HEAD + USUAL)
+    assert [one.verdict for one in judged(text)] == ["proved"]
+    unused = read_claim_text(text.replace(r"\beta = K_2", "R > 0")).settings["s"].symbols
+    assert set(unused) == {"\\beta", "K_2", "R"}
+
+
 def test_a_declared_symbol_beside_the_usual_letter_of_its_meaning_is_refused() -> None:
     own = '[settings.s.symbols]\n\'D\' = { quantity = "sampling_interval", meaning = "x" }\n'
     text = text_of(ACCELERATION, "D > 0", table=own).replace(HEAD, HEAD + USUAL)
@@ -262,7 +272,7 @@ def test_a_formula_alone_of_matrices() -> None:
 
 FILTERS = "".join(f'[settings.s{n}]\ntitle = "s"\n{ACCELERATION}{USUAL}' for n in range(100))
 BLANK = "\n" * 300_000
-ESCAPED = ",".join([r'"a +\tb = 1"'] * 500)
+ESCAPED = ",\n".join([r'"a +\tb = 1"'] * 2000)
 TITLE = '[source]\ntitle = "t"\n'
 HOSTILE = {
     "letters": text_of(ACCELERATION, *[f"x_{n} + y_{n} = z" for n in range(2000)]),

@@ -111,6 +111,14 @@ def test_a_spelling_of_code_is_the_formula(code: str, written: str) -> None:
     ]
 
 
+def test_the_letter_t_above_is_a_transpose_in_mathematics_only() -> None:
+    declared = {**SYMBOLS, "T": Declared()}
+    assert read_plain("tr(A^T) = a", declared).readings
+    for code in ("x**T", "x.^T"):
+        graph = read_plain(f"a = {code}", declared).readings[0].relations[0].right
+        assert graph["nodes"][-1][:2] == ["call", "power"]
+
+
 def test_conditions_are_joined_by_the_sign_of_c() -> None:
     assert read_plain("a == b if x > 0 && y >= 0", SYMBOLS).readings[0].conditions == (
         read_plain("a = b if x > 0 and y >= 0", SYMBOLS).readings[0].conditions
