@@ -112,6 +112,8 @@ def _places(text: FileText, table: Sequence[object]) -> dict[int, int]:
     line = text.line_of_key("claims") or 1
     for number, one in enumerate(table, start=1):
         place = text.place_of(one, line) if isinstance(one, str) else None
+        if place is None and isinstance(one, str):
+            break  # nor are the others looked for, each in all that is looked through
         if place is not None:
             found[number] = line = place[0]
     return found
