@@ -19,10 +19,10 @@ from one_of_each import further
 import gainproof.answers
 from gainproof.answers.judge import Judge
 from gainproof.answers.question import Options
-from gainproof.answers.typed import is_plain
 from gainproof.bad_input import BadInputError
 from gainproof.claims.judgements import shipped_models
 from gainproof.cli import main
+from gainproof.verify.judge.claim.notation import is_plain
 
 SCHEMA = Path(gainproof.answers.__file__).with_name("answers.schema.json")
 MODELS = Path(__file__).parents[2] / "docs" / "models"
@@ -349,7 +349,7 @@ def test_formulas_made_to_do_harm_do_none() -> None:
 
 def test_models_that_are_shipped_have_strengths_that_are_known() -> None:
     """A model of measured position that comes new needs its line in the table of noises."""
-    from gainproof.answers.question import _NOISE_ORDERS
+    from gainproof.verify.judge.claim.letters import NOISE_ORDERS
 
     positions = [m["name"] for m in shipped_models() if len(m["measurement"]) == 1]
-    assert set(positions) == set(_NOISE_ORDERS)
+    assert set(positions) == set(NOISE_ORDERS)
