@@ -207,6 +207,10 @@ def test_which_text_is_latex(formula: str, plain: bool) -> None:
         ("x = y", {"symbols": {"x": "m"}, "domain": "x > 1"}, "--domain: dimensions"),
         (r"e^{i\theta} = \cos\theta + i\sin\theta", {}, "imaginary unit"),
         ("x = " + "y + " * 8000 + "1", {}, "at most 4000 are read"),
+        (r"\frac{d}{dx} atan(y/x) = 1", {}, r"(?s)product a t a n: write \\arctan\n.*\^"),
+        (r"\beta = sqrt(\alpha)", {}, r"write \\sqrt\{"),
+        ("d/dx tan(x) = 1 + tan(x)^2", {}, r"a derivative is written diff\(f, x\)"),
+        ("(K H)^T = H^T K^T", {}, "in a claim file, whose settings may be of kind matrices"),
     ],
 )
 def test_bad_input_is_told(

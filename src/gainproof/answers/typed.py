@@ -18,6 +18,7 @@ from gainproof.verify.judge.reader.errors import ReaderError
 from gainproof.verify.judge.reader.latex import graph_to_latex, relations_to_latex
 from gainproof.verify.judge.reader.limits import MOST_CHARACTERS
 from gainproof.verify.judge.reader.names import canonical_token
+from gainproof.verify.judge.reader.words import FUNCTION_COMMANDS, FUNCTION_WORDS
 
 MOST_NAME = 100
 ONE_NAME = (r"\Delta t", r"\Delta T")
@@ -26,6 +27,8 @@ STEP = "dt"
 """The same, but where it is a differential."""
 _RELATION = re.compile(r"[=<>]|\\(?:leq?|geq?|approx|neq?|to|simeq|sim)\b")
 _BEGINS_WITH_RELATION = re.compile(rf"\s*&?\s*(?:{_RELATION.pattern})")
+_WORD = re.compile(r"(?<![\\A-Za-z_^{])[a-z]{2,}2?(?=\s*[({\\])")
+"""Letters in front of an argument."""
 _POWER = re.compile(r"\^\{([^{}]*)\}")
 _MARKED = re.compile(
     r"(?<![A-Za-z\\])(?:\\(?:hat|tilde|bar|mathbf)\{?)?\\?[A-Za-z]{1,40}\}?(?:_(?:\{[^{}]{0,40}\}|\w))?"
@@ -134,6 +137,8 @@ def _met(
     if is_plain(text):
         text = _without_braces(text)
     plain = is_plain(text) and "^{" not in text
+    if not plain:
+        _refuse_words(text, said)
     met = symbols_met(text, plain=plain, known=_known(text, said))
     if not plain:
         return text, plain, met, ()
@@ -145,7 +150,7 @@ def _met(
         if re.search(rf"[\^/]\s*{place}", text):
             raise BadInputError(
                 f"{word} behind ^ or / may be one name or a product: write ({' '.join(word)}), or "
-                f"say what it is: --symbol '{word}: 1'"
+                f"say what it is: --symbol '{word}: 1'; a derivative is written diff(f, x)"
             )
         text = re.sub(place, " ".join(word), text)
     if words:
@@ -188,7 +193,10 @@ def _in_ascii(character: str) -> str:
 
 def _read(met: Met) -> Formula:
     if met.formula is None:
-        raise BadInputError(f"not read: {met.problem}\n{met.caret}")
+        problem = met.problem or ""
+        if "declared as a matrix" in problem:
+            problem += "; that is done in a claim file, whose settings may be of kind matrices"
+        raise BadInputError(f"not read: {problem}\n{met.caret}")
     return met.formula
 
 
@@ -199,6 +207,24 @@ def _known(text: str, said: Collection[str]) -> list[str]:
         with contextlib.suppress(ReaderError):
             usual.append(canonical_token(found[0]))
     return [*said, *(name for name in dict.fromkeys(usual) if name not in said)]
+
+
+def _refuse_words(text: str, said: Collection[str]) -> None:
+    """Raises BadInputError for a function without its backslash in LaTeX, where its letters would
+    be a product.
+    """
+    for found in _WORD.finditer(text):
+        word = found[0]
+        name = FUNCTION_WORDS.get(word, "")
+        if (name or word == "sqrt") and word not in said:
+            commands = [each for each, of in FUNCTION_COMMANDS.items() if of == name]
+            other = r"\sqrt{...}" if word == "sqrt" else rf"\operatorname{{{word}}}"
+            wanted = commands[0] if commands else other
+            mark = " " * found.start() + "^"
+            raise BadInputError(
+                f"{word} in LaTeX would be the product {' '.join(word)}: write {wanted}\n"
+                f"    {text}\n    {mark}"
+            )
 
 
 def _refuse_several(text: str) -> None:
