@@ -92,7 +92,7 @@ def test_random_walk(noise: str, measured: str, latex: str, wanted: str) -> None
 
 
 def test_matrices_that_do_not_scale_are_named() -> None:
-    found = judged("identity", "K = 1", ONE, walk("q", "r", r"\frac{v}{w}"))
+    found = judged("identity", "K = 1", ONE, walk("q", "w^2", r"\frac{v}{w}"))
     check(found, "undecided")
     assert "transition of the model" in found.reason
 
