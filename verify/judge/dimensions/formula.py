@@ -188,6 +188,10 @@ def _call(name: str, parts: list[Dimensions], names: Names) -> Dimensions:
             return parts[0]
         case "det":
             return determinant(parts[0])
+        case "abs" if isinstance(parts[0], tuple) and len(parts[0]) == len(parts[0][0]):
+            return determinant(parts[0])
+        case "abs" | "norm":
+            return agreed(list(entries(parts[0])), "the entries of what stands between bars")
         case "tr" | "trace" | "Tr":
             return _trace(parts[0])
         case "power" if len(parts) == 2:
