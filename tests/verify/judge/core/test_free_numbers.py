@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import random
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from functools import cache
 from math import isclose, sqrt
 
@@ -249,3 +249,71 @@ def test_a_time_constant_is_not_the_interval() -> None:
     check(judged("identity", r"\alpha = \frac{d}{d + R}", SYMBOLS, model), "refuted")
     true = r"P = \left(1 - \frac{T}{u}\right)^2 \alpha R + d"
     check(judged("identity", true, SYMBOLS, model), "proved")
+
+
+Sides = Callable[..., tuple[float, float]]
+SLOTS: list[tuple[tuple[str, ...], str, tuple[int, ...], Sides]] = [
+    (
+        LEVEL,
+        r"P = %d a^%d \alpha R + %d d",
+        (1, 2, 1),
+        lambda v, i, j, k: (v["P"], i * v["a"] ** j * v["K1"] * v["R"] + k * v["d"]),
+    ),
+    (
+        LEVEL,
+        r"P^2 + (%d - a^%d) R P - %d d P = %d d R",
+        (1, 2, 1, 1),
+        lambda v, i, j, k, m: (
+            v["P"] ** 2 + (i - v["a"] ** j) * v["R"] * v["P"] - k * v["d"] * v["P"],
+            m * v["d"] * v["R"],
+        ),
+    ),
+    (
+        TWO,
+        r"%d \beta^2 R = %d q T^2 (%d - \alpha)",
+        (1, 1, 1),
+        lambda v, i, j, k: (
+            i * v["K2"] ** 2 * v["R"],
+            j * v["q"] * v["T"] ** 2 * (k - v["K1"]),
+        ),
+    ),
+    (
+        TWO,
+        r"d (%d - \alpha) = R (%d \alpha^%d - %d \beta + %d \alpha \beta)",
+        (1, 1, 2, 2, 1),
+        lambda v, i, j, k, m, n: (
+            v["d"] * (i - v["K1"]),
+            v["R"] * (j * v["K1"] ** k - m * v["K2"] + n * v["K1"] * v["K2"]),
+        ),
+    ),
+    (
+        FADING,
+        r"(%d + %d a (%d - \alpha)) \beta = %d a \alpha^%d",
+        (1, 1, 1, 1, 2),
+        lambda v, i, j, k, m, n: (
+            (i + j * v["a"] * (k - v["K1"])) * v["K2"],
+            m * v["a"] * v["K1"] ** n,
+        ),
+    ),
+]
+
+
+@pytest.mark.sampled
+@pytest.mark.parametrize("seed", range(samples(10)))
+def test_one_other_number_is_as_scipy_has_it(seed: int) -> None:
+    generator = random.Random(seed)
+    model, latex, numbers, sides = SLOTS[seed % len(SLOTS)]
+    place = generator.randrange(len(numbers))
+    other = list(numbers)
+    other[place] += generator.choice((-1, 1, 2))
+    at = {name: generator.uniform(0.2, 3) for name in "bcdgpqrswTRu"}
+    at["a"] = generator.uniform(0.1, 0.9)
+    f, q, h, r = (np.array(x, dtype=float) for x in in_numbers(MODELS.index(model), at))
+    m = solve_discrete_are(f.T, h.T, q, r)
+    gain = (m @ h.T)[:, 0] / (h @ m @ h.T + r)[0, 0]
+    at |= {"P": m[0, 0]} | {f"K{i + 1}": g * at["T"] ** i for i, g in enumerate(gain)}
+    for slots in (numbers, tuple(other)):
+        left, right = sides(at, *slots)
+        wanted = "proved" if isclose(left, right, rel_tol=1e-8) else "refuted"
+        found = judged("identity", f"latex = '{latex % slots}'", SYMBOLS, setting(model))
+        assert found.verdict == wanted, found.reason
