@@ -7,7 +7,7 @@ from dataclasses import dataclass, field, replace
 
 from gainproof.verify.judge.matrices.letter import Letter, MatrixSetting
 from gainproof.verify.judge.matrices.size import ONE, ZERO, Shape, Size, Sizes
-from gainproof.verify.judge.matrices.tree import INNER, REGULAR, Chain, Node
+from gainproof.verify.judge.matrices.tree import FRACTION, INNER, REGULAR, Chain, Node
 
 MOST_NODES = 3000
 
@@ -59,6 +59,8 @@ class Shapes:
                 return (inner[1], inner[0]) if isinstance(inner, tuple) else inner
             case "inverse":
                 inner = self.of(node.parts[0])
+                if node.name == FRACTION and inner not in (None, (ONE, ONE)):
+                    raise ShapeFault(f"a fraction over a matrix of shape {self.said(inner)}")
                 if inner is not None and inner[0] != inner[1]:
                     raise ShapeFault(f"an inverse of a matrix of shape {self.said(inner)}")
                 return inner
@@ -92,7 +94,26 @@ class Shapes:
                 shape = self.of(part)
                 if shape is None or shape[1] != ONE:
                     raise ShapeFault(f"(x, y) is of two columns, not of shape {self.said(shape)}")
-        return self._placed(node.parts)[0]
+        return self._placed(self._arranged(node))[0]
+
+    def _arranged(self, node: Node) -> tuple[Node, ...]:
+        """The factors of a product; a number made of columns, as that below the line in
+        P x x' P/(1 + x' P x), between a column and a row.
+        """
+        try:
+            self._placed(node.parts)
+        except UnsaidShapeError:
+            flat = [q for p in node.parts for q in (p.parts if p.kind == "product" else (p,))]
+            numbers = [p for p in flat if self.of(p) == (ONE, ONE) and self.spread(p, ONE) is None]
+            others = [p for p in flat if p not in numbers]
+            shapes = [self.of(p) for p in others]
+            cut = next(
+                (k for k, shape in enumerate(shapes[:-1], 1) if shape and shape[1] == ONE), 0
+            )
+            if not numbers or not cut:
+                raise
+            return (*others[:cut], *numbers, *others[cut:])
+        return node.parts
 
     def _placed(self, parts: Sequence[Node]) -> tuple[Shape | None, dict[int, Size]]:
         """The shape of a product, and the sizes of the unit matrices that numbers in it are to be
@@ -134,15 +155,17 @@ class Shapes:
         match node.kind:
             case "name":
                 letter = self.letters[node.name]
-                if letter.definition is not None:
-                    return self.spread(letter.definition, size)
                 if letter.variance is not None or letter.shape != (ONE, ONE):
                     return None
-                if size == ONE:
-                    return node
                 own = letter.spread(size, self.sizes)
-                self.added[own.name] = own
-                return replace(node, name=own.name)
+                if own.name not in self.added:
+                    if letter.definition is not None:
+                        inner = self.spread(letter.definition, size)
+                        if inner is None:
+                            return None
+                        own = replace(own, facts=(), definition=inner, scalar="")
+                    self.added[own.name] = own
+                return node if size == ONE else replace(node, name=own.name)
             case "number":
                 return Node("product", (node, Node("unit", shape=(size, size))))
             case "unit" | "zero" if node.shape in (None, (ONE, ONE)):
@@ -213,10 +236,11 @@ class Shapes:
                 )
                 return replace(node, parts=cells)
             case "product":
-                placed = self._placed(node.parts)[1]
+                factors = self._arranged(node)
+                placed = self._placed(factors)[1]
                 parts = [
                     self.spread(p, placed[at]) if at in placed else self.filled(p, self.of(p))
-                    for at, p in enumerate(node.parts)
+                    for at, p in enumerate(factors)
                 ]
                 return replace(node, parts=tuple(p for p in parts if p is not None))
             case _:
@@ -226,15 +250,17 @@ class Shapes:
         """The setting with numbers times unit matrices of all sizes: those numbers of which one was
         made, or every one.
         """
-        made = {letter.scalar for letter in self.added.values()}
+        made = [letter for letter in self.added.values() if letter.shape != (ONE, ONE)]
+        scalars = {letter.scalar for letter in made}
         sizes = dict.fromkeys(s for letter in self.letters.values() for s in letter.shape)
         spread = [
             letter.spread(size, self.sizes)
             for name, letter in self.letters.items()
-            if name in made or (every and self.spread(Node("name", name=name), ONE) is not None)
+            if name in scalars or (every and self.spread(Node("name", name=name), ONE) is not None)
             for size in sizes
             if size != ONE and letter.definition is None
         ]
+        spread += [letter for letter in made if letter.definition is not None]
         return replace(setting, letters={**setting.letters, **{one.name: one for one in spread}})
 
     def chain(self, chain: Chain) -> Chain:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import random
+from collections.abc import Mapping
 
 import numpy as np
 import pytest
@@ -36,12 +37,11 @@ LETTERS = {
 }
 
 
-def found(kind: str, latex: str, given: str = "") -> Finding:
-    table = "".join(f"'{name}' = {entry}\n" for name, entry in LETTERS.items())
+def found(kind: str, latex: str, letters: Mapping[str, str] = LETTERS) -> Finding:
+    table = "".join(f"'{name}' = {entry}\n" for name, entry in letters.items())
     claim = (
         f"[[claims]]\nid = '1'\nplace = '-'\nkind = '{kind}'\nsetting = 's'\nlatex = '{latex}'\n"
     )
-    claim += f"given = ['{given}']\n" if given else ""
     file = read_claim_text(HEAD + table + claim, "trial.toml")
     matrices, asked = file.settings["s"].matrices, file.claims[0].matrices
     assert matrices is not None
@@ -66,6 +66,17 @@ def found(kind: str, latex: str, given: str = "") -> Finding:
         # least squares with forgetting
         ("identity", "(s P^{-1} + x x^T)^{-1} = s^{-1} (P - P x (s + x^T P x)^{-1} x^T P)"),
         ("identity", "s P x (x^T s P x + s)^{-1} = P x (x^T P x + 1)^{-1}"),
+        (
+            "identity",
+            r"(s P^{-1} + x x^T)^{-1} = \frac{1}{s} \left(P - \frac{P x x^T P}{s + x^T P x}\right)",
+        ),
+        (
+            "identity",
+            r"(P + x x^T)^{-1} = P^{-1} - \frac{P^{-1} x x^T P^{-1}}{1 + x^T P^{-1} x}",
+        ),
+        ("identity", r"(P + x x^T)^{-1} x = \frac{P^{-1} x}{1 + x^T P^{-1} x}"),
+        ("identity", r"\frac{s}{t} P = s t^{-1} P"),
+        ("identity", "(s P)^3 = s^3 P P P"),
         ("inequality", "s P > 0"),
         ("inequality", r"s P + Q \geq Q"),
     ],
@@ -85,6 +96,12 @@ def test_what_is_true_is_proved(kind: str, latex: str) -> None:
         ("identity", "w P + (1 - w) Q = Q + w (P + Q)"),
         ("identity", "s P H^T (H s P H^T + R)^{-1} = P H^T (H P H^T + R)^{-1}"),
         ("identity", "(s P^{-1} + x x^T)^{-1} = s^{-1} (P - P x (1 + x^T P x)^{-1} x^T P)"),
+        (
+            "identity",
+            r"(s P^{-1} + x x^T)^{-1} = \frac{1}{s} \left(P + \frac{P x x^T P}{s + x^T P x}\right)",
+        ),
+        ("identity", r"\frac{s}{t} P = s t P"),
+        ("identity", "(s P)^2 = s P^2"),
         ("identity", "w P = 0"),
         ("inequality", "w P > 0"),
         ("inequality", r"s P \geq P"),
@@ -101,6 +118,14 @@ def test_an_inverse_needs_a_number_that_is_not_zero() -> None:
     finding = found("identity", "(w P)^{-1} = w^{-1} P^{-1}")
     assert finding.verdict == "conditional"
     assert "w has an inverse" in (finding.domain or "")
+
+
+def test_a_fraction_is_over_a_number() -> None:
+    finding = found("identity", r"\frac{B}{P} = B P^{-1}")
+    assert (finding.verdict, finding.method) == ("refuted", "shapes")
+    assert "a fraction over a matrix of shape n x n" in finding.reason
+    finding = found("identity", r"\frac{x x^T}{x^T x} x = x")
+    assert finding.verdict == "conditional", finding.reason
 
 
 def test_what_is_no_letter_before_a_matrix_is_not_read() -> None:
@@ -138,3 +163,12 @@ def test_numbers_may_stand_anywhere_in_a_product(seed: int) -> None:
     for side in (right, other):
         verdict = found("identity", f"{' '.join(left)} = {' '.join(side)}").verdict
         assert verdict == ("proved" if np.allclose(value(left), value(side)) else "refuted")
+
+
+def test_numbers_that_double_with_every_definition_take_no_time() -> None:
+    names = [f"a_{{{k}}}" for k in range(60)]
+    more = {
+        name: f"{{ shape = ['1', '1'], definition = '{before} - {before} + s', meaning = 'twice' }}"
+        for before, name in zip(["s", *names], names, strict=False)
+    }
+    assert found("identity", f"{names[-1]} P = s P", LETTERS | more).verdict == "proved"
