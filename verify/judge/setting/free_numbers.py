@@ -23,7 +23,7 @@ from gainproof.verify.judge.exact.box import Box
 from gainproof.verify.judge.exact.calculus import substituted
 from gainproof.verify.judge.exact.constant_value import constant_value
 from gainproof.verify.judge.exact.expression import Expr, mul, number, power, symbol, symbols_of
-from gainproof.verify.judge.exact.free_names import is_free, token_of
+from gainproof.verify.judge.exact.free_names import free_name, is_free, token_of
 from gainproof.verify.judge.exact.limits import Undecided
 from gainproof.verify.judge.exact.poly import Poly, coefficients_in, degree
 from gainproof.verify.judge.exact.statement import Rel, Statement
@@ -115,6 +115,9 @@ def over_gains(setting: Setting) -> Environment | None:
     if own.without_interval(setting):
         known[INTERVAL] = ONE
     assigned = {token_of(base.name): x for base, x in values.items() if is_free(base)}
+    conditions = tuple(
+        Rel(r.operator, substituted(r.left, known), substituted(r.right, known)) for r in conditions
+    )
     quantities = dict(solved.quantities)
     missing = {}
     if INDEX not in known:
@@ -201,17 +204,21 @@ def _driving(monomial: Monomial, fixed: set[str]) -> tuple[tuple[Expr, int, Expr
 
 
 def _said(setting: Setting, own: Own, model: Model) -> tuple[Rel, ...]:
-    """What the setting says of the free numbers and of the signs of strengths, by their numbers."""
-    signs = {s.base.name: symbol(f"strength {k}") for k, s in enumerate(model.strengths)}
+    """What the setting says of the symbols of its model, by the numbers of the strengths."""
+    unknown = {s.base.name: (s, symbol(f"strength {k}")) for k, s in enumerate(model.strengths)}
+    values = {name: strength.symbol_at(x) for name, (strength, x) in unknown.items()}
+    values |= {free_name(token): expr for token, expr in own.assigned.items()}
     found = [Rel(">", T, ZERO)] if INTERVAL in model.free else []
     for token in tuple(own.scope.used):
         for relation in setting.symbols[token].domain:
             rel = own.scope.relation(relation)
-            if _names(rel) <= set(model.free):
-                found.append(rel)
-            elif rel.right == ZERO and rel.left.kind == "symbol" and rel.left.name in signs:
-                found.append(Rel(rel.operator, signs[rel.left.name], ZERO))
-    return tuple(found)
+            if rel.right == ZERO and rel.left.kind == "symbol" and rel.left.name in unknown:
+                left, right = unknown[rel.left.name][1], ZERO
+            else:
+                left, right = (substituted(side, values) for side in (rel.left, rel.right))
+            found.append(Rel(rel.operator, left, right))
+    # T and the deviation are positive
+    return tuple(rel for rel in found if not _names(rel) <= {INTERVAL, DEVIATION} - set(model.free))
 
 
 def _names(rel: Rel) -> set[str]:
@@ -388,7 +395,8 @@ def _state(
         for x, strength in zip(found.numbers, model.strengths, strict=True)
         if strength.exponent != 1
     ]
-    positive = [rel.left for rel in stated if rel.operator == ">" and rel.right == ZERO]
+    signs = (rel for rel in stated if rel.operator == ">" and rel.right == ZERO)
+    positive = [rel.left for rel in signs if _names(rel) <= set(names)]
     covariance = [
         e
         for e in _covariance(noise)

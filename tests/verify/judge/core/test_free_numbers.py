@@ -206,6 +206,23 @@ def test_claims(model: tuple[str, ...], kind: str, latex: str, wanted: str) -> N
 
 
 @pytest.mark.parametrize(
+    ("domain", "wanted"),
+    [("0 < d < R", "proved"), ("0 < d < 2 R", "conditional"), ("d > 0", "conditional")],
+)
+def test_what_is_said_of_a_strength_is_true_of_the_gains(domain: str, wanted: str) -> None:
+    # a = 1, d = R has the gain (sqrt(5) - 1)/2, less than 5/8, and the gain grows with both
+    said = SYMBOLS | {"d": f"{{ unit = 'm^2', domain = '{domain}', meaning = 'variance' }}"}
+    check(judged("inequality", r"latex = '\alpha < \frac{5}{8}'", said, setting(LEVEL)), wanted)
+
+
+def test_what_is_said_beside_a_measurement_noise_in_numbers() -> None:
+    said = SYMBOLS | {"s": "{ unit = '1', domain = '0 < s < 2', meaning = 'deviation' }"}
+    check(
+        judged("inequality", r"latex = '\alpha < \frac{5}{8}'", said, setting(MODELS[1])), "proved"
+    )
+
+
+@pytest.mark.parametrize(
     ("kind", "fields"),
     [
         ("identity", r"latex = '\frac{\partial \alpha}{\partial a} = 0'"),
