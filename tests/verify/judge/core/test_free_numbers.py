@@ -14,7 +14,7 @@ from scipy.linalg import solve_discrete_are
 from small_claims import HEAD, check, judged
 
 from gainproof.verify.judge.claim.file import read_claim_text
-from gainproof.verify.judge.exact.expression import Expr
+from gainproof.verify.judge.exact.expression import Expr, symbols_of
 from gainproof.verify.judge.exact.limits import Undecided
 from gainproof.verify.judge.exact.statement import Rel
 from gainproof.verify.judge.setting.environment import Environment
@@ -104,8 +104,9 @@ def setting(model: tuple[str, ...]) -> str:
 
 
 @cache
-def solved(model: tuple[str, ...]) -> Environment | str:
-    table = "".join(f"'{k}' = {v}\n" for k, v in SYMBOLS.items())
+def solved(model: tuple[str, ...], token: str = "", domain: str = "") -> Environment | str:
+    said = {token: f"{{ unit = '1', domain = '{domain}', meaning = 'said' }}"} if token else {}
+    table = "".join(f"'{k}' = {v}\n" for k, v in (SYMBOLS | said).items())
     text = f"{HEAD}{setting(model)}\n[settings.s.symbols]\n{table}"
     text += "[[claims]]\nid = '1'\nplace = '-'\nkind = 'identity'\nsetting = 's'\nlatex = 'P = P'\n"
     try:
@@ -220,6 +221,10 @@ def test_what_is_said_beside_a_measurement_noise_in_numbers() -> None:
     check(
         judged("inequality", r"latex = '\alpha < \frac{5}{8}'", said, setting(MODELS[1])), "proved"
     )
+    found = solved(MODELS[1], "s", "0 < s < 2")
+    assert isinstance(found, Environment)
+    sides = [side for rel in found.conditions for side in (rel.left, rel.right)]
+    assert symbols_of(*sides) == {"filter_gain.1", "free a"}
 
 
 @pytest.mark.parametrize(

@@ -27,6 +27,7 @@ COVARIANCE = "is = ['positive definite'], meaning = 'covariance' }"
 LETTERS = {
     **dict.fromkeys("PQ", f"{{ shape = ['n', 'n'], {COVARIANCE}"),
     "R": f"{{ shape = ['m', 'm'], {COVARIANCE}",
+    "N": "{ shape = ['n', 'n'], is = ['positive semidefinite'], meaning = 'noise' }",
     "H": "{ shape = ['m', 'n'], meaning = 'measurement' }",
     **dict.fromkeys("BC", "{ shape = ['n', 'n'], meaning = 'any' }"),
     **dict.fromkeys("xy", "{ shape = ['n', '1'], meaning = 'column' }"),
@@ -79,6 +80,7 @@ def found(kind: str, latex: str, letters: Mapping[str, str] = LETTERS) -> Findin
         ("identity", "(s P)^3 = s^3 P P P"),
         ("inequality", "s P > 0"),
         ("inequality", r"s P + Q \geq Q"),
+        ("inequality", r"s N \geq 0"),
     ],
 )
 def test_what_is_true_is_proved(kind: str, latex: str) -> None:
@@ -104,6 +106,7 @@ def test_what_is_true_is_proved(kind: str, latex: str) -> None:
         ("identity", "(s P)^2 = s P^2"),
         ("identity", "w P = 0"),
         ("inequality", "w P > 0"),
+        ("inequality", "s N > 0"),
         ("inequality", r"s P \geq P"),
     ],
 )
