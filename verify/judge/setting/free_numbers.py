@@ -43,7 +43,7 @@ from gainproof.verify.judge.setting.environment import (
 from gainproof.verify.judge.setting.established import UNIQUENESS, characteristic
 from gainproof.verify.judge.setting.factor import Factor, number_root
 from gainproof.verify.judge.setting.matrix import Exprs, minus, plus, times, transposed
-from gainproof.verify.judge.setting.own_matrices import SIGMA, Own, Rows, T, read_own
+from gainproof.verify.judge.setting.own_matrices import SIGMA, Own, Rows, T, not_symmetric, read_own
 from gainproof.verify.judge.setting.quantities import environment_of
 from gainproof.verify.judge.setting.stability import circle_moved, left_half_plane
 from gainproof.verify.judge.setting.steady_state import SteadyState
@@ -98,7 +98,7 @@ def over_gains(setting: Setting) -> Environment | None:
     """
     own = read_own(setting)
     model = _scaled(own)
-    if not model.free and len(model.strengths) < 2:
+    if set(model.free) <= {INTERVAL} and len(model.strengths) < 2:
         return None
     if len(model.f) > MOST_STATES:
         raise Undecided(f"a steady state with {len(model.f)} states and free numbers")
@@ -144,8 +144,9 @@ def _scaled(own: Own) -> Model:
         [monomials(mul(x, 1 / own.scale, power(own.interval, i + j))) for j, x in enumerate(row)]
         for i, row in enumerate(own.q)
     ]
-    if any(entries[i][j] != entries[j][i] for i, j in combinations(range(len(entries)), 2)):
-        raise Undecided("the process noise of the model is not symmetric")
+    for i, j in combinations(range(len(entries)), 2):
+        if entries[i][j] != entries[j][i]:
+            raise not_symmetric(i, j)
     parts: dict[tuple[Expr, int, Expr] | None, list[list[Expr]]] = {}
     for i, row in enumerate(entries):
         for j, found in enumerate(row):

@@ -162,6 +162,14 @@ def _is_time(setting: Setting, token: str) -> bool:
     return unit == Unit(second=Fraction(1))
 
 
+def not_symmetric(i: int, j: int) -> Undecided:
+    """The reason for a process noise in which two entries differ."""
+    return Undecided(
+        f"the process noise of the model is not symmetric: row {i + 1}, column {j + 1} and "
+        f"row {j + 1}, column {i + 1} differ"
+    )
+
+
 def in_units(
     matrix: Rows, exponents: tuple[int, int], interval: Expr, name: str
 ) -> list[list[str]]:

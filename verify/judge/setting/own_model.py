@@ -30,6 +30,7 @@ from gainproof.verify.judge.setting.own_matrices import (
     Rows,
     in_units,
     noise_in_units,
+    not_symmetric,
     read_own,
 )
 from gainproof.verify.judge.setting.own_pair import both_measured
@@ -120,10 +121,7 @@ def _require_covariance(q: list[list[Fraction]]) -> None:
     """Undecided where the process noise, in numbers, is not symmetric and nowhere negative."""
     for i, j in combinations(range(len(q)), 2):
         if q[i][j] != q[j][i]:
-            raise Undecided(
-                f"the process noise of the model is not symmetric: row {i + 1}, column {j + 1} and "
-                f"row {j + 1}, column {i + 1} differ"
-            )
+            raise not_symmetric(i, j)
     if not positive_semidefinite(q):
         raise Undecided(
             "the process noise of the model is no covariance: it is not positive semidefinite"
