@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import random
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from functools import cache
 from math import isclose, sqrt
 
@@ -50,7 +50,7 @@ SYMBOLS = {
 LEVEL = ("[['a']]", "[['d']]", "[['1']]", "[['R']]")
 TWO = ("[['1', 'T'], ['0', '1']]", "[['d', '0'], ['0', 'q']]", "[['1', '0']]", "[['R']]")
 FADING = ("[['1', 'T'], ['0', 'a']]", "[['0', '0'], ['0', 'w^2']]", "[['1', '0']]", "[['R']]")
-MODELS = [
+MODELS: list[tuple[str, ...]] = [
     LEVEL,
     ("[['a']]", "[['s^2']]", "[['1']]", "[['4']]"),
     ("[['a']]", "[['3']]", "[['b']]", "[['r']]"),
@@ -79,13 +79,13 @@ MODELS = [
 At = Mapping[str, float]
 
 
-def in_numbers(place: int, at: At) -> tuple[list[list[float]], ...]:
+def in_numbers(place: int, at: At) -> Sequence[Sequence[Sequence[float]]]:
     """F, Q, H and R of one of the models."""
     a, b, c, d, g, p, q, t, w = (at[name] for name in "abcdgpqTw")
     r, s = at["R"], at["s"]
-    taylor = [[1, t, t**2 / 2], [0, 1, t], [0, 0, 1]]
-    white = [[c * t + g * t**3 / 3, g * t**2 / 2], [g * t**2 / 2, g * t]]
-    return (
+    taylor: list[list[float]] = [[1, t, t**2 / 2], [0, 1, t], [0, 0, 1]]
+    white: list[list[float]] = [[c * t + g * t**3 / 3, g * t**2 / 2], [g * t**2 / 2, g * t]]
+    models: tuple[tuple[Sequence[Sequence[float]], ...], ...] = (
         ([[a]], [[d]], [[1]], [[r]]),
         ([[a]], [[s**2]], [[1]], [[4]]),
         ([[a]], [[3]], [[b]], [[at["r"]]]),
@@ -95,7 +95,8 @@ def in_numbers(place: int, at: At) -> tuple[list[list[float]], ...]:
         ([[1, t], [0, 1 - t / at["u"]]], [[0, 0], [0, g * t]], [[1, 0]], [[r]]),
         ([[1, t], [0, 1]], white, [[1, 0]], [[s**2]]),
         (taylor, [[d, 0, 0], [0, q, 0], [0, 0, p]], [[1, 0, 0]], [[r]]),
-    )[place]
+    )
+    return models[place]
 
 
 def setting(model: tuple[str, ...]) -> str:

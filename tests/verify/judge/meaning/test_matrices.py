@@ -38,8 +38,7 @@ TRUE = [
     r"\| C A \|^2 = C A A^T C^T",
     r"\lVert C \rVert = \left| C \right|",
     r"\| a \| = \left| a \right|",
-    r"\frac{\partial}{\partial a} \left\| \begin{pmatrix} a & 1 \end{pmatrix} \right\| "
-    r"= \frac{a}{\sqrt{a^2 + 1}}",
+    r"\frac{d}{d a} \| \begin{pmatrix} a & 1 \end{pmatrix} \| = \frac{a}{\sqrt{a^2 + 1}}",
 ]  # fmt: skip
 FALSE = [
     DOUBLED + FULL + r"= \begin{pmatrix} a & 2b \\ c & 2u \end{pmatrix}",
