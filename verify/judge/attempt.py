@@ -30,7 +30,7 @@ def judge_claim(claim: Claim, setting: Setting, environment: Environment) -> Fin
             words = _how_read(claim, reading, setting, finding.verdict)
             finding = with_rounded(finding, claim, reading, setting, environment)
             finding = replace(finding, reading="; ".join(words) or None)
-        if environment.conditions:
+        if environment.conditions and not environment.hidden:
             finding = _of_one_filter(finding, environment.parameter)
         else:
             finding = in_source_symbols(finding, setting, environment)

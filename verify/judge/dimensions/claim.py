@@ -12,6 +12,7 @@ from gainproof.verify.judge.dimensions.dimension import Mismatch, agreed
 from gainproof.verify.judge.dimensions.formula import (
     fault_of,
     graph_fault,
+    in_said_units,
     names_of,
     reading_fault,
     relation_fault,
@@ -27,6 +28,8 @@ def claim_readings(claim: Claim, setting: Setting) -> tuple[tuple[Reading, ...],
     no reading either.
     """
     readings: tuple[Reading, ...] = ()
+    supposed = (r for formula in claim.given for r in formula.readings[0].relations)
+    setting = in_said_units((*claim.domain, *supposed), setting)
     if claim.formula is not None:
         readings, fault = fitting_readings(claim.formula, setting)
         if fault is not None:

@@ -17,6 +17,7 @@ from gainproof.verify.judge.dimensions.formula import (
     dimension,
     dimension_of,
     fault_of,
+    in_said_units,
     names_of,
     relation_fault,
 )
@@ -90,7 +91,7 @@ def domain_fault(claim: Claim, setting: Setting) -> str | None:
     """What is wrong in the domain of a claim under every convention, or None."""
     found: str | None = None
     for one in _with_units(setting) if claim.domain else ():
-        names = names_of(one)
+        names = names_of(in_said_units(claim.domain, one))
         faults = [f for r in claim.domain if (f := relation_fault(r, names)) is not None]
         if not faults:
             return None

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterable, Sequence
+from dataclasses import replace
 from fractions import Fraction
 
 from gainproof.verify.judge.claim.record import Setting, Unit
@@ -57,12 +58,47 @@ NUMBERS = frozenset(("sign", "rank"))
 
 def reading_fault(reading: Reading, setting: Setting) -> str | None:
     """What is wrong with the dimensions of a reading, or None."""
-    names = names_of(setting)
+    names = names_of(in_said_units(reading.conditions, setting))
     for relation in (*reading.relations, *reading.conditions):
         fault = relation_fault(relation, names)
         if fault is not None:
             return fault
     return None
+
+
+def in_said_units(relations: Iterable[Relation], setting: Setting) -> Setting:
+    """The setting where `T = 1` says in which units all is counted: what is measured in powers of
+    one of them has no dimension of it left.
+    """
+    names = names_of(setting)
+    gone: set[int] = set()
+    for relation in relations:
+        sides = [side["nodes"][-1] for side in (relation.left, relation.right)]
+        kinds = [node[0] for node in sides]
+        if relation.operator != "=" or sorted(kinds) != ["number", "symbol"]:
+            continue
+        (token,) = [str(node[1]) for node in sides if node[0] == "symbol"]
+        try:
+            unit = names.of(token)
+        except Mismatch:
+            continue
+        if not isinstance(unit, Unit):
+            continue
+        bases = [place for place, power in enumerate(unit.powers) if power]
+        # an angle of 1 degree is no unit of the others: a sine would take them for radians
+        if len(bases) == 1 and not unit.degree and ["number", "0"] not in sides:
+            gone |= set(bases)
+    if not gone:
+        return setting
+
+    def left(unit: Unit) -> Unit:
+        return Unit(*(Fraction(0) if k in gone else p for k, p in enumerate(unit.powers)))
+
+    symbols = {
+        token: entry if entry.unit is None else replace(entry, unit=left(entry.unit))
+        for token, entry in setting.symbols.items()
+    }
+    return replace(setting, symbols=symbols)
 
 
 def relation_fault(relation: Relation, names: Names) -> str | None:
@@ -207,6 +243,10 @@ def _call(name: str, parts: list[Dimensions], names: Names) -> Dimensions:
             return parts[0]
         case "det":
             return determinant(parts[0])
+        case "abs" if isinstance(parts[0], tuple) and len(parts[0]) == len(parts[0][0]):
+            return determinant(parts[0])
+        case "abs" | "norm":
+            return agreed(list(entries(parts[0])), "the entries of what stands between bars")
         case "tr" | "trace" | "Tr":
             return _trace(parts[0])
         case "power" if len(parts) == 2:

@@ -138,7 +138,7 @@ def _node(
             name, arguments = _text(rest[0], position), tuple(part(p) for p in rest[1:])
             made = (
                 absolute(arguments[0])
-                if (name, len(arguments)) == ("abs", 1)
+                if (name, len(arguments)) == ("abs", 1) and not as_tree
                 else Expr(kind, name, arguments)
             )
         case "derivative":

@@ -12,7 +12,8 @@ from gainproof.verify.judge.exact.box import Box
 from gainproof.verify.judge.exact.calculus import substituted
 from gainproof.verify.judge.exact.constant_value import constant_value
 from gainproof.verify.judge.exact.expression import number, symbols_of
-from gainproof.verify.judge.exact.free_names import free_name
+from gainproof.verify.judge.exact.expression_text import labelled
+from gainproof.verify.judge.exact.free_names import free_name, with_tokens
 from gainproof.verify.judge.exact.limits import Undecided
 from gainproof.verify.judge.exact.statement import Enclosure, Outcome, Rel, Statement
 from gainproof.verify.judge.exact.total import is_total
@@ -30,6 +31,8 @@ from gainproof.verify.judge.verdict_words import NOT_COMPARED
 PLAIN = ("=", "!=", "<", "<=", ">", ">=")
 OTHER = {"=": "!=", "!=": "=", "<": ">=", "<=": ">", ">": "<=", ">=": "<"}
 """What is true where a relation with values is not."""
+NATURAL = ("identity", "inequality")
+"""Kinds of claims whose domain may be where their formula has a value."""
 LACKING = "what is supposed has no value"
 """The note of a witness at which a hypothesis has no value."""
 
@@ -38,6 +41,9 @@ LACKING = "what is supposed has no value"
 class Frame:
     """Domains of the base variables, further conditions, names for messages, and the derivatives
     in the formulas.
+
+    `natural` are those of the conditions that nobody stated: beyond them sums and integrals have no
+    value, or no closed form that has one.
     """
 
     boxes: Mapping[str, Box]
@@ -46,11 +52,18 @@ class Frame:
     labels: Mapping[str, str]
     environment: Environment
     slopes: tuple[Slope, ...] = ()
+    natural: tuple[Rel, ...] = ()
 
     def decide(self, statement: Statement) -> Outcome:
         """The statement under the conditions of the frame. Raises Undecided."""
-        whole = replace(statement, conditions=(*statement.conditions, *self.conditions))
-        return self.decide_alone(whole)
+        conditions = (*statement.conditions, *self.conditions)
+        found = self.decide_alone(replace(statement, conditions=conditions))
+        if not self.natural or not found.domain or found.region:
+            return found  # a region is told with its conditions
+        labels = with_tokens(self.labels, statement.symbols())
+        words = [_words(rel, labels) for rel in self.natural]
+        told = [found.domain, *words] if found.domain != "everywhere" else words
+        return replace(found, domain=", ".join(dict.fromkeys(told)))
 
     def decide_alone(self, statement: Statement) -> Outcome:
         """The statement without the conditions of the frame, its equations solved and put in."""
@@ -157,7 +170,7 @@ def framed(
     if scope.environment.assigned:
         frame = _without_implied(frame)
         _refuse_other_model(frame, scope)
-    return _with_required(frame, scope.required)
+    return _with_required(frame, scope.required, _unsaid(frame) if claim.kind in NATURAL else set())
 
 
 def _meet_hidden(scope: Scope) -> None:
@@ -203,26 +216,57 @@ def _refuse_other_model(frame: Frame, scope: Scope) -> None:
     for token in scope.environment.assigned:
         for rel in scope.setting.symbols[token].domain:
             stated = scope.relation(rel)
-            if bare.holds(Rel(OTHER[stated.operator], stated.left, stated.right)):
+            if bare.holds(_opposite(stated)):
                 raise Undecided(f"the model does not hold where {token} is said to lie")
 
 
-def _with_required(frame: Frame, required: Iterable[Rel]) -> Frame:
-    """The frame where sums have their bounds in order and series converge. Raises Undecided.
+def _unsaid(frame: Frame) -> set[str]:
+    """Symbols of which nothing was said: they lie where a formula has a value."""
+    return {name for name, box in frame.boxes.items() if not box.stated}
 
-    A symbol of which nothing was said begins where its sum has a term.
+
+def _with_required(frame: Frame, required: Iterable[Rel], unsaid: set[str]) -> Frame:
+    """The frame where sums have their bounds in order, series and integrals converge and closed
+    forms have values. Raises Undecided.
+
+    A symbol of which nothing was said begins where its sum has a term; `unsaid` ones lie where all
+    of this holds.
     """
     said = frame.boxes
     for rel in required:
         narrowed = _beginning(rel, said)
         if narrowed is not None:
             frame = replace(frame, boxes=_later(frame.boxes, narrowed))
-        elif not frame.holds(rel):
+        elif frame.holds(rel):
+            continue
+        elif symbols_of(rel.left, rel.right) <= unsaid and _fails(frame, _opposite(rel)):
+            conditions, more = (*frame.conditions, rel), (*frame.natural, rel)
+            frame = replace(frame, conditions=conditions, natural=more)
+        else:
             raise Undecided(
                 "a sum with its bounds turned round, a sum or integral without a value, or a "
-                "variance below 0 is not excluded by the domain that is stated"
+                "variance below 0 is not excluded by the domain that is stated, which does not say "
+                f"that {_words(rel, with_tokens(frame.labels, symbols_of(rel.left, rel.right)))}"
             )
     return frame
+
+
+def _opposite(rel: Rel) -> Rel:
+    return Rel(OTHER[rel.operator], rel.left, rel.right)
+
+
+def _words(rel: Rel, labels: Mapping[str, str]) -> str:
+    return f"{labelled(rel.left, labels)} {rel.operator} {labelled(rel.right, labels)}"
+
+
+def _fails(frame: Frame, rel: Rel) -> bool:
+    """Whether a point of the domain is known where a relation is false; False also where nothing
+    is.
+    """
+    try:
+        return frame.decide(Statement((rel,))).verdict in ("refuted", "conditional")
+    except Undecided:
+        return False
 
 
 def _later(boxes: Mapping[str, Box], narrowed: Mapping[str, Box]) -> dict[str, Box]:

@@ -17,6 +17,8 @@ from gainproof.verify.judge.matrices.polynomial import Number, Polynomial, Word
 from gainproof.verify.judge.matrices.size import ONE as SINGLE
 from gainproof.verify.judge.matrices.size import ZERO, Shape, Size
 
+FIRST = 1 << 30
+"""More letters than there are."""
 SYMMETRIC_FACTS = frozenset((SYMMETRIC, DEFINITE, SEMIDEFINITE))
 
 
@@ -41,9 +43,13 @@ class Alphabet:
     _sizes: dict[Size, str] = field(default_factory=dict)
     _ones: set[int] = field(default_factory=set)
     _lasts: set[int] = field(default_factory=set)
+    scalars: dict[int, str] = field(default_factory=dict)
+    _spread: dict[str, str] = field(default_factory=dict)
     _met: dict[tuple[int, int], bool | None] = field(default_factory=dict)
 
     def __post_init__(self) -> None:
+        self._spread = {n: x.scalar for n, x in self.setting.letters.items() if x.scalar}
+        self._spread |= {name: name for name in set(self._spread.values())}
         for size in sorted(self.cuts, key=str):
             self.blocks[size] = []
             for at, width in enumerate(self.cuts[size]):
@@ -66,6 +72,9 @@ class Alphabet:
         if name not in self._numbers:
             shape = self.setting.letters[name].shape
             number = self._numbers[name] = self._new(_plain(name), shape)
+            if name in self._spread:
+                self.scalars[number] = self._spread[name]
+                self.symmetric.add(number)
             if set(self.setting.letters[name].facts) & SYMMETRIC_FACTS:
                 self.symmetric.add(number)
         return self._numbers[name]
@@ -135,6 +144,10 @@ class Alphabet:
         """The word after what is always done: symmetric letters lose their transpose, blocks and
         inverses that meet vanish. None for a word that is zero.
         """
+        if self._spread:
+            word = tuple(n - 1 if n & 1 and n >> 1 in self.symmetric else n for n in word)
+            while (swapped := self.swap(word)) is not None:
+                word = swapped[1]
         found: list[int] = []
         known, symmetric = self._met, self.symmetric
         before = -1
@@ -157,14 +170,64 @@ class Alphabet:
             found.append(letter)
             before = letter
         short = tuple(found)
+        if self._spread and self.swap(short) is not None:
+            return self.normal(short)
         return short if self._ones.isdisjoint(n >> 1 for n in short) else self._numbered(short)
+
+    @property
+    def ranks(self) -> Mapping[int, int]:
+        """By what factors are ordered: an inverse beside its letter, numbers times unit matrices
+        first.
+        """
+        first = {
+            n: self.base.get(n, n) - FIRST for n in range(len(self.names)) if self._is_scalar(n)
+        }
+        return {**self.base, **first} if self._spread else self.base
+
+    def _is_scalar(self, number: int) -> bool:
+        """Whether a letter is a number times a unit matrix."""
+        if number in self.base:
+            return self._is_scalar(self.base[number])
+        made = self.elements.get(number)
+        if made is not None:
+            return all(self._is_scalar(n >> 1) for word in made.terms for n in word)
+        return number in self.scalars
+
+    def _beside(self, number: int, size: Size) -> int | None:
+        """What a number times a unit matrix is beside another size, if there is a letter for it."""
+        if self.shapes[number][0] == size:
+            return number
+        if number in self.base:
+            other = self._beside(self.base[number], size)
+            return None if other is None else self.inverse_of(other)
+        same = [n for n, scalar in self._spread.items() if scalar == self.scalars.get(number)]
+        fitting = [n for n in same if self.setting.letters[n].shape[0] == size]
+        return self.number(fitting[0]) if fitting else None
+
+    def swap(self, word: Word) -> tuple[int, Word] | None:
+        """Where a number times a unit matrix stands behind another letter, or behind a number of a
+        higher rank, and the word with the two exchanged; None where there is no more such.
+        """
+        for at in range(1, len(word) if self._spread else 0):
+            one, other = word[at - 1], word[at]
+            if other & 1 or not self._is_scalar(other >> 1):
+                continue
+            if self.shapes[one >> 1][1 - (one & 1)] != self.shapes[other >> 1][0]:
+                continue  # no product: the search looks at such words too
+            ranks = self.ranks
+            if self._is_scalar(one >> 1) and ranks[one >> 1] <= ranks[other >> 1]:
+                continue
+            found = self._beside(other >> 1, self.shapes[one >> 1][one & 1])
+            if found is not None:
+                return at, (*word[: at - 1], 2 * found, one, *word[at + 1 :])
+        return None
 
     def _numbered(self, word: Word) -> Word | None:
         """With factors of one row and column in their order; what meets then vanishes."""
         cuts = factors(word, self.shapes)
         if len(cuts) < 2:
             return word
-        pieces = settled(word, cuts, self.symmetric, self.base)
+        pieces = settled(word, cuts, self.symmetric, self.ranks)
         other = (*word[: cuts[0]], *(n for piece in pieces for n in piece), *word[cuts[-1] :])
         return word if other == word else self.normal(other)
 

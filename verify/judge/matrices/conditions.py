@@ -6,7 +6,7 @@ from collections.abc import Iterator
 from dataclasses import replace
 
 from gainproof.verify.judge.matrices.instance import Instance, NoValueError
-from gainproof.verify.judge.matrices.letter import MatrixSetting
+from gainproof.verify.judge.matrices.letter import UNIT, MatrixSetting
 from gainproof.verify.judge.matrices.opened import inverted
 from gainproof.verify.judge.matrices.prove import Question
 from gainproof.verify.judge.matrices.tree import Chain, Node
@@ -66,7 +66,7 @@ def shown(node: Node) -> str:
     inner = [shown(part) for part in node.parts]
     match node.kind:
         case "name":
-            return node.name
+            return node.name.partition(UNIT)[0]
         case "number":
             return str(node.number)
         case "unit":

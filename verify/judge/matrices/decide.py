@@ -54,6 +54,7 @@ def _found(claim: MatrixClaim, setting: MatrixSetting, proofs: Proofs) -> Findin
         if any(bound for other in (claim.statement, *claim.given) for bound in other.bounds):
             return Finding("undecided", f"shapes are not read with conditions on sizes: {reason}")
         return Finding("refuted", f"shapes do not fit: {reason}", method="shapes")
+    setting = shapes.with_added(setting)
     fault = wrong_shape(claim, shapes)
     if fault is not None:
         return Finding("refuted", fault, method="shapes")

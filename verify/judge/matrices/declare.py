@@ -89,7 +89,7 @@ class _Declaring:
     def all(self) -> MatrixSetting:
         for name in self._entries:
             self._declare(name)
-        return MatrixSetting(self._sizes, dict(self._letters))
+        return self._shapes.with_added(MatrixSetting(self._sizes, dict(self._letters)))
 
     def _declare(self, name: str) -> None:
         if name in self._letters:

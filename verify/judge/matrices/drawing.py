@@ -30,12 +30,12 @@ def fill(instance: Instance, given: Sequence[Chain], source: random.Random) -> N
     setting = instance.setting
     named = {s.name for chain in given for s in chain.sides if s.kind == "name"}
     for letter in setting.letters.values():
-        if letter.definition is None and letter.name not in named:
+        if letter.definition is None and not letter.scalar and letter.name not in named:
             instance.values[letter.name] = _of_letter(letter, instance, source)
     later = [
         letter
         for letter in setting.letters.values()
-        if letter.name in named and letter.definition is None
+        if letter.name in named and letter.definition is None and not letter.scalar
     ]
     while later:
         found = ((one, _from_hypothesis(one.name, instance, given, later, source)) for one in later)

@@ -7,7 +7,7 @@ from dataclasses import dataclass, field
 
 from flint import fmpq, fmpq_mat
 
-from gainproof.verify.judge.matrices.letter import MatrixSetting
+from gainproof.verify.judge.matrices.letter import Letter, MatrixSetting
 from gainproof.verify.judge.matrices.size import Shape
 from gainproof.verify.judge.matrices.tree import Node
 
@@ -86,11 +86,16 @@ class Instance:
         if name in self.values:
             return self.values[name]
         if name not in self._names:
-            letter = self.setting.letters[name]
-            self._names[name] = (
-                self.zero(letter.shape) if letter.definition is None else self.of(letter.definition)
-            )
+            self._names[name] = self._value(self.setting.letters[name])
         return self._names[name]
+
+    def _value(self, letter: Letter) -> fmpq_mat:
+        if letter.definition is not None:
+            return self.of(letter.definition)
+        found = self.zero(letter.shape)
+        for i in range(found.nrows() if letter.scalar else 0):
+            found[i, i] = self.letter(letter.scalar)[0, 0]
+        return found
 
     def with_values(self, values: Mapping[str, fmpq_mat]) -> Instance:
         """Other values of some letters; nothing is kept of what was worked out before."""

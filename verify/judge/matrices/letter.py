@@ -5,18 +5,21 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 
-from gainproof.verify.judge.matrices.size import Shape, Sizes
+from gainproof.verify.judge.matrices.size import Shape, Size, Sizes
 from gainproof.verify.judge.matrices.tree import Node, Statement
 
 DEFINITE, SEMIDEFINITE = "positive definite", "positive semidefinite"
 SYMMETRIC, INVERTIBLE = "symmetric", "invertible"
+UNIT = " I_{"
+"""What stands behind the name of a number in that of the number times a unit matrix."""
 FACTS = (SYMMETRIC, DEFINITE, SEMIDEFINITE, INVERTIBLE)
 
 
 @dataclass(frozen=True)
 class Letter:
     """A free letter, any matrix of its shape with these `facts`; or one with a `definition`. With a
-    `variance` it is a random vector with mean 0.
+    `variance` it is a random vector with mean 0. With a `scalar` it is that letter, of one row and
+    column, times the unit matrix.
     """
 
     name: str
@@ -25,6 +28,14 @@ class Letter:
     facts: tuple[str, ...] = ()
     definition: Node | None = None
     variance: Node | None = None
+    scalar: str = ""
+
+    def spread(self, size: Size, sizes: Sizes) -> Letter:
+        """A letter of one row and column times the unit matrix of a size."""
+        name = f"{self.name}{UNIT}{sizes.shown(size)}}}"
+        return Letter(
+            name, self.meaning, (size, size), self.facts or (SYMMETRIC,), scalar=self.name
+        )
 
 
 @dataclass(frozen=True)

@@ -126,7 +126,7 @@ def _fraction(text: str, position: int) -> tuple[Token, int]:
         end = text.find("}", place)
         inner = text[place + 1 : end] if text[place : place + 1] == "{" and end > 0 else ""
         if not (inner.isascii() and inner.isdigit() and len(inner) <= MOST_DIGITS):
-            raise ReaderError("fractions are of whole numbers here", text, place)
+            return Token("frac", position), position + len("\\frac")
         values.append(int(inner))
         place = end + 1
     if values[1] == 0:
@@ -161,8 +161,11 @@ def _power(text: str, position: int) -> tuple[Token, int]:
         if command in ("\\mathsf", "\\mathrm") and text.startswith("{T}", end):
             end += len("{T}")
     inner = "".join(text[place:end].split())
+    whole = inner.strip("{}")
+    if whole in ("2", "3", "4"):
+        return Token("power", position, whole), end
     if inner not in POWERS:
-        raise ReaderError("a power of a matrix is ^T or ^{-1}", text, place, inner)
+        raise ReaderError("a power of a matrix is ^T, ^{-1}, ^2, ^3 or ^4", text, place, inner)
     return Token("power", position, POWERS[inner]), end
 
 

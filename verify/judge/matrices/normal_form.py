@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from itertools import pairwise
 
 from gainproof.verify.judge.matrices.equation import Cofactor, Equation, Source
@@ -15,6 +15,8 @@ from gainproof.verify.judge.matrices.writing import Writing
 @dataclass
 class NormalForm(Writing):
     """What is written in a proof, and its equations in normal form."""
+
+    _exchanged: dict[tuple[Word, Word], Source] = field(default_factory=dict)
 
     def equation(self, source: Source) -> Equation:
         """The equation of a source in normal form."""
@@ -55,12 +57,29 @@ class NormalForm(Writing):
     ) -> Word | None:
         while True:
             word = self._untransposed(word, factor, value, trace)
+            while (swapped := self.alphabet.swap(word)) is not None:
+                at, other = swapped
+                source = self._commuting(word[at - 1 : at + 1], other[at - 1 : at + 1])
+                trace.append(self.at(word, at - 1, at + 1, source, False, factor, value))
+                word = other
             met = self._met(word, factor, value, trace)
             if met is None:
                 return None
             word = self._settled(met, factor, value, trace)
-            if word == met:
+            if word == met and self.alphabet.swap(word) is None:
                 return word
+
+    def _commuting(self, word: Word, other: Word) -> Source:
+        """That a number times a unit matrix may stand before or behind a letter: a hypothesis, as
+        the checker knows no numbers.
+        """
+        key = (word, other)
+        if key not in self._exchanged:
+            shapes = self.alphabet.shapes
+            shape = (shapes[word[0] >> 1][word[0] & 1], shapes[word[1] >> 1][1 - (word[1] & 1)])
+            equation = Polynomial({word: 1, other: -1}, shape)
+            self._exchanged[key] = self.suppose({"equation": equation})
+        return self._exchanged[key]
 
     def _untransposed(
         self, word: Word, factor: Number, value: Polynomial, trace: list[Cofactor]
@@ -112,7 +131,7 @@ class NormalForm(Writing):
         cuts = factors(word, alphabet.shapes)
         if len(cuts) < 2:
             return word
-        for place, wanted in enumerate(settled(word, cuts, alphabet.symmetric, alphabet.base)):
+        for place, wanted in enumerate(settled(word, cuts, alphabet.symmetric, alphabet.ranks)):
             cuts = factors(word, alphabet.shapes)
             here = list(pairwise(cuts))
             alike = (wanted, without_transposes(turned(wanted), alphabet.symmetric))

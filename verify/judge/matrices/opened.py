@@ -39,7 +39,8 @@ def formulas(
 def names_in(nodes: Iterable[Node], setting: MatrixSetting) -> list[str]:
     """The letters that formulas depend on, in the order in which they are met."""
     parts = opened(nodes, setting.letters, variances=True)
-    return list(dict.fromkeys(part.name for part in parts if part.kind == "name"))
+    names = (part.name for part in parts if part.kind == "name")
+    return list(dict.fromkeys(setting.letters[name].scalar or name for name in names))
 
 
 def outside_means(nodes: Iterable[Node], setting: MatrixSetting) -> set[str]:
@@ -58,6 +59,7 @@ def outside_means(nodes: Iterable[Node], setting: MatrixSetting) -> set[str]:
 def within(nodes: Iterable[Node], setting: MatrixSetting) -> MatrixSetting:
     """Only the letters that formulas depend on, in the order of the setting."""
     found = set(names_in(nodes, setting))
+    found |= {name for name, letter in setting.letters.items() if letter.scalar in found}
     letters = {name: letter for name, letter in setting.letters.items() if name in found}
     return MatrixSetting(setting.sizes, letters)
 

@@ -27,6 +27,7 @@ from gainproof.verify.judge.matrices.suppose import (
     suppose_equal,
     suppose_invertible,
     suppose_order,
+    suppose_scaled,
 )
 from gainproof.verify.judge.matrices.tree import Chain, Node
 from gainproof.verify.judge.matrices.vanishing import by_definite
@@ -66,6 +67,7 @@ def proof_of(question: Question, setting: MatrixSetting, most: int, budget: Budg
         expand.of(node)
     book = begun(alphabet)
     book.most, book.budget = most, budget
+    suppose_scaled(book)
     _suppose(question, book, expand)
     candidates = [expand.of(side) for chain in question.chains for side in chain.sides]
     book.hints += _hints(question, expand)

@@ -9,6 +9,7 @@ from gainproof.verify.judge.matrices.bounds import split_bounds
 from gainproof.verify.judge.matrices.lexer import Token, tokens_of
 from gainproof.verify.judge.matrices.size import Sizes
 from gainproof.verify.judge.matrices.tree import (
+    FRACTION,
     INNER,
     REGULAR,
     Chain,
@@ -21,7 +22,9 @@ from gainproof.verify.judge.reader.errors import ReaderError
 from gainproof.verify.judge.reader.limits import MOST_DEPTH, MOST_ENTRIES
 
 MOST_POWERS = 4
-_STARTS = frozenset(("name", "number", "unit", "zero", "begin", "expect", "(", "[", "{"))
+MOST_RAISED = 300
+"""Parts of a power written out: powers of powers double with every bracket."""
+_STARTS = frozenset(("name", "number", "unit", "zero", "begin", "expect", "frac", "(", "[", "{"))
 _CLOSING = {"(": ")", "[": "]", "{": "}"}
 
 
@@ -137,6 +140,10 @@ class _Parser:
             if powers > MOST_POWERS:
                 raise self._error(f"more than {MOST_POWERS} powers of one matrix")
             token = self.take()
+            if token.value.isdigit():
+                if sum(1 for _ in node.walk()) * int(token.value) > MOST_RAISED:
+                    raise self._error(f"a power of more than {MOST_RAISED} parts")
+                node = Node("product", (node,) * int(token.value), position=node.position)
             if "-" in token.value:
                 node = Node("inverse", (node,), position=node.position)
             if "T" in token.value:
@@ -157,6 +164,10 @@ class _Parser:
                 return Node(token.kind, shape=token.shape, position=place)
             case "begin":
                 return self._matrix(place)
+            case "frac":
+                above, below = (self._bracket(self._want("{")) for _ in range(2))
+                under = Node("inverse", (below,), name=FRACTION, position=place)
+                return Node("product", (above, under), position=place)
             case "expect":
                 if self.kind not in ("[", "("):
                     raise self._error("E is followed by brackets")

@@ -101,6 +101,8 @@ def _true_at_instances(
     changed: Iterable[Slip], claim: MatrixClaim, setting: MatrixSetting, deadline: float
 ) -> Iterator[tuple[Slip, MatrixClaim]]:
     shapes = Shapes(setting.letters, setting.sizes)
+    # a change may bring any number before any matrix
+    setting = shapes.with_added(setting, every=True)
     tried: dict[tuple[Any, ...], list[Instance]] = {}
     for slip in changed:
         if time.process_time() > deadline:

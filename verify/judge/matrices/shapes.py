@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-from dataclasses import dataclass, replace
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field, replace
 
-from gainproof.verify.judge.matrices.letter import Letter
+from gainproof.verify.judge.matrices.letter import Letter, MatrixSetting
 from gainproof.verify.judge.matrices.size import ONE, ZERO, Shape, Size, Sizes
-from gainproof.verify.judge.matrices.tree import INNER, REGULAR, Chain, Node
+from gainproof.verify.judge.matrices.tree import FRACTION, INNER, REGULAR, Chain, Node
 
 MOST_NODES = 3000
 
@@ -26,6 +26,8 @@ class Shapes:
 
     letters: Mapping[str, Letter]
     sizes: Sizes
+    added: dict[str, Letter] = field(default_factory=dict)
+    """Letters that are a number times a unit matrix, made where a number stands before a matrix."""
 
     def said(self, shape: Shape | None) -> str:
         """`n x 3`."""
@@ -45,7 +47,7 @@ class Shapes:
         """As `of`, but "any" for a zero whose shape is not said."""
         match node.kind:
             case "name":
-                return self.letters[node.name].shape
+                return (self.added.get(node.name) or self.letters[node.name]).shape
             case "number":
                 return None
             case "unit" | "zero":
@@ -57,6 +59,8 @@ class Shapes:
                 return (inner[1], inner[0]) if isinstance(inner, tuple) else inner
             case "inverse":
                 inner = self.of(node.parts[0])
+                if node.name == FRACTION and inner not in (None, (ONE, ONE)):
+                    raise ShapeFault(f"a fraction over a matrix of shape {self.said(inner)}")
                 if inner is not None and inner[0] != inner[1]:
                     raise ShapeFault(f"an inverse of a matrix of shape {self.said(inner)}")
                 return inner
@@ -90,25 +94,90 @@ class Shapes:
                 shape = self.of(part)
                 if shape is None or shape[1] != ONE:
                     raise ShapeFault(f"(x, y) is of two columns, not of shape {self.said(shape)}")
+        return self._placed(self._arranged(node))[0]
+
+    def _arranged(self, node: Node) -> tuple[Node, ...]:
+        """The factors of a product; a number made of columns, as that below the line in
+        P x x' P/(1 + x' P x), between a column and a row.
+        """
+        try:
+            self._placed(node.parts)
+        except UnsaidShapeError:
+            flat = [q for p in node.parts for q in (p.parts if p.kind == "product" else (p,))]
+            numbers = [p for p in flat if self.of(p) == (ONE, ONE) and self.spread(p, ONE) is None]
+            others = [p for p in flat if p not in numbers]
+            shapes = [self.of(p) for p in others]
+            cut = next(
+                (k for k, shape in enumerate(shapes[:-1], 1) if shape and shape[1] == ONE), 0
+            )
+            if not numbers or not cut:
+                raise
+            return (*others[:cut], *numbers, *others[cut:])
+        return node.parts
+
+    def _placed(self, parts: Sequence[Node]) -> tuple[Shape | None, dict[int, Size]]:
+        """The shape of a product, and the sizes of the unit matrices that numbers in it are to be
+        multiplied by.
+        """
         total: Shape | None = None
-        for part in node.parts:
+        placed: dict[int, Size] = {}
+        numbers: list[int] = []  # the parts so far, if all are numbers
+        for at, part in enumerate(parts):
             shape = self.of(part)
             if shape is None:
                 continue
-            if total is not None and total[1] != shape[0]:
-                if (ONE, ONE) in (total, shape):
-                    larger = shape if total == (ONE, ONE) else total
-                    raise UnsaidShapeError(
-                        "a matrix of one row and column stands beside one of shape "
-                        f"{self.said(larger)}: of numbers before a matrix of any size only those "
-                        "in digits, such as 2, are within reach"
-                    )
+            if total is None or total[1] == shape[0]:
+                only = len(numbers) == at and self.spread(part, ONE) is not None
+                numbers += [at] if only else []
+            elif total == (ONE, ONE) and len(numbers) == at:
+                placed |= dict.fromkeys(numbers, shape[0])
+                total = (shape[0], shape[0])
+            elif shape == (ONE, ONE) and self.spread(part, ONE) is not None:
+                placed[at] = total[1]
+                shape = (total[1], total[1])
+            elif (ONE, ONE) in (total, shape):
+                larger = shape if total == (ONE, ONE) else total
+                raise UnsaidShapeError(
+                    "a matrix of one row and column stands beside one of shape "
+                    f"{self.said(larger)}: of numbers before a matrix of any size only letters and "
+                    "what is made of these and digits are within reach"
+                )
+            else:
                 shown = f"{self.said(total)} by one of shape {self.said(shape)}"
                 raise ShapeFault(
                     f"a matrix of shape {shown} is multiplied: {shown_columns(self, total, shape)}"
                 )
             total = (total[0] if total is not None else shape[0], shape[1])
-        return total
+        return total, placed
+
+    def spread(self, node: Node, size: Size) -> Node | None:
+        """A number made of letters and digits times the unit matrix of a size; None for others."""
+        match node.kind:
+            case "name":
+                letter = self.letters[node.name]
+                if letter.variance is not None or letter.shape != (ONE, ONE):
+                    return None
+                own = letter.spread(size, self.sizes)
+                if own.name not in self.added:
+                    if letter.definition is not None:
+                        inner = self.spread(letter.definition, size)
+                        if inner is None:
+                            return None
+                        own = replace(own, facts=(), definition=inner, scalar="")
+                    self.added[own.name] = own
+                return node if size == ONE else replace(node, name=own.name)
+            case "number":
+                return Node("product", (node, Node("unit", shape=(size, size))))
+            case "unit" | "zero" if node.shape in (None, (ONE, ONE)):
+                return replace(node, shape=(size, size))
+            case "sum" | "product" | "negative" | "inverse" | "transpose":
+                parts = [self.spread(part, size) for part in node.parts]
+                known = tuple(part for part in parts if part is not None)
+                return replace(node, parts=known) if len(known) == len(parts) else None
+            case "matrix" if node.size == (1, 1):
+                return self.spread(node.parts[0], size)
+            case _:
+                return None
 
     def blocks(self, node: Node) -> tuple[list[Size], list[Size]]:
         """Heights of the rows and widths of the columns of a matrix of blocks."""
@@ -166,8 +235,33 @@ class Shapes:
                     for at, cell in enumerate(node.parts)
                 )
                 return replace(node, parts=cells)
+            case "product":
+                factors = self._arranged(node)
+                placed = self._placed(factors)[1]
+                parts = [
+                    self.spread(p, placed[at]) if at in placed else self.filled(p, self.of(p))
+                    for at, p in enumerate(factors)
+                ]
+                return replace(node, parts=tuple(p for p in parts if p is not None))
             case _:
                 return replace(node, parts=tuple(self.filled(p, self.of(p)) for p in node.parts))
+
+    def with_added(self, setting: MatrixSetting, *, every: bool = False) -> MatrixSetting:
+        """The setting with numbers times unit matrices of all sizes: those numbers of which one was
+        made, or every one.
+        """
+        made = [letter for letter in self.added.values() if letter.shape != (ONE, ONE)]
+        scalars = {letter.scalar for letter in made}
+        sizes = dict.fromkeys(s for letter in self.letters.values() for s in letter.shape)
+        spread = [
+            letter.spread(size, self.sizes)
+            for name, letter in self.letters.items()
+            if name in scalars or (every and self.spread(Node("name", name=name), ONE) is not None)
+            for size in sizes
+            if size != ONE and letter.definition is None
+        ]
+        spread += [letter for letter in made if letter.definition is not None]
+        return replace(setting, letters={**setting.letters, **{one.name: one for one in spread}})
 
     def chain(self, chain: Chain) -> Chain:
         """All sides of one shape, zeros filled. Raises ShapeFault."""

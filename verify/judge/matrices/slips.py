@@ -139,7 +139,7 @@ def _too_many(latex: str, tokens: list[Token]) -> Iterator[Slip]:
 
 def _missing(latex: str, tokens: list[Token], setting: MatrixSetting) -> Iterator[Slip]:
     """A term X, X Y X^T or X^T Y X that is missing at the end of a side."""
-    letters = [a for a in setting.letters.values() if a.variance is None]
+    letters = [a for a in setting.letters.values() if a.variance is None and not a.scalar]
     squares = [a for a in letters if a.shape[0] == a.shape[1]]
     terms = [y.name for y in squares]
     terms += [f"{x.name} {y.name} {x.name}^T" for y in squares for x in letters if _fits(x, y, 1)]
@@ -180,7 +180,9 @@ def _letters(latex: str, token: Token, setting: MatrixSetting) -> Iterator[Slip]
     own = setting.letters[token.value]
     for name, letter in setting.letters.items():
         alike = name.partition("_")[0] == token.value.partition("_")[0]
-        if name != token.value and (alike or letter.shape in (own.shape, own.shape[::-1])):
+        if letter.scalar or name == token.value:
+            continue
+        if alike or letter.shape in (own.shape, own.shape[::-1]):
             text = _put(latex, token.position, token.end, name)
             weight = SLIGHT if alike else PLAIN
             yield Slip(text, weight, f"{token.value} becomes {name}")

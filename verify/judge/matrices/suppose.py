@@ -41,6 +41,22 @@ def begun(alphabet: Alphabet) -> Book:
     return book
 
 
+def suppose_scaled(book: Book) -> None:
+    """Positive numbers times definite letters and times their inverses are definite."""
+    alphabet, letters = book.alphabet, book.alphabet.setting.letters
+    facts = {alphabet.number(n): set(x.facts) for n, x in letters.items() if alphabet.has(n)}
+    both = {DEFINITE, SEMIDEFINITE}
+    for scalar in [n for n in alphabet.scalars if facts.get(n, set()) & both]:
+        for number, own in list(facts.items()):
+            if number in alphabet.scalars or alphabet.shapes[number] != alphabet.shapes[scalar]:
+                continue
+            for other in (number, alphabet.inverse.get(number)):
+                if other is None or not own & both:
+                    continue
+                value = Polynomial({(2 * scalar, 2 * other): 1}, alphabet.shapes[number])
+                suppose_order(book, value, DEFINITE in facts[scalar] & own)
+
+
 def suppose_invertible(book: Book, value: Polynomial) -> None:
     """A hypothesis: the matrix has an inverse."""
     number = _letter_for(book, value)

@@ -32,6 +32,8 @@ class Node:
 
 
 REGULAR = "regular"
+FRACTION = "fraction"
+"""The name of an inverse that is printed below a line."""
 INNER = "inner"
 """The name of a product that is printed as (x, y), of two columns."""
 

@@ -46,6 +46,8 @@ def rate_of_parameter(held: Mapping[str, Expr], environment: Environment, name: 
 
     `held` are the symbols that a claim says stay. Raises Undecided where they do not tell.
     """
+    if environment.hidden:
+        raise Undecided("how gains of a model with free numbers change with one of these")
     along = environment.parameter
     own = environment.own_variables()
     fixing = {token: e for token, e in held.items() if not own.isdisjoint(symbols_of(e))}

@@ -10,7 +10,6 @@ from gainproof.verify.judge.exact.calculus import substituted
 from gainproof.verify.judge.exact.constant_value import constant_value
 from gainproof.verify.judge.exact.expression import (
     Expr,
-    absolute,
     neg,
     power,
     symbol,
@@ -22,7 +21,7 @@ from gainproof.verify.judge.exact.limits import DEFAULT_LIMITS, Undecided
 from gainproof.verify.judge.meaning.bindings import Bindings
 from gainproof.verify.judge.meaning.elementary import elementary
 from gainproof.verify.judge.meaning.names import Marks, Names
-from gainproof.verify.judge.meaning.square import determinant, inverse, raised, trace
+from gainproof.verify.judge.meaning.square import determinant, inverse, norm, raised, size_of, trace
 from gainproof.verify.judge.meaning.value import (
     Value,
     added,
@@ -41,7 +40,7 @@ from gainproof.verify.judge.meaning.value import (
 SAME: Mapping[str, str] = MappingProxyType({"ln": "log", "arctan": "atan", "Tr": "trace"})
 """Names of one function."""
 OF_MATRICES: Mapping[str, Callable[[Value], Value]] = MappingProxyType(
-    {"det": determinant, "tr": trace, "trace": trace}
+    {"det": determinant, "tr": trace, "trace": trace, "abs": size_of, "norm": norm}
 )
 
 
@@ -162,8 +161,6 @@ def _call(node: Expr, names: Names, bindings: Bindings) -> Value:
     numbers = [number_of(v) for v in values]
     if name == "order" and len(numbers) == 1:
         return Expr("call", "order", tuple(numbers))
-    if name == "abs" and len(numbers) == 1:
-        return absolute(numbers[0])
     if name == "power" and len(numbers) == 2:
         return general_power(*numbers)
     name = SAME.get(name, name)

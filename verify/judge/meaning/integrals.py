@@ -1,9 +1,15 @@
-"""Definite integrals of polynomials, and of polynomials times exponentials of lines or squares."""
+"""Definite integrals of polynomials times exponentials, sines and cosines of lines, and of
+polynomials times exponentials of squares.
+
+With z = a + i w, t^m e^(z t) has the primitive e^(z t) times the sum over j = 0 to m of
+(-1)^j m!/(m-j)! t^(m-j) / z^(j+1); cosines and sines are its real and imaginary parts.
+"""
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from math import factorial
+from collections.abc import Iterator, Mapping, Sequence
+from math import comb, factorial
+from typing import NamedTuple
 
 from gainproof.verify.judge.exact.calculus import substituted
 from gainproof.verify.judge.exact.expression import (
@@ -17,10 +23,24 @@ from gainproof.verify.judge.exact.expression import (
     symbols_of,
 )
 from gainproof.verify.judge.exact.limits import Undecided
-from gainproof.verify.judge.exact.statement import Rel
+from gainproof.verify.judge.exact.statement import TURNED, Rel
+from gainproof.verify.judge.exact.total import is_total
+from gainproof.verify.judge.freed.monomials import monomial_expr, monomials, terms_expr
 from gainproof.verify.judge.meaning.expansion import coefficients, products
 from gainproof.verify.judge.meaning.gaussian import refuse_steeper, with_square
+from gainproof.verify.judge.meaning.normal_moments import Turn, sums_of_turns
 from gainproof.verify.judge.meaning.sums import INFINITE
+
+
+class Wave(NamedTuple):
+    """`real`, the real part of a constant times e^(z t), `imaginary` its imaginary part; z is
+    growth + i turn, without what is None.
+    """
+
+    real: Expr
+    imaginary: Expr
+    growth: Expr | None
+    turn: Expr | None
 
 
 def integral_of(integrand: Expr, name: str, low: Expr, high: Expr) -> tuple[Expr, tuple[Rel, ...]]:
@@ -35,55 +55,120 @@ def integral_of(integrand: Expr, name: str, low: Expr, high: Expr) -> tuple[Expr
     squares: list[Expr] = []
     needed: list[Rel] = []
     for product in products(integrand, [name]):
-        polynomial, exponent = _split(product, name)
-        if exponent is None:
-            if endless:
-                raise Undecided("an integral to infinity of something that does not decay")
-            terms.append(_primitive(polynomial, name))
-            continue
-        line = refuse_steeper(coefficients(exponent, name))
-        if 2 in line:
+        polynomial, exponent, turns = _split(product, name)
+        line = {} if exponent is None else refuse_steeper(coefficients(exponent, name))
+        if exponent is not None and 2 in line:
+            if turns:
+                raise Undecided("an integral of sines or cosines times an exponential of a square")
             found, rel = with_square(polynomial, exponent, line, name, low, high)
             squares.append(found)
-            needed.append(rel)
+            needed.append(_sign(rel.operator, rel.left))
             continue
-        if low == neg(INFINITE):
-            if high == INFINITE:
-                raise Undecided("an integral over all numbers of something that does not decay")
-            needed.append(Rel(">", line[1], number(0)))
-        else:
-            needed.append(Rel("<" if endless else "!=", line[1], number(0)))
-        terms.append(_with_exponential(polynomial, name, exponent, line[1]))
+        if endless:
+            needed.append(_decay(line.get(1), low, high))
+        size = number(1) if exponent is None else Expr("call", "exp", (exponent,))
+        for wave in _waves(size, line.get(1), turns, name):
+            if wave.growth is None and wave.turn is None:
+                terms.append(mul(wave.real, _primitive(polynomial, name)))
+                continue
+            if not endless:
+                needed.append(_sign("!=", _size(wave)))
+            terms.append(_primitive_of(polynomial, name, wave))
     return add(*squares, _between(add(*terms, number(0)), name, low, high)), tuple(needed)
 
 
-def _split(product: Sequence[Expr], name: str) -> tuple[dict[int, Expr], Expr | None]:
-    """A product as a polynomial, and the exponent of the exponentials in it."""
-    rates = [f for f in product if f.kind == "call" and f.name == "exp" and name in symbols_of(f)]
-    factor = [f for f in product if f not in rates]
+def _decay(growth: Expr | None, low: Expr, high: Expr) -> Rel:
+    """That e^(growth t) falls towards the end that is infinite. Raises Undecided."""
+    if growth is None:
+        raise Undecided("an integral to infinity of something that does not decay")
+    if low != neg(INFINITE):
+        return _sign("<", growth)
+    if high == INFINITE:
+        raise Undecided("an integral over all numbers of something that does not decay")
+    return _sign(">", growth)
+
+
+def _sign(operator: str, expr: Expr) -> Rel:
+    """expr operator 0, as simple as can be told."""
+    terms = monomials(expr) if is_total(expr) else {}
+    if len(terms) > 1:
+        expr = terms_expr(terms)
+    for monomial, c in terms.items() if len(terms) == 1 else ():
+        expr = monomial_expr(monomial)
+        operator = operator if c > 0 else TURNED.get(operator, operator)
+    return Rel(operator, expr, number(0))
+
+
+def _split(product: Sequence[Expr], name: str) -> tuple[dict[int, Expr], Expr | None, list[Turn]]:
+    """A product as a polynomial, the exponent of the exponentials in it, its sines and cosines."""
+    moving = [f for f in product if f.kind == "call" and name in symbols_of(f)]
+    rates = [f.parts[0] for f in moving if f.name == "exp"]
+    turns = [(f.name, f.parts[0]) for f in moving if f.name in ("sin", "cos")]
+    factor = [f for f in product if f not in moving]
     polynomial = coefficients(mul(*factor) if factor else number(1), name)
-    if polynomial is None:
-        raise Undecided("an integral of anything but polynomials and exponentials of them")
-    return polynomial, add(*[f.parts[0] for f in rates]) if rates else None
+    if polynomial is None or len(rates) + len(turns) < len(moving):
+        raise Undecided("an integral of anything but polynomials, exponentials, sines and cosines")
+    return polynomial, add(*rates) if rates else None, turns
 
 
-def _primitive(known: dict[int, Expr], name: str) -> Expr:
+def _waves(size: Expr, growth: Expr | None, turns: Sequence[Turn], name: str) -> Iterator[Wave]:
+    """An exponential times sines and cosines as a sum. Raises Undecided for what is not linear."""
+    if not turns:
+        yield Wave(size, number(0), growth, None)
+        return
+    for c, kind, angle in sums_of_turns(turns):
+        line = coefficients(angle, name)
+        if line is None or not set(line) <= {0, 1}:
+            raise Undecided("an integral of a sine or cosine of something that is not linear")
+        rate: Expr | None = line.get(1, number(0))
+        if rate is not None and not monomials(rate):
+            # what cancels has to have a value
+            angle = line.get(0, number(0)) + (number(0) if is_total(rate) else 0 * rate)
+            rate = None
+        weight = size if c == 1 else mul(number(c), size)
+        cosine, sine = (mul(weight, Expr("call", part, (angle,))) for part in ("cos", "sin"))
+        yield Wave(*((cosine, sine) if kind == "cos" else (sine, neg(cosine))), growth, rate)
+
+
+def _size(wave: Wave) -> Expr:
+    """What z^n is divided by: z where it is real, w of i w, else |z|^2."""
+    if wave.growth is None or wave.turn is None:
+        return wave.growth or wave.turn or number(0)
+    return power(wave.growth, 2) + power(wave.turn, 2)
+
+
+def _primitive(known: Mapping[int, Expr], name: str) -> Expr:
     t = symbol(name)
     terms = [mul(c, power(t, m + 1)) / (m + 1) for m, c in known.items()]
     return add(*terms) if terms else number(0)
 
 
-def _with_exponential(known: dict[int, Expr], name: str, exponent: Expr, rate: Expr) -> Expr:
-    """Of t^m exp(rate t): exp(rate t) times the sum of (-1)^j m!/(m-j)! t^(m-j) / rate^(j+1)."""
-    t = symbol(name)
-    whole = Expr("call", "exp", (exponent,))
+def _primitive_of(known: Mapping[int, Expr], name: str, wave: Wave) -> Expr:
+    """Of a polynomial times the real part of a wave."""
+    t, size = symbol(name), _size(wave)
     terms = []
     for m, c in known.items():
         for j in range(m + 1):
             weight = (-1) ** j * factorial(m) // factorial(m - j)
             rest = power(t, m - j) if m > j else number(1)
-            terms.append(mul(number(weight), c, rest, whole) / power(rate, j + 1))
+            for part, value in _conjugate(wave, j + 1):
+                terms.append(mul(number(weight), c, rest, part, value) / power(size, j + 1))
     return add(*terms)
+
+
+def _conjugate(wave: Wave, n: int) -> Iterator[tuple[Expr, Expr]]:
+    """z^-n times the wave times `_size` to the power n: the terms of its real part, from those of
+    (a - i w)^n. Where z is one of a and i w alone, that stays off.
+    """
+    for k in range(n + 1):
+        if (k and wave.turn is None) or (k < n and wave.growth is None):
+            continue
+        alone = wave.turn is None or wave.growth is None
+        factors = [] if alone else [(wave.growth, n - k), (wave.turn, k)]
+        sign = number((1, 1, -1, -1)[k % 4] * comb(n, k))
+        coefficient = mul(sign, *[power(x, e) for x, e in factors if x is not None and e])
+        # the real part of (-i)^k (x + i y): x, y, -x, -y
+        yield coefficient, wave.imaginary if k % 2 else wave.real
 
 
 def _between(primitive: Expr, name: str, low: Expr, high: Expr) -> Expr:

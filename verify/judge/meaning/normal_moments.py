@@ -32,16 +32,24 @@ def moments(
     powers: Mapping[str, int], turns: Sequence[Turn], variances: Mapping[str, Expr]
 ) -> list[Expr]:
     """E of the product of powers of noises with sines and cosines, as terms. Raises Undecided."""
-    if len(turns) > MOST_TURNS:
-        raise Undecided(f"an expectation of more than {MOST_TURNS} sines and cosines in a product")
     if any(n > MOST_POWER for n in powers.values()):
         raise Undecided(f"a moment of a noise beyond power {MOST_POWER}")
     if not turns:
         return _one(Fraction(1), "cos", number(0), powers, variances)
+    sums = sums_of_turns(turns)
+    return [term for c, name, angle in sums for term in _one(c, name, angle, powers, variances)]
+
+
+def sums_of_turns(turns: Sequence[Turn]) -> list[tuple[Fraction, str, Expr]]:
+    """A product of one or more sines and cosines as a sum: coefficient, function, angle. Raises
+    Undecided.
+    """
+    if len(turns) > MOST_TURNS:
+        raise Undecided(f"a product of more than {MOST_TURNS} sines and cosines")
     sums = [(Fraction(1), *turns[0])]
     for turn in turns[1:]:
         sums = [term for c, name, angle in sums for term in _sum_of(c, (name, angle), turn)]
-    return [term for c, name, angle in sums for term in _one(c, name, angle, powers, variances)]
+    return sums
 
 
 def _sum_of(c: Fraction, a: Turn, b: Turn) -> list[tuple[Fraction, str, Expr]]:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from gainproof.verify.judge.exact.expression import Expr, add, div, number, power
+from gainproof.verify.judge.exact.expression import Expr, absolute, add, div, number, power, sqrt
 from gainproof.verify.judge.exact.grid import Grid
 from gainproof.verify.judge.exact.limits import Undecided
 from gainproof.verify.judge.meaning.elimination import inverse_of_numbers, is_numeric
@@ -51,6 +51,22 @@ def trace(value: Value) -> Expr:
     if isinstance(value, Expr):
         return value
     return add(*[value[k][k] for k in range(_square(value, "the trace of"))])
+
+
+def norm(value: Value) -> Expr:
+    """The length of a vector; of a number its size."""
+    if isinstance(value, Expr):
+        return absolute(value)
+    if min(len(value), len(value[0])) > 1:
+        raise Undecided(f"the norm of {shape_text(value)}: which of its norms is not said")
+    return sqrt(add(*[power(x, 2) for row in value for x in row]))
+
+
+def size_of(value: Value) -> Expr:
+    """What stands between single bars: of a square matrix its determinant, else the norm."""
+    if isinstance(value, Expr) or len(value) != len(value[0]):
+        return norm(value)
+    return determinant(value)
 
 
 def raised(value: Value, exponent: int) -> Value:

@@ -27,6 +27,8 @@ _ARGUMENTS = frozenset(
     ("SYMBOL", "CONSTANT", "FRAC", "SQRT", "LEFT_BRACE", "BAR_OPEN", "MATRIX_OPEN")
 )
 """What an argument without brackets may be."""
+_OF_MATRICES = frozenset(("det", "trace"))
+"""Functions of a matrix that give a number."""
 _UNCLEAR_AFTER = frozenset(
     (
         *("SYMBOL", "NUMBER", "CONSTANT", "FUNCTION", "FRAC", "SQRT"),
@@ -161,7 +163,16 @@ def _after_one(tokens: Sequence[FormulaToken], number: int, ends: dict[int, int]
 
 
 def _argument_end(tokens: Sequence[FormulaToken], start: int, ends: dict[int, int]) -> int:
-    """The number after a number, or after what `_ARGUMENTS` begin, be it after a number."""
+    """The number after a number, or after what `_ARGUMENTS` begin, be it after a number; after a
+    determinant or a trace of one: `\\ln \\det A`.
+    """
+    first = tokens[start] if start < len(tokens) else None
+    if first is not None and first.kind == "NAMED" and first.value in _OF_MATRICES:
+        inner = _after_power(tokens, start + 1, ends)
+        if inner < len(tokens) and tokens[inner].kind == "OPEN":
+            return ends[inner]
+        end = _argument_end(tokens, inner, ends)
+        return start if end == inner else end
     number = start
     if number < len(tokens) and tokens[number].kind == "NUMBER":
         number = _after_power(tokens, number + 1, ends)

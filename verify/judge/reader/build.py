@@ -24,6 +24,7 @@ from gainproof.verify.judge.reader.errors import ReaderError
 from gainproof.verify.judge.reader.limits import MOST_EXPONENT
 from gainproof.verify.judge.reader.nodes import NodeList
 from gainproof.verify.judge.reader.slash import Part, product_parts
+from gainproof.verify.judge.reader.tokens import NORM
 from gainproof.verify.judge.reader.tree import Branch, children, printed, start, tokens
 from gainproof.verify.judge.reader.vocabulary import Vocabulary
 
@@ -70,6 +71,8 @@ class Builder:
             case "infinity":
                 number = add("symbol", "infinity")
                 return add("neg", number) if tokens(tree, "MINUS") else number
+            case "absolute" if str(tokens(tree, "BAR_OPEN")[0]) == NORM:
+                return add("call", "norm", self.value(children(tree)[0]))
             case "absolute" | "expectation" | "order_of" | "euler":
                 return add("call", _CALLS[tree.data], self.value(children(tree)[0]))
             case "sum" | "minus_sum" | "plus_sum":

@@ -88,8 +88,8 @@ def _plain_form(builder: Builder, word: Token, arguments: list[Branch], tree: Br
     numbers = [builder.value(argument) for argument in arguments]
     add = builder.nodes.add
     match name:
-        case "abs":
-            return add("call", "abs", numbers[0])
+        case "abs" | "norm":
+            return add("call", name, numbers[0])
         case "transpose":
             return transposed(builder, numbers[0], word)
         case "inverse":

@@ -32,6 +32,8 @@ def call_text(name: str, arguments: Sequence[Printed]) -> Printed:
             return Printed("\\pi", ATOM)
         case "abs", 1:
             return Printed(f"\\left| {texts[0]} \\right|", ATOM)
+        case "norm", 1:
+            return Printed(f"\\left\\| {texts[0]} \\right\\|", ATOM)
         case (("sum" | "product"), 4):
             sign = "\\sum" if name == "sum" else "\\prod"
             bounds = f"_{{{texts[1]} = {texts[2]}}}^{{{texts[3]}}}"

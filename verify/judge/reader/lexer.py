@@ -18,10 +18,12 @@ from gainproof.verify.judge.reader.line_end import LineEnds, end_of_tag, equatio
 from gainproof.verify.judge.reader.names import scan_base
 from gainproof.verify.judge.reader.naming import NameFinder
 from gainproof.verify.judge.reader.scan import (
+    NORM_BARS,
     Scanned,
     joining_word,
     scan_bar,
     scan_mark,
+    scan_norm,
     scan_number,
     scan_sized,
 )
@@ -148,6 +150,8 @@ class _Lexer:
             self._add(*sign_of_branch(text, start, command, self.vocabulary.branch))
         elif command in ("\\mid", "\\vert"):
             self._add(*scan_bar(text, start, command))
+        elif command in NORM_BARS:
+            self._add(*scan_norm(end, self.tokens.found))
         elif command in _TEXTS and (joint := joining_word(text, end)) is not None:
             self._add(*joint)
         elif command in NO_EXACT_MEANING:

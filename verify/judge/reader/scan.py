@@ -9,12 +9,13 @@ from gainproof.verify.judge.reader.alphabet import DIGITS, command_at, skip_spac
 from gainproof.verify.judge.reader.errors import ReaderError
 from gainproof.verify.judge.reader.limits import MOST_DIGITS
 from gainproof.verify.judge.reader.line_end import ends_line
-from gainproof.verify.judge.reader.tokens import COMMANDS, MARKS, FormulaToken
+from gainproof.verify.judge.reader.tokens import COMMANDS, MARKS, NORM, FormulaToken
 from gainproof.verify.judge.reader.words import JOINING_WORDS
 
 MOST_SHOWN = 40
 """Characters of a number or word that a message repeats."""
 _BARS = frozenset(("|", "\\mid", "\\vert", "\\rvert"))
+NORM_BARS = frozenset(("\\|", "\\Vert"))
 
 
 class Scanned(NamedTuple):
@@ -58,8 +59,8 @@ def scan_sized(text: str, start: int, command: str) -> Scanned:
     sides = {"\\left": "OPEN", "\\right": "CLOSE"}
     if mark == "." and command == "\\left":
         return Scanned("EMPTY_OPEN", ".", end)
-    if mark in _BARS and command in sides:
-        return Scanned(f"BAR_{sides[command]}", "|", end)
+    if mark in (*_BARS, *NORM_BARS) and command in sides:
+        return Scanned(f"BAR_{sides[command]}", "|" if mark in _BARS else NORM, end)
     if mark in _BARS and (under := evaluation_end(text, bracket, mark)) is not None:
         return Scanned("AT", "|_", under)
     kind, value = MARKS.get(mark) or COMMANDS.get(mark) or ("", "")
@@ -98,6 +99,13 @@ def scan_mark(text: str, start: int, before: Sequence[FormulaToken]) -> Scanned:
         problem = "a bar may mean two things: write \\left| x \\right| or \\lvert x \\rvert"
         raise ReaderError(problem, text, start, character)
     raise ReaderError(f"the character {character!r} has no meaning here", text, start, character)
+
+
+def scan_norm(end: int, before: Sequence[FormulaToken]) -> Scanned:
+    """A bar of a norm without direction, by turns the first and the last one."""
+    bars = [token.kind for token in before if token.value == NORM]
+    is_open = bars.count("BAR_OPEN") > bars.count("BAR_CLOSE")
+    return Scanned("BAR_CLOSE" if is_open else "BAR_OPEN", NORM, end)
 
 
 def scan_bar(text: str, start: int, command: str) -> Scanned:

@@ -27,6 +27,8 @@ WIDE_SPACES = frozenset(("\\quad", "\\qquad", "\\enspace", "\\hfill"))
 SIZES = frozenset(
     "\\" + size + side for size in ("big", "Big", "bigg", "Bigg") for side in ("", "l", "r", "m")
 ) | {"\\left", "\\right", "\\middle"}
+NORM = "\\|"
+"""The value of the bars of a norm."""
 COMMANDS = {
     "\\frac": ("FRAC", "\\frac"),
     "\\tfrac": ("FRAC", "\\frac"),
@@ -90,6 +92,8 @@ COMMANDS = {
     "\\ddots": ("DOTS", "\\cdots"),
     "\\lvert": ("BAR_OPEN", "|"),
     "\\rvert": ("BAR_CLOSE", "|"),
+    "\\lVert": ("BAR_OPEN", NORM),
+    "\\rVert": ("BAR_CLOSE", NORM),
 }
 MARKS = {
     "<=": ("RELATION", "<="),

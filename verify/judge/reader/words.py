@@ -55,7 +55,7 @@ CIRCLE_NAMES = frozenset(("\\pi", "\\mathrm{\\pi}", CIRCLE))
 
 MADE_BY_READER = frozenset(
     (
-        *("abs", "sum", "product", "integral", "expectation", "order", "power", "family"),
+        *("abs", "norm", "sum", "product", "integral", "expectation", "order", "power", "family"),
         CIRCLE,
         *FUNCTION_WORDS.values(),
     )
@@ -64,6 +64,7 @@ MADE_BY_READER = frozenset(
 
 PLAIN_FORMS = {
     "abs": 1,
+    "norm": 1,
     "sqrt": 1,
     "transpose": 1,
     "inverse": 1,

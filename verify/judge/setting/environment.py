@@ -59,6 +59,9 @@ class Environment:
     the coordinates, whatever a source calls them, and `squares` those of these.
 
     With free gains `region` is where the filter is stable.
+
+    Where the model has free numbers or several strengths, gains are the base variables, `hidden`
+    ones: everything else that the model holds changes them, in a way that no formula shows.
     """
 
     name: str
@@ -78,6 +81,7 @@ class Environment:
     charted: Mapping[str, Expr] = field(default_factory=dict)
     squares: Mapping[str, Expr] = field(default_factory=dict)
     region: StableRegion | None = None
+    hidden: frozenset[str] = frozenset()
 
     def own_variables(self) -> frozenset[str]:
         """The base variables that stand for the tracking index and other parameters of a model."""
@@ -99,6 +103,10 @@ class Environment:
         """Whether these expressions hide a base variable, of which the parameter that they hold is
         made: it changes too when that variable does and the noises of the source stay.
         """
+        if not self.hidden.isdisjoint(symbols_of(*of)):
+            model = symbols_of(*self.assigned.values(), *self.quantities.values())
+            # one gain alone tells no change where there are several
+            return name in (model if len(self.hidden) > 1 else model - self.hidden)
         if name not in (INTERVAL, DEVIATION):
             return False
         return not self.own_variables().isdisjoint(symbols_of(*of))

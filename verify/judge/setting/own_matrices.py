@@ -9,11 +9,15 @@ from dataclasses import dataclass, field, replace
 from fractions import Fraction
 
 from gainproof.verify.judge.claim.record import Setting, Unit
+from gainproof.verify.judge.exact.calculus import substituted
+from gainproof.verify.judge.exact.constant_value import constant_value
 from gainproof.verify.judge.exact.expression import (
     Expr,
     mul,
+    number,
     power,
     symbol,
+    symbols_of,
 )
 from gainproof.verify.judge.exact.free_names import free_name, is_free, token_of
 from gainproof.verify.judge.exact.limits import Undecided
@@ -23,6 +27,7 @@ from gainproof.verify.judge.freed.monomials import UNIT, Monomial, monomials
 from gainproof.verify.judge.meaning.reach import Reach, names_in
 from gainproof.verify.judge.scope import Scope
 from gainproof.verify.judge.setting.environment import DEVIATION, INDEX, INTERVAL, Environment
+from gainproof.verify.judge.setting.factor import number_root
 
 T, SIGMA = symbol(INTERVAL), symbol(DEVIATION)
 Rows = Sequence[Sequence[Expr]]
@@ -68,8 +73,82 @@ def read_matrices(setting: Setting) -> tuple[Scope, tuple[Rows, Rows, Rows, Rows
     )
 
 
+@dataclass(frozen=True)
+class Own:
+    """F, Q and H of a model with one measurement, in T, the deviation of the measurement and free
+    symbols; `variance` where that of the measurement is a number. `interval` is T, or 1 where the
+    model does without it. `assigned` are symbols of the source that T and the deviation tell.
+    """
+
+    f: Rows
+    q: Rows
+    h: Rows
+    interval: Expr
+    variance: Fraction | None
+    assigned: Mapping[str, Expr]
+    scope: Scope
+
+    @property
+    def scale(self) -> Expr:
+        """The variance of the measurement."""
+        return power(SIGMA, 2) if self.variance is None else number(self.variance)
+
+    def without_interval(self, setting: Setting) -> bool:
+        """Whether neither the model nor its source speaks of the sampling interval."""
+        named = any(entry.quantity == INTERVAL for entry in setting.symbols.values())
+        return self.interval != T and not named
+
+
+def read_own(setting: Setting) -> Own:
+    """The matrices of a model with one measurement. Raises Undecided."""
+    scope, (f, q, h, r) = read_matrices(setting)
+    if len(r) != 1:
+        raise Undecided(f"a steady state with {len(r)} measurements is not covered")
+    assigned = {**interval_symbol(setting, scope), **measurement_noise(r[0][0])}
+    put_in = {free_name(token): expr for token, expr in assigned.items()}
+    f, q, h = ([[substituted(x, put_in) for x in row] for row in matrix] for matrix in (f, q, h))
+    names = symbols_of(*[x for matrix in (f, q, h) for row in matrix for x in row])
+    # a model without the sampling interval is in units of it
+    interval = T if INTERVAL in names else number(1)
+    return Own(f, q, h, interval, variance_in(r[0][0]), assigned, scope)
+
+
+def variance_in(r: Expr) -> Fraction | None:
+    """The variance of the measurement where it is a number. Raises Undecided where it is none."""
+    value = constant_value(r)
+    if value is not None and value <= 0:
+        raise Undecided(f"the variance of the measurement is {value}: it must be positive")
+    return value
+
+
+def measurement_noise(r: Expr) -> dict[str, Expr]:
+    """What the symbol in the measurement noise is, a variance or a deviation; empty where there is
+    none, or the variance itself. Raises Undecided.
+    """
+    found = monomials(r)
+    if constant_value(r) is not None or found == monomials(power(SIGMA, 2)):
+        return {}
+    if len(found) == 1:
+        ((monomial, c),) = found.items()
+        powers = dict(monomial)
+        unknown = [base for base in powers if source_token(base)]
+        if len(unknown) == 1 and powers[unknown[0]] in (1, 2) and len(powers) == 1 and c > 0:
+            exponent = Fraction(1, powers[unknown[0]])
+            scale = number_root(1 / c) if exponent != 1 else number(1 / c)
+            value = SIGMA if exponent != 1 else power(SIGMA, 2)
+            return {source_token(unknown[0]): value if c == 1 else mul(scale, value)}
+    raise Undecided(
+        "the measurement noise of a model must be a positive number, or one symbol or its square "
+        "times one"
+    )
+
+
 def interval_symbol(setting: Setting, scope: Scope) -> dict[str, Expr]:
-    """The one free symbol with the unit of a time is the sampling interval."""
+    """The one free symbol with the unit of a time is the sampling interval, unless another symbol
+    is.
+    """
+    if T in scope.used.values():
+        return {}
     found = [
         token
         for token, value in scope.used.items()
@@ -81,6 +160,14 @@ def interval_symbol(setting: Setting, scope: Scope) -> dict[str, Expr]:
 def _is_time(setting: Setting, token: str) -> bool:
     unit = setting.symbols[token].unit
     return unit == Unit(second=Fraction(1))
+
+
+def not_symmetric(i: int, j: int) -> Undecided:
+    """The reason for a process noise in which two entries differ."""
+    return Undecided(
+        f"the process noise of the model is not symmetric: row {i + 1}, column {j + 1} and "
+        f"row {j + 1}, column {i + 1} differ"
+    )
 
 
 def in_units(

@@ -20,22 +20,18 @@ from typing import Any
 from gainproof.verify.judge.claim.models import positive_semidefinite
 from gainproof.verify.judge.claim.record import Setting
 from gainproof.verify.judge.exact.calculus import substituted
-from gainproof.verify.judge.exact.constant_value import constant_value
-from gainproof.verify.judge.exact.expression import Expr, mul, number, power, symbols_of
-from gainproof.verify.judge.exact.free_names import free_name
+from gainproof.verify.judge.exact.expression import Expr
 from gainproof.verify.judge.exact.limits import Undecided
 from gainproof.verify.judge.freed.monomials import monomials
 from gainproof.verify.judge.setting.environment import DEVIATION, INDEX, INTERVAL, Environment
 from gainproof.verify.judge.setting.factor import number_root
+from gainproof.verify.judge.setting.free_numbers import over_gains
 from gainproof.verify.judge.setting.own_matrices import (
-    SIGMA,
     Rows,
-    T,
     in_units,
-    interval_symbol,
     noise_in_units,
-    read_matrices,
-    source_token,
+    not_symmetric,
+    read_own,
 )
 from gainproof.verify.judge.setting.own_pair import both_measured
 from gainproof.verify.judge.setting.quantities import steady_state
@@ -59,7 +55,13 @@ def own_environment(setting: Setting) -> Environment:
     """The steady state of the setting's own model. Raises Undecided, Malformed, NotEstablished."""
     if setting.own_model is not None and len(setting.own_model.measurement) == 2:
         return both_measured(setting)
-    model = scaled_model(setting)
+    try:
+        model = scaled_model(setting)
+    except Undecided:
+        found = over_gains(setting)
+        if found is None:
+            raise
+        return found
     solved = steady_state(model.data, squared_index=model.squared_index)
     put_in = {INDEX: solved.quantities[INDEX]}
 
@@ -74,17 +76,9 @@ def own_environment(setting: Setting) -> Environment:
 
 def scaled_model(setting: Setting) -> Scaled:
     """The model's numbers. Raises Undecided where a matrix does not scale like that."""
-    scope, (f, q, h, r) = read_matrices(setting)
-    if len(r) != 1:
-        raise Undecided(f"a steady state with {len(r)} measurements is not covered")
-    assigned = {**interval_symbol(setting, scope), **_noise(r[0][0])}
-    put_in = {free_name(token): expr for token, expr in assigned.items()}
-    f, q, h = ([[substituted(x, put_in) for x in row] for row in matrix] for matrix in (f, q, h))
-    names = symbols_of(*[x for matrix in (f, q, h) for row in matrix for x in row])
-    # a model without the sampling interval is in units of it
-    interval = T if INTERVAL in names else number(1)
-    variance = _variance(r[0][0])
-    driven = noise_in_units(q, interval, power(SIGMA, 2) if variance is None else number(variance))
+    own = read_own(setting)
+    f, q, h, interval, variance = own.f, own.q, own.h, own.interval, own.variance
+    driven = noise_in_units(q, interval, own.scale)
     _require_covariance([[Fraction(x) for x in row] for row in driven.rows])
     data = {
         "name": setting.name,
@@ -100,11 +94,11 @@ def scaled_model(setting: Setting) -> Scaled:
         known[DEVIATION] = number_root(variance)
     if driven.deviation is not None:
         known[DEVIATION] = driven.deviation
-    if interval != T and all(s.quantity != INTERVAL for s in setting.symbols.values()):
+    if own.without_interval(setting):
         known[INTERVAL] = interval
     return Scaled(
         data,
-        {**assigned, **driven.intensity},
+        {**own.assigned, **driven.intensity},
         next(iter(driven.intensity), None),
         driven.squared_index,
         known,
@@ -127,41 +121,8 @@ def _require_covariance(q: list[list[Fraction]]) -> None:
     """Undecided where the process noise, in numbers, is not symmetric and nowhere negative."""
     for i, j in combinations(range(len(q)), 2):
         if q[i][j] != q[j][i]:
-            raise Undecided(
-                f"the process noise of the model is not symmetric: row {i + 1}, column {j + 1} and "
-                f"row {j + 1}, column {i + 1} differ"
-            )
+            raise not_symmetric(i, j)
     if not positive_semidefinite(q):
         raise Undecided(
             "the process noise of the model is no covariance: it is not positive semidefinite"
         )
-
-
-def _variance(r: Expr) -> Fraction | None:
-    """The variance of the measurement where it is a number. Raises Undecided where it is none."""
-    value = constant_value(r)
-    if value is not None and value <= 0:
-        raise Undecided(f"the variance of the measurement is {value}: it must be positive")
-    return value
-
-
-def _noise(r: Expr) -> dict[str, Expr]:
-    """What the symbol in the measurement noise is, a variance or a deviation; empty where there is
-    none, or the variance itself. Raises Undecided.
-    """
-    found = monomials(r)
-    if constant_value(r) is not None or found == monomials(power(SIGMA, 2)):
-        return {}
-    if len(found) == 1:
-        ((monomial, c),) = found.items()
-        powers = dict(monomial)
-        unknown = [base for base in powers if source_token(base)]
-        if len(unknown) == 1 and powers[unknown[0]] in (1, 2) and len(powers) == 1 and c > 0:
-            exponent = Fraction(1, powers[unknown[0]])
-            scale = number_root(1 / c) if exponent != 1 else number(1 / c)
-            value = SIGMA if exponent != 1 else power(SIGMA, 2)
-            return {source_token(unknown[0]): value if c == 1 else mul(scale, value)}
-    raise Undecided(
-        "the measurement noise of a model must be a positive number, or one symbol or its square "
-        "times one"
-    )

@@ -30,7 +30,7 @@ from gainproof.verify.judge.setting.environment import (
 )
 from gainproof.verify.judge.setting.growing_memory import GrowingMemory, growing_memory
 from gainproof.verify.judge.setting.matrix import Exprs, times, transposed
-from gainproof.verify.judge.setting.steady_state import solve
+from gainproof.verify.judge.setting.steady_state import SteadyState, solve
 
 T, SIGMA = symbol(INTERVAL), symbol(DEVIATION)
 
@@ -41,7 +41,11 @@ def steady_state(model: Mapping[str, Any], squared_index: Fraction | None = None
         raise Undecided(
             "model data must be in units of the measurement noise, with measurement_noise [['1']]"
         )
-    state = solve(model, squared_index)
+    return environment_of(solve(model, squared_index), str(model.get("name", "model")))
+
+
+def environment_of(state: SteadyState, name: str) -> Environment:
+    """The environment of a steady state that was solved."""
     factor, size = state.factor, len(state.filter_gain)
     quantities = {**common_quantities(), **state.put_in, INDEX: factor.index}
     for i in range(size):
@@ -56,7 +60,6 @@ def steady_state(model: Mapping[str, Any], squared_index: Fraction | None = None
     quantities["closed_loop.determinant"] = (-1) ** size * factor.coefficients[0]
     quantities |= filter_states(state.transition, state.filter_gain, state.measurement)
     boxes = {**factor.boxes(), **base_boxes(size)}
-    name = str(model.get("name", "model"))
     return Environment(
         f"process noise {name}",
         quantities,

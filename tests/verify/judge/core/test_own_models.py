@@ -5,6 +5,8 @@ from __future__ import annotations
 import pytest
 from small_claims import check, judged
 
+from gainproof.verify.judge.claim.errors import ClaimFileError
+
 MODEL = """kind = 'steady_state'
 transition = {0}
 process_noise = {1}
@@ -92,7 +94,7 @@ def test_random_walk(noise: str, measured: str, latex: str, wanted: str) -> None
 
 
 def test_matrices_that_do_not_scale_are_named() -> None:
-    found = judged("identity", "K = 1", ONE, walk("q", "r", r"\frac{v}{w}"))
+    found = judged("identity", "K = 1", ONE, walk("q", "w^2", r"\frac{v}{w}"))
     check(found, "undecided")
     assert "transition of the model" in found.reason
 
@@ -141,3 +143,30 @@ def test_the_index_is_the_strength_whatever_numbers_stand_behind_it(
     """As in a user's own model that is derived."""
     setting = MODEL.format(*matrices, "[['1', '0']]", "v^2")
     check(judged("identity", formula, INDEX, setting), wanted)
+
+
+GAIN = KNOWN | {"K": r"{ definition = '\frac{\beta}{T}', meaning = 'gain in its unit' }"}
+
+
+@pytest.mark.parametrize(
+    ("latex", "more", "wanted"),
+    [
+        (r"K = \beta", "domain = 'T = 1'", "proved"),
+        (r"K = \beta", "given = ['1 = T']", "proved"),
+        (r"K = \beta \quad (T = 1)", "", "proved"),
+        (r"K = \frac{\beta}{2}", "domain = 'T = 2'", "proved"),
+        (r"K = 2 \beta", "domain = 'T = 2'", "refuted"),
+        (r"\frac{K^2}{1 - \alpha} = q", "domain = 'T = 1, r = 1'", "proved"),
+        (r"\frac{K^2}{1 - \alpha} = q", "domain = 'T = 1'", "refuted"),
+        (r"K = \beta", "domain = 'T > 1'", "refused"),
+        (r"K = \beta", "", "refuted"),
+        (r"K = P", "domain = 'T = 1'", "refuted"),
+    ],
+)
+def test_units_in_which_the_interval_is_one(latex: str, more: str, wanted: str) -> None:
+    if wanted == "refused":
+        with pytest.raises(ClaimFileError, match="dimensions"):
+            judged("identity", f"latex = '{latex}'\n{more}", GAIN, WHITE)
+        return
+    found = judged("identity", f"latex = '{latex}'\n{more}", GAIN, WHITE)
+    assert found.verdict == wanted, found.reason

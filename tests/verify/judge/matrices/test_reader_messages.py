@@ -23,7 +23,7 @@ SIZES = sizes_of((("n",),))
         (r"\|P\| = 1", "bars of a matrix are not covered"),
         (r"\det(P) = 1", r"of a determinant only \det(...) \neq 0 is read"),
         (r"P \neq 0", r"\neq is read after \det(...) only"),
-        (r"P^{1/2} = P", "a power of a matrix is ^T or ^{-1}"),
+        (r"P^{1/2} = P", "a power of a matrix is ^T, ^{-1}, ^2, ^3 or ^4"),
     ],
 )
 def test_what_is_not_covered_is_named(latex: str, message: str) -> None:

@@ -30,6 +30,15 @@ TRUE = [
     r"\det(A B) = \det(A) \det(B)",
     r"\begin{pmatrix} A \\ C \end{pmatrix} I = \begin{pmatrix} A \\ C \end{pmatrix}",
     r"C A C^T = C A^T C^T",
+    r"\ln \det F^3 = 0",
+    r"\ln \det \begin{pmatrix} a^2 & b \\ 0 & 1 \end{pmatrix} = 2 \ln \left| a \right|",
+    r"\ln \lvert A A^T \rvert = 2 \ln \left| \det A \right|",
+    r"\left| A B \right| = \left| A \right| \left| B \right|",
+    r"\left\| \begin{pmatrix} a \\ b \end{pmatrix} \right\|^2 = a^2 + b^2",
+    r"\| C A \|^2 = C A A^T C^T",
+    r"\lVert C \rVert = \left| C \right|",
+    r"\| a \| = \left| a \right|",
+    r"\frac{d}{d a} \| \begin{pmatrix} a & 1 \end{pmatrix} \| = \frac{a}{\sqrt{a^2 + 1}}",
 ]  # fmt: skip
 FALSE = [
     DOUBLED + FULL + r"= \begin{pmatrix} a & 2b \\ c & 2u \end{pmatrix}",
@@ -39,12 +48,19 @@ FALSE = [
     r"F F^T = F^T F",
     r"\det(A + B) = \det(A) + \det(B)",
     r"A \otimes B = B \otimes A",
+    r"\ln \det A^2 = 2 \ln \det A + 1",
+    r"\ln \det \begin{pmatrix} a & b \\ 0 & c \end{pmatrix} = \ln a - \ln c",
+    r"\left| A + B \right| = \left| A \right| + \left| B \right|",
+    r"\| C A \| = \| C \| \left| A \right|",
+    r"\left\| \begin{pmatrix} a \\ b \end{pmatrix} \right\| = a + b",
 ]  # fmt: skip
 WITHOUT_MEANING = [
     (r"A + C = 0", "a sum of a 2 x 2 matrix and a 1 x 2 matrix"),
     (r"A C = 0", "a product of a 2 x 2 matrix and a 1 x 2 matrix"),
     (r"A = C", "a 2 x 2 matrix on the left, a 1 x 2 matrix on the right"),
     (r"A + 1 = 0", "a sum of a 2 x 2 matrix and a number"),
+    (r"\| A \| = 1", "the norm of a 2 x 2 matrix: which of its norms is not said"),
+    (r"\ln A = 1", "a 2 x 2 matrix stands where a number is wanted"),
     (r"A = x", "a 2 x 2 matrix on the left, a number on the right"),
 ]
 

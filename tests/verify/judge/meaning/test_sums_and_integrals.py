@@ -42,7 +42,15 @@ FALSE = [
 ]
 LEFT_OPEN = [
     (r"\int_0^\infty x \, dx - \int_0^\infty x \, dx = 0", "does not decay"),
-    (r"\int_0^\infty e^{-a x} \, dx = \frac{1}{a}", "without a value"),
+    (
+        r"latex = '\int_0^\infty e^{-a x} \, dx = \frac{1}{a}'" + "\ndomain = 'a > -1'",
+        "does not say that a > 0",
+    ),
+    (
+        r"\int_0^\infty e^{(a^2 - 2 a + 1) x} \, dx = -\frac{1}{(a - 1)^2}",
+        "without a value",
+    ),
+    (r"\int_0^\infty e^{(\frac{a}{a} - 1) x} \, dx = 1", "without a value"),
     (r"latex = '\sum_{i=0}^{\infty} a (1-a)^i = 1'" + "\ndomain = '0 < a < 3'", "without a value"),
     (r"\sum_{i=0}^{x} i = \frac{x(x+1)}{2}", "no whole number"),
     (r"\int_0^t \frac{1}{x + 1} \, dx = t", "integral of anything but polynomials"),
@@ -76,3 +84,40 @@ def test_a_sum_begins_where_it_has_a_term() -> None:
     check(found, "proved")
     assert found.domain is not None
     assert "n >= 3" in found.domain
+
+
+@pytest.mark.parametrize(
+    ("latex", "domain"),
+    [
+        (r"\int_0^\infty e^{-a x} \, dx = \frac{1}{a}", "a > 0"),
+        (r"\int_0^t e^{-a x} \, dx = \frac{1 - e^{-a t}}{a}", "a != 0"),
+        (r"\int_{-\infty}^\infty e^{-a x^2} \, dx = \sqrt{\frac{\pi}{a}}", "a > 0"),
+        (r"a \int_0^t \sin(a x) \, dx = 1 - \cos(a t)", "a != 0"),
+        (r"\int_0^t \cos(a x) \sin(b x) \, dx = \int_0^t \sin(b x) \cos(a x) \, dx", "a + b != 0"),
+        (r"\sum_{i=0}^\infty a^i = \frac{1}{1 - a}", "-1 < a < 1"),
+        (r"\sum_{i=k}^{n} i = \frac{(n + k)(n - k + 1)}{2}", "n - k >= -1"),
+    ],
+)
+def test_where_nothing_is_said_it_holds_where_it_has_a_value(latex: str, domain: str) -> None:
+    found = judged("identity", latex)
+    check(found, "proved")
+    assert domain in str(found.domain)
+
+
+@pytest.mark.parametrize(
+    "latex",
+    [
+        r"\int_0^\infty e^{-a x} \, dx = \frac{2}{a}",
+        r"\int_0^t e^{-a x} \, dx = \frac{1 - e^{a t}}{a}",
+        r"\sum_{i=k}^{n} i = \frac{(n + k)(n - k)}{2}",
+    ],
+)
+def test_where_nothing_is_said_the_false_is_refuted_where_it_has_a_value(latex: str) -> None:
+    check(judged("identity", latex), "refuted")
+
+
+def test_other_kinds_need_what_is_not_said() -> None:
+    about = r"about = ['\int_0^\infty e^{-a x} \, dx', 'a']"
+    found = judged("monotone", about + "\ntrend = 'decreasing'\ntext = 'in words'")
+    check(found, "undecided")
+    assert "does not say that a > 0" in found.reason

@@ -75,7 +75,7 @@ INFINITY: Tree = ("symbol", "infinity")
 
 NODES = (
     *("add", "mul", "div", "neg", "pow", "power", "power T", "at", "derivative", "sum", "product"),
-    *("integral", "abs", "order", "expectation", "one", "two", "many", "of matrix", "S"),
+    *("integral", "abs", "norm", "order", "expectation", "one", "two", "many", "of matrix", "S"),
 )
 MATRIX_NODES = (
     *("matrix", "stacked", "add", "transpose", "inverse", "inverse transpose", "kronecker", "mul"),
