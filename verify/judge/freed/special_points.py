@@ -93,7 +93,7 @@ def without_value(statement: Statement, boxes: Boxes, labels: Mapping[str, str])
             left, right = (_told(side, point) for side in (rel.left, rel.right))
             if {left.undefined, right.undefined} <= {None, NOT_EVALUATED}:
                 continue
-            found = Witness(_text(point, labels), rel.operator, left, right, note=LACKS_VALUE)
+            found = Witness(point_text(point, labels), rel.operator, left, right, note=LACKS_VALUE)
             return refuted(found, "no value at an exact point")
     return None
 
@@ -113,7 +113,7 @@ def equal_sides(statement: Statement, boxes: Boxes, labels: Mapping[str, str]) -
             if any(each.undefined for each in (left, right, *needed)):
                 continue
             found = Witness(
-                _text(point, labels), rel.operator, left, left, exact=True, note=BOTH_EQUAL
+                point_text(point, labels), rel.operator, left, left, exact=True, note=BOTH_EQUAL
             )
             return refuted(found, "both sides at an exact point")
     return None
@@ -282,7 +282,7 @@ def _told(side: Expr, point: Point) -> Enclosure:
     return value_shown(here, Balls({}, PRECISION))
 
 
-def _text(point: Point, labels: Mapping[str, str]) -> dict[str, str]:
+def point_text(point: Point, labels: Mapping[str, str]) -> dict[str, str]:
     """Multiples of pi as those of the symbol over pi."""
     found: dict[str, str] = {}
     for name, value in sorted(point.items()):

@@ -14,6 +14,7 @@ from gainproof.verify.judge.reader.special import circle_number, declared_kind, 
 from gainproof.verify.judge.reader.tokens import MARKS, FormulaToken
 from gainproof.verify.judge.reader.vocabulary import Vocabulary
 from gainproof.verify.judge.reader.words import (
+    CASES,
     FUNCTION_WORDS,
     JOINING_WORDS,
     PLAIN_FORMS,
@@ -34,6 +35,8 @@ _BY_ENTRIES = (".*", "./", ".^")
 _OF_CODE = {"fabs": "abs", "fabsf": "abs", "sqrtf": "sqrt", "M_PI": "pi"}
 """Names of source code, and what they are called here."""
 _POWERS = ("pow", "powf")
+_REMAINDERS = ("fmod", "fmodf", "rem", "remainder")
+_OPERANDS = ("SYMBOL", "NUMBER", "CONSTANT", "CLOSE", "RIGHT_BRACE", "BAR_CLOSE")
 _MOST_EXPONENT = 20
 """Beyond this a number with an exponent is not written out in a message."""
 _INFINITY = ("infinity", "inf", "oo")
@@ -94,7 +97,12 @@ class _PlainLexer:
         text, start = self.text, self.position
         word = text[start:end]
         calls = text.startswith("(", skip_space(text, end))
-        if word in JOINING_WORDS:
+        if calls and word == CASES:
+            self.stack.append((len(self.tokens), []))
+            self._add("CASES_OPEN", CASES, skip_space(text, end) + 1)
+        elif word == "mod" and self.tokens and self.tokens[-1].kind in _OPERANDS:
+            self._add("MOD", "mod", end)
+        elif word in JOINING_WORDS:
             self._add(*JOINING_WORDS[word], end)
         elif word in _RELATION_WORDS:
             self._add(*_RELATION_WORDS[word], end)
@@ -130,6 +138,9 @@ class _PlainLexer:
                 return self._error(problem, before.value)
         if word in _POWERS:
             return self._error(f"{word} is not read: write {_power(self.text, end)}", word)
+        if word in _REMAINDERS:
+            problem = f"{word} has not the sign of its divisor: write mod(x, y), x - y floor(x/y)"
+            return self._error(problem, word)
         if word in _OF_CODE:
             return self._error(f"{word} is not read: write {_OF_CODE[word]}", word)
         known = [*self.vocabulary.plain_names, *PLAIN_FORMS, *FUNCTION_WORDS]
@@ -180,6 +191,11 @@ class _PlainLexer:
 
     def _closed(self, opening: int, separators: list[int], value: str) -> tuple[str, str]:
         """What closes the bracket `opening`: square brackets with a semicolon hold a matrix."""
+        if self.tokens[opening].kind == "CASES_OPEN" and value == ")":
+            for number in separators:
+                if self.tokens[number].kind == "COMMA":
+                    self.tokens[number] = replace(self.tokens[number], kind="CELL")
+            return "CASES_CLOSE", CASES
         if self.tokens[opening].kind == "LEFT_BRACE" and value == ")":
             return "RIGHT_BRACE", "}"
         if value != "]" or all(self.tokens[number].kind == "COMMA" for number in separators):

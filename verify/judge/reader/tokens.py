@@ -90,6 +90,11 @@ COMMANDS = {
     "\\ddots": ("DOTS", "\\cdots"),
     "\\lvert": ("BAR_OPEN", "|"),
     "\\rvert": ("BAR_CLOSE", "|"),
+    "\\lfloor": ("BAR_OPEN", "floor"),
+    "\\rfloor": ("BAR_CLOSE", "floor"),
+    "\\lceil": ("BAR_OPEN", "ceil"),
+    "\\rceil": ("BAR_CLOSE", "ceil"),
+    "\\bmod": ("MOD", "mod"),
 }
 MARKS = {
     "<=": ("RELATION", "<="),

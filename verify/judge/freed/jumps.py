@@ -1,0 +1,443 @@
+"""Functions with jumps: whole parts, angles of points and cases, on parts of the domain on each of
+which they are something without a jump.
+
+The angle of (x, y) is atan(y/x) right of x = 0 and half a turn from it on the left; the whole part
+of a x + b is a whole number n where x is (n + t - b)/a with 0 <= t < 1, and of what is seen to lie
+between whole numbers it is one of these.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Iterator, Mapping
+from contextlib import suppress
+from dataclasses import dataclass, field, replace
+from fractions import Fraction
+from functools import partial
+from math import inf
+
+from gainproof.verify.judge.domain import bounded, box_conditions
+from gainproof.verify.judge.exact.box import Box, Boxes
+from gainproof.verify.judge.exact.calculus import rebuilt, substituted
+from gainproof.verify.judge.exact.enclose import Balls, NoValue, Unresolved, compared, enclosed
+from gainproof.verify.judge.exact.expression import (
+    Expr,
+    add,
+    div,
+    neg,
+    number,
+    symbol,
+    symbols_of,
+    weighted,
+)
+from gainproof.verify.judge.exact.expression import walk as nodes
+from gainproof.verify.judge.exact.expression_text import labelled
+from gainproof.verify.judge.exact.functions import Cases, has_jumps
+from gainproof.verify.judge.exact.limits import Undecided
+from gainproof.verify.judge.exact.simple_points import simple_points
+from gainproof.verify.judge.exact.statement import ALLOWED, Rel, Statement
+from gainproof.verify.judge.exact.total import is_total
+from gainproof.verify.judge.freed.circle import PI, TURN
+from gainproof.verify.judge.freed.monomials import UNIT, Monomial, Terms, monomial_expr, monomials, terms_expr
+from gainproof.verify.judge.freed.rewriting import bound_names
+from gainproof.verify.judge.meaning.domains import is_whole
+from gainproof.verify.judge.reader.words import OF_CASES
+
+MOST_PARTS = 60
+MOST_STEPS = 4
+"""Whole numbers that a whole part may be, for it to be looked at one by one."""
+PRECISION = 128
+ZERO = number(0)
+WHOLE, ABOVE = "whole part of ", "part above "
+"""Begin the names of what replaces symbols."""
+
+Sides = tuple[Expr, Expr]
+Signs = frozenset[int]
+Holds = Callable[[Rel, "Part"], bool]
+"""Whether a relation is proved on a part."""
+
+
+@dataclass(frozen=True)
+class Part:
+    """A part of the domain. `told` are the signs that differences of two sides have on it, `back`
+    what symbols were that are replaced, by the whole parts of `steps` and what is above these.
+    `lacks` says why a function has no value on it.
+    """
+
+    statement: Statement
+    boxes: Boxes
+    labels: Mapping[str, str]
+    told: Mapping[Sides, Signs] = field(default_factory=dict)
+    back: Mapping[str, Expr] = field(default_factory=dict)
+    steps: tuple[Expr, ...] = ()
+    lacks: str = ""
+
+    @property
+    def conditions(self) -> tuple[Rel, ...]:
+        """What says which part of the domain it is."""
+        return tuple(Rel(operator_of(signs), *sides) for sides, signs in self.told.items())
+
+    @property
+    def fixed(self) -> dict[str, Expr]:
+        """The symbols that are numbers on it."""
+        return {
+            left.name: right
+            for (left, right), signs in self.told.items()
+            if signs == {0} and left.kind == "symbol" and not symbols_of(right)
+        }
+
+    def within(self) -> tuple[Statement, Boxes]:
+        """The statement under the conditions, bounds of symbols as those of their domains."""
+        fixed = self.fixed
+        boxes = {n: box for n, box in self.boxes.items() if n not in fixed}
+        put_in = partial(substituted, values=fixed)
+        relations = [
+            Rel(r.operator, put_in(r.left), put_in(r.right))
+            for r in self.conditions
+            if r.operator != "=" or fixed.get(str(r.left.value)) != r.right
+        ]
+        for name in fixed:
+            relations += box_conditions(name, fixed[name], replace(self.boxes[name], integer=False))
+        narrowed, left = bounded(boxes, relations)
+        boxes = {n: replace(box, stated=boxes[n].stated) for n, box in narrowed.items()}
+        statement = self.statement.mapped(put_in)
+        return replace(statement, given=(*statement.given, *left)), boxes
+
+    def under(self, *relations: Rel) -> Part | None:
+        """Where these relations hold; None if that is nowhere, at a glance."""
+        told = dict(self.told)
+        for rel in relations:
+            sides, signs = plain(rel)
+            if isinstance(sides, bool):
+                if not sides:
+                    return None
+                continue
+            told[sides] = told.get(sides, frozenset((-1, 0, 1))) & signs
+            if not told[sides]:
+                return None
+        found = replace(self, told=told)
+        whole = (value for n, value in found.fixed.items() if self.boxes[n].integer)
+        return found if all(is_whole(value, {}) for value in whole) else None
+
+    def put_in(self, node: Expr, value: Expr) -> Part:
+        """With a value in the place of a node."""
+
+        def change(expr: Expr) -> Expr:
+            return rebuilt(expr, lambda each, _: value if each == node else None)
+
+        return replace(self, statement=self.statement.mapped(change))
+
+
+def operator_of(signs: Signs) -> str:
+    """The relation that is said by the signs of a difference."""
+    return next(o for o, allowed in ALLOWED.items() if frozenset(allowed) == signs)
+
+
+def plain(rel: Rel) -> tuple[Sides | bool, Signs]:
+    """A relation as the signs of a difference, that of a symbol and a number where it is one; of
+    numbers its truth.
+    """
+    signs = frozenset(ALLOWED[rel.operator])
+    try:
+        terms = monomials(rel.left - rel.right)
+        if any((PI, -1) in monomial for monomial in terms):
+            terms = monomials(terms_expr(terms) * PI)
+    except Undecided:
+        return (rel.left, rel.right), signs
+    if len(terms) < 2 and set(terms) <= {UNIT, TURN}:
+        c = sum(terms.values())
+        return (c > 0) - (c < 0) in signs, signs
+    if len(terms) == 1 and (inner := _of_one_sign(*terms)) is not None:
+        operator = rel.operator if next(iter(terms.values())) > 0 else _mirrored(rel.operator)
+        return plain(Rel(operator, inner, ZERO))
+    rest = {m: c for m, c in terms.items() if m not in (UNIT, TURN)}
+    if not rest:
+        return (rel.left, rel.right), signs
+    lead = rest[min(rest, key=lambda m: monomial_expr(m).key)]
+    if lead < 0:
+        signs = frozenset(-sign for sign in signs)
+    return (
+        _sum({m: c / lead for m, c in rest.items()}),
+        _sum({m: -c / lead for m, c in terms.items() if m in (UNIT, TURN)}),
+    ), signs
+
+
+def _of_one_sign(monomial: Monomial) -> Expr | None:
+    """What has the same sign as an arc tangent; None for anything else."""
+    ((base, n), *others) = monomial
+    is_angle = base.kind == "call" and base.name == "atan" and n == 1 and not others
+    return base.parts[0] if is_angle else None
+
+
+def _mirrored(operator: str) -> str:
+    return operator_of(frozenset(-sign for sign in ALLOWED[operator]))
+
+
+def _sum(terms: Terms) -> Expr:
+    """As one writes it: a - b, no a + (-1) b."""
+    order = sorted(terms, key=lambda m: (terms[m] < 0, monomial_expr(m).key))
+    return weighted([terms[m] for m in order], [monomial_expr(m) for m in order])
+
+
+def parts_of(
+    statement: Statement, boxes: Boxes, labels: Mapping[str, str], holds: Holds
+) -> list[Part]:
+    """Parts that together are the domain, in which no function jumps. Raises Undecided."""
+    waiting, done = [Part(statement, boxes, labels)], list[Part]()
+    while waiting:
+        if len(waiting) + len(done) > MOST_PARTS:
+            raise Undecided(f"more than {MOST_PARTS} cases")
+        part = waiting.pop()
+        part = replace(part, statement=with_arguments(part.statement))
+        jump = next((n for n in nodes(*part.statement.exprs()) if has_jumps(n)), None)
+        if jump is None or part.lacks:
+            done.append(part)
+        elif symbols_of(jump) & bound_names(part.statement):
+            raise Undecided("a function with jumps under a sum whose bounds are symbols")
+        else:
+            waiting += [each for each in _split(part, jump, holds) if each is not None]
+    return done
+
+
+def with_arguments(statement: Statement) -> Statement:
+    """With the arguments of functions that jump asked to have a value, and what cases compare: a
+    statement on a part says nothing where these have none.
+    """
+    asked = (*[e for r in statement.asked for e in (r.left, r.right)], *statement.needed)
+    inner, outer = _deciding(asked), _deciding(statement.exprs())
+    given = [Rel("<=", each, each) for each in outer if each not in inner]
+    needed = tuple(dict.fromkeys((*statement.needed, *inner)))
+    given = tuple(dict.fromkeys((*statement.given, *given)))
+    return replace(statement, needed=needed, given=given)
+
+
+def _deciding(exprs: Iterable[Expr]) -> list[Expr]:
+    found: list[Expr] = []
+    for node in nodes(*exprs):
+        if has_jumps(node) and node.name.startswith(OF_CASES):
+            compared_sides = (s for rels, _ in Cases.of(node).values for r in rels for s in r[1:])
+            found += [side for side in compared_sides if not is_total(side)]
+        elif has_jumps(node):
+            found += [part for part in node.parts if not is_total(part)]
+    return [each for each in dict.fromkeys(found) if not any(map(has_jumps, nodes(each)))]
+
+
+def _split(part: Part, node: Expr, holds: Holds) -> Iterator[Part | None]:
+    if node.name == "floor":
+        yield from _whole_parts(part, node, holds)
+        return
+    if node.name == "atan2":
+        branches = _angles(*node.parts)
+    elif node.name == "no jump":
+        branches = _slopes(part, *node.parts)
+    else:
+        branches = _cases(Cases.of(node).values, ())
+    for relations, value, lack in branches:
+        within = part
+        for rel in relations:
+            if holds(_opposite(rel), within):
+                break
+            narrowed = within.under(rel)
+            if narrowed is None:
+                break
+            within = narrowed
+        else:
+            yield _lacking(within, node, lack) if value is None else within.put_in(node, value)
+
+
+def _lacking(part: Part, node: Expr, lack: str) -> Part | None:
+    """Where a function has no value; None if only conditions ask for it, which say nothing then."""
+    statement = part.statement
+    if statement.connective != "if":
+        return part.put_in(node, div(number(1), ZERO))
+    asked = (*[e for r in statement.asked for e in (r.left, r.right)], *statement.needed)
+    return replace(part, lacks=lack) if node in nodes(*asked) else None
+
+
+Branch = tuple[tuple[Rel, ...], Expr | None, str]
+
+
+def _angles(y: Expr, x: Expr) -> Iterator[Branch]:
+    def at(a: str, b: str = "") -> tuple[Rel, ...]:
+        return (Rel(a, x, ZERO), *([Rel(b, y, ZERO)] if b else []))
+
+    angle = Expr("call", "atan", (div(y, x),))
+    yield at(">"), angle, ""
+    yield at("<", ">"), add(angle, PI), ""
+    yield at("<", "="), PI, ""
+    yield at("<", "<"), add(angle, neg(PI)), ""
+    yield at("=", ">"), div(PI, number(2)), ""
+    yield at("=", "<"), neg(div(PI, number(2))), ""
+    yield at("=", "="), None, "the angle of the origin"
+
+
+def _slopes(part: Part, y: Expr, x: Expr, rise: Expr) -> Iterator[Branch]:
+    yield (Rel(">", x, ZERO),), ZERO, ""
+    yield (Rel("<=", x, ZERO), Rel("!=", y, ZERO)), ZERO, ""
+    there = (Rel("<=", x, ZERO), Rel("=", y, ZERO))
+    yield (*there, Rel("!=", rise, ZERO)), None, "an angle jumps by a whole turn"
+    # where y is 0 to second order the angle may have a slope, and that is what the rules give
+    stated = any(part.boxes.get(n, Box()).stated for n in symbols_of(y, x, rise))
+    value = Expr("call", "slope of an angle where y is 0", ()) if stated else ZERO
+    yield (*there, Rel("=", rise, ZERO)), value, ""
+
+
+def _cases(
+    values: tuple[tuple[tuple[tuple[str, Expr, Expr], ...], Expr], ...], before: tuple[Rel, ...]
+) -> Iterator[Branch]:
+    if not values:
+        yield before, None, "none of the cases"
+        return
+    (compared_here, value), *rest = values
+    relations = tuple(Rel(*each) for each in compared_here)
+    yield (*before, *relations), value, ""
+    for k, rel in enumerate(relations):
+        yield from _cases(tuple(rest), (*before, *relations[:k], _opposite(rel)))
+
+
+def _opposite(rel: Rel) -> Rel:
+    signs = frozenset((-1, 0, 1)) - frozenset(ALLOWED[rel.operator])
+    return replace(rel, operator=operator_of(signs))
+
+
+def _whole_parts(part: Part, node: Expr, holds: Holds) -> Iterator[Part | None]:
+    terms = monomials(node.parts[0])
+    whole = {
+        m: c
+        for m, c in terms.items()
+        if c.denominator == 1 and is_whole(monomial_expr(m), part.boxes)
+    }
+    rest = {m: c for m, c in terms.items() if m not in whole}
+    shift = terms.get(UNIT, Fraction(0)) % 1
+    rest, whole = dict(rest), dict(whole)
+    rest.pop(UNIT, None)
+    whole[UNIT] = terms.get(UNIT, Fraction(0)) - shift
+    if shift:
+        rest[UNIT] = shift
+    over, outside = terms_expr(rest), terms_expr({m: c for m, c in whole.items() if c})
+    known = _floor_at(over, {})
+    if known is not None:
+        yield part.put_in(node, add(outside, number(known)))
+        return
+    steps = _steps(part, over, holds)
+    for k in steps or ():
+        kept = [
+            rel
+            for rel in (Rel(">=", over, number(k)), Rel("<", over, number(k + 1)))
+            if not holds(rel, part)
+        ]
+        narrowed = part.under(*kept)
+        if narrowed is not None and not any(holds(_opposite(rel), part) for rel in kept):
+            yield narrowed.put_in(node, add(outside, number(k)))
+    replaced = None if steps else _in_steps(part, holds)
+    if steps or replaced is not None:
+        yield replaced
+        return
+    n = symbol(f"{WHOLE}{labelled(over, part.labels)}")
+    boxes = {**part.boxes, n.name: Box(integer=True, stated=_is_stated(part, over))}
+    labels = {**part.labels, n.name: f"floor({labelled(over, part.labels)})"}
+    within = replace(part, boxes=boxes, labels=labels)
+    for rel in (Rel("<=", n, over), Rel("<", over, n + 1)):
+        given = (*within.statement.given, rel)
+        within = replace(within, statement=replace(within.statement, given=given))
+    yield within.put_in(node, add(outside, n))
+
+
+def _is_stated(part: Part, expr: Expr) -> bool:
+    return any(part.boxes.get(name, Box(stated=False)).stated for name in symbols_of(expr))
+
+
+def _floor_at(expr: Expr, point: Mapping[str, Fraction]) -> int | None:
+    """The whole part at a point; None where balls do not tell."""
+    with suppress(NoValue, Unresolved):
+        found = enclosed(Expr("call", "floor", (expr,)), point, PRECISION).unique_fmpz()
+        return None if found is None else int(found)
+    return None
+
+
+def _steps(part: Part, over: Expr, holds: Holds) -> range | None:
+    """The few whole numbers that its whole part may be; None where they are not few, or not seen to
+    be all.
+    """
+    statement, boxes = part.within()
+    seen = set[int]()
+    for point in simple_points(sorted(statement.symbols()), boxes):
+        balls = Balls(point, PRECISION)
+        with suppress(NoValue, Unresolved):
+            sides = (
+                (r.operator, balls.round(r.left), balls.round(r.right)) for r in statement.domain
+            )
+            if all(compared(*each) for each in sides):
+                known = _floor_at(over, point)
+                seen |= set() if known is None else {known}
+        if len(seen) > MOST_STEPS or (seen and max(seen) - min(seen) > MOST_STEPS):
+            return None
+    if not seen:
+        return None
+    first = next(
+        (k for k in (min(seen), min(seen) - 1) if holds(Rel(">=", over, number(k)), part)), None
+    )
+    last = next(
+        (k for k in (max(seen), max(seen) + 1) if holds(Rel("<", over, number(k + 1)), part)), None
+    )
+    return None if first is None or last is None else range(first, last + 1)
+
+
+def _in_steps(part: Part, holds: Holds) -> Part | None:
+    """With a symbol replaced, in which the argument of a whole part is of first degree: that whole
+    part, and what is above it. Of several with the longest steps, which the others divide.
+    """
+    best: tuple[float, str, Expr, Expr, Expr] | None = None
+    for node in nodes(*part.statement.exprs()):
+        inner = any(has_jumps(each) for below in node.parts for each in nodes(below))
+        if not has_jumps(node) or node.name != "floor" or inner:
+            continue
+        (over,) = node.parts
+        for name in sorted(symbols_of(over)):
+            line = _line(over, name)
+            if (
+                line is None
+                or name.startswith((WHOLE, ABOVE))
+                or part.boxes.get(name, Box()).integer
+            ):
+                continue
+            factor, rest = line
+            if any(holds(Rel(operator, factor, ZERO), part) for operator in (">", "<")):
+                size = _size(factor)
+                if best is None or size < best[0]:
+                    best = size, name, over, factor, rest
+    if best is None:
+        return None
+    _, name, over, factor, rest = best
+    text = labelled(over, part.labels)
+    n, t = symbol(f"{WHOLE}{text}"), symbol(f"{ABOVE}{text}")
+    value = terms_expr(monomials(div(add(n, t, neg(rest)), factor)))
+    box = part.boxes.get(name, Box(stated=False))
+    boxes = {k: b for k, b in part.boxes.items() if k != name}
+    boxes[n.name] = Box(integer=True, stated=box.stated)
+    boxes[t.name] = Box(Fraction(0), Fraction(1), lower_open=False, stated=box.stated)
+    labels = {**part.labels, n.name: f"floor({text})", t.name: f"mod({text}, 1)"}
+    moved = {name: value}
+    back = {k: substituted(e, moved) for k, e in {name: symbol(name), **part.back}.items()}
+    relations = [
+        Rel(r.operator, substituted(r.left, moved), substituted(r.right, moved))
+        for r in part.conditions
+    ]
+    statement = part.statement.mapped(lambda e: substituted(e, moved))
+    within = Part(statement, boxes, labels, {}, back, (*part.steps, over), part.lacks)
+    return within.under(*relations, *box_conditions(name, value, box))
+
+
+def _line(expr: Expr, name: str) -> tuple[Expr, Expr] | None:
+    """a and b of `a x + b`; None for what is of no first degree in the symbol."""
+    x = (symbol(name), 1)
+    terms = monomials(expr)
+    factor = {m - {x}: c for m, c in terms.items() if x in m}
+    rest = {m: c for m, c in terms.items() if x not in m}
+    a, b = terms_expr(factor), terms_expr(rest)
+    return None if not factor or name in symbols_of(a, b) else (a, b)
+
+
+def _size(factor: Expr) -> float:
+    with suppress(NoValue, Unresolved):
+        return abs(float(enclosed(factor, {}, PRECISION).mid()))
+    return inf
