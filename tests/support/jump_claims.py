@@ -72,6 +72,16 @@ HALF = (
     ("=", ("TURN", "a"), "a"),
 )
 """True on a part only."""
+DOMAINS = (
+    ((">", "x", 0), (">", "y", 0)),
+    ((">=", "x", 0), ("<=", "y", 0)),
+    (("<", "x", 0), ("<=", "y", 2), (">", "y", -3)),
+    ((">", "x", ("-", 0, "pi")), ("<=", "x", "pi"), (">=", "y", -1)),
+    ((">=", "x", ("-", 0, "pi")), ("<", "x", "pi"), (">", "y", ("-", 0, "pi")), ("<=", "y", "pi")),
+    ((">=", "x", -1), ("<=", "x", 1), (">=", "y", -1), ("<=", "y", 1)),
+    ((">=", "x", -3), ("<", "x", 7), ("<", "y", 0)),
+)
+"""Of both letters: where a side has no value, a claim fails on them."""
 SWAPPED = {
     "max": "min", "min": "max", "floor": "ceil", "ceil": "floor", "<": "<=", "<=": "<",
     ">": ">=", ">=": ">", "sin": "cos", "cos": "sin",
@@ -93,6 +103,7 @@ class JumpClaim:
 
     kind: str
     text: str
+    domain: str
     false_at: str | None
     lacks: bool
     seen: int
@@ -110,15 +121,17 @@ def claims(seed: int, count: int) -> Iterator[JumpClaim]:
         if law == _put(law, {"b": "c"}):
             letters["a"] = random.choice(PLACES)
         tree = _put(law, letters)
-        yield _claim(tree)
+        yield _claim(tree, random.choice(DOMAINS) if random.random() < 0.4 else None)
 
 
-def _claim(tree: Tree) -> JumpClaim:
+def _claim(tree: Tree, domain: tuple[Tree, ...] | None) -> JumpClaim:
     false, lacks, seen = None, False, 0
     with mpmath.workdps(DIGITS):
         for x in VALUES:
             for y in VALUES:
                 point = {"x": x, "y": y}
+                if not all(_holds(condition, point) for condition in domain or ()):
+                    continue
                 try:
                     holds = _holds(tree, point)
                     seen += 1
@@ -127,7 +140,9 @@ def _claim(tree: Tree) -> JumpClaim:
                     continue
                 if not holds and false is None:
                     false = f"x = {x}, y = {y}"
-    return JumpClaim("identity" if tree[0] == "=" else "inequality", written(tree), false, lacks, seen)
+    kind = "identity" if tree[0] == "=" else "inequality"
+    said = " and ".join(map(written, domain or ()))
+    return JumpClaim(kind, written(tree), said, false, lacks, seen)
 
 
 VALUES = [

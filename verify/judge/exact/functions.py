@@ -19,7 +19,8 @@ from types import MappingProxyType
 
 import flint
 
-from gainproof.verify.judge.exact.expression import Expr, add, div, mul, neg, number, power
+from gainproof.verify.judge.exact.expression import Expr, add, div, mul, neg, number, power, walk
+from gainproof.verify.judge.exact.limits import Undecided
 from gainproof.verify.judge.exact.poly import Ball
 from gainproof.verify.judge.reader.words import OF_CASES
 
@@ -62,6 +63,12 @@ def is_cases(name: str, count: int) -> bool:
 def has_jumps(node: Expr) -> bool:
     """Whether a node is a call of a function with jumps."""
     return node.kind == "call" and (node.name in JUMPS or node.name.startswith(OF_CASES))
+
+
+def refuse_jumps(*exprs: Expr) -> None:
+    """Raises Undecided where a slope does not say how a function changes."""
+    if any(map(has_jumps, walk(*exprs))):
+        raise Undecided("a trend of what may jump")
 
 
 def _one(name: str, x: Expr) -> Expr:

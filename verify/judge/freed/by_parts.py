@@ -9,12 +9,15 @@ from functools import partial
 
 from gainproof.verify.judge.exact.box import Box, Boxes
 from gainproof.verify.judge.exact.calculus import substituted
+from gainproof.verify.judge.exact.enclose import Balls
+from gainproof.verify.judge.exact.enclosure import value_shown
 from gainproof.verify.judge.exact.expression import Expr, number, symbols_of, walk
 from gainproof.verify.judge.exact.expression_text import labelled
 from gainproof.verify.judge.exact.functions import has_jumps
 from gainproof.verify.judge.exact.limits import Undecided
 from gainproof.verify.judge.exact.points import try_points
 from gainproof.verify.judge.exact.statement import (
+    NOT_EVALUATED,
     Enclosure,
     Outcome,
     Rel,
@@ -27,11 +30,12 @@ from gainproof.verify.judge.freed.certificate import Decides, certificate_of
 from gainproof.verify.judge.freed.domain_words import domain_text
 from gainproof.verify.judge.freed.folding import folded
 from gainproof.verify.judge.freed.freely import where_valued
-from gainproof.verify.judge.freed.jumps import Part, Sides, Signs, operator_of, parts_of
+from gainproof.verify.judge.freed.jumps import EVERY, Part, Sides, Signs, operator_of, parts_of
+from gainproof.verify.judge.freed.monomials import monomials, terms_expr
 from gainproof.verify.judge.freed.special_points import point_text
 from gainproof.verify.judge.verdict_words import LACKS_VALUE
 
-EVERY = frozenset((-1, 0, 1))
+PRECISION = 128
 METHOD = "one part of the domain after the other"
 Told = Mapping[Sides, Signs]
 
@@ -70,7 +74,7 @@ def by_parts(
         except Undecided as reason:
             reasons.append(str(reason))
     certificate = certificate_of(statement, boxes, parameter, labels)
-    if all(outcome.verdict == "proved" for _, outcome in found) and not reasons and found:
+    if found and not reasons and all(outcome.verdict == "proved" for _, outcome in found):
         everywhere = domain_text(statement, boxes, labels)
         loose = nothing or not all(_has_values(part, parameter, decides) for part, _ in found)
         domain = where_valued(everywhere) if loose else everywhere
@@ -85,9 +89,11 @@ def by_parts(
         raise Undecided("; ".join(dict.fromkeys(reasons)) or "no value on any part of the domain")
     failing.sort(key=lambda each: (each[1].verdict != "refuted", not _is_wide(each[0])))
     part, fails = failing[0]
-    witness = _told_anew(fails.witness, part, statement)
+    witness = fails.witness if part.lacks else _told_anew(fails.witness, part, statement)
+    assert witness is not None
     method = f"{METHOD}; {fails.method}"
-    holding = [(p, o) for p, o in found if o.verdict in ("proved", "conditional")]
+    claimed = [(p, o) for p, o in found if not p.only_values]
+    holding = [(p, o) for p, o in claimed if o.verdict in ("proved", "conditional")]
     if not any(_is_wide(p) for p, _ in holding):
         first = _in_first_steps(statement, boxes, parameter, labels, decides, part.steps)
         if first is not None:
@@ -98,7 +104,9 @@ def by_parts(
     told = _merged([*nothing, *[p.told for p, o in holding if o.verdict == "proved"]])
     words = [_text(each, labels, parts) for each in told]
     words += [_partly(p, o, parts) for p, o in holding if o.verdict == "conditional"]
-    domain = f"for {' or '.join(dict.fromkeys(words))}"
+    domain = "everywhere" if {} in told else f"for {' or '.join(dict.fromkeys(words))}"
+    if any(p.only_values for p, _ in failing):
+        domain = where_valued(domain)
     extent = "holds at least" if reasons else "holds"
     reason = f"fails {witness.text()}; {extent} {domain}"
     return Outcome("conditional", domain, reason, method, witness, certificate, fails.reach)
@@ -118,7 +126,7 @@ def _in_first_steps(
     own = [over for over in steps if symbols_of(over) <= statement.symbols()]
     rels = [Rel(o, over, number(k)) for over in own for o, k in ((">=", 0), ("<", 1))]
     within = Part(statement, boxes, labels).under(*rels)
-    if not own or within is None:
+    if not own or within is None or not {*within.within()[0].given} - {*statement.given}:
         return None
     try:
         found = decides(*within.within(), parameter, labels)
@@ -166,9 +174,20 @@ def _without_value(
     found = decides(false, boxes, parameter, part.labels)
     if found.witness is None:
         raise Undecided("a function without a value")
+    point = _told_anew(found.witness, part, statement).point
+    names = {part.labels.get(name, name): name for name in statement.symbols()}
+    try:
+        balls = Balls({names[label]: Fraction(v) for label, v in point.items()}, PRECISION)
+    except (KeyError, ValueError):
+        balls = Balls({}, PRECISION)
     none = Enclosure("", "", part.lacks)
-    rel = statement.relations[0]
-    lacking = Witness(found.witness.point, rel.operator, none, none, note=LACKS_VALUE)
+    for rel in statement.relations:
+        sides = [value_shown(side, balls) for side in (rel.left, rel.right)]
+        if any(side.undefined not in (None, NOT_EVALUATED) for side in sides):
+            break
+    else:
+        sides = [none, none]
+    lacking = Witness(point, rel.operator, *sides, note=LACKS_VALUE)
     return replace(found, verdict="refuted", witness=lacking)
 
 
@@ -238,7 +257,7 @@ def _told_anew(witness: Witness | None, part: Part, statement: Statement) -> Wit
             return witness
         values[name] = number(value)
     values |= fixed
-    point = {n: folded(substituted(e, values)) for n, e in part.back.items()}
+    point = {n: folded(terms_expr(monomials(substituted(e, values)))) for n, e in part.back.items()}
     point |= {n: values[n] for n in statement.symbols() if n in values and n not in point}
     if any(symbols_of(value) for value in point.values()):
         return witness

@@ -25,6 +25,7 @@ from gainproof.verify.judge.exact.expression import (
     div,
     neg,
     number,
+    power,
     symbol,
     symbols_of,
     weighted,
@@ -37,7 +38,7 @@ from gainproof.verify.judge.exact.simple_points import simple_points
 from gainproof.verify.judge.exact.statement import ALLOWED, Rel, Statement
 from gainproof.verify.judge.exact.total import is_total
 from gainproof.verify.judge.freed.circle import PI, TURN
-from gainproof.verify.judge.freed.monomials import UNIT, Monomial, Terms, monomial_expr, monomials, terms_expr
+from gainproof.verify.judge.freed.monomials import UNIT, Terms, monomial_expr, monomials, terms_expr
 from gainproof.verify.judge.freed.rewriting import bound_names
 from gainproof.verify.judge.meaning.domains import is_whole
 from gainproof.verify.judge.reader.words import OF_CASES
@@ -47,6 +48,7 @@ MOST_STEPS = 4
 """Whole numbers that a whole part may be, for it to be looked at one by one."""
 PRECISION = 128
 ZERO = number(0)
+EVERY = frozenset((-1, 0, 1))
 WHOLE, ABOVE = "whole part of ", "part above "
 """Begin the names of what replaces symbols."""
 
@@ -60,7 +62,8 @@ Holds = Callable[[Rel, "Part"], bool]
 class Part:
     """A part of the domain. `told` are the signs that differences of two sides have on it, `back`
     what symbols were that are replaced, by the whole parts of `steps` and what is above these.
-    `lacks` says why a function has no value on it.
+    `lacks` says why a function has no value on it. With `only_values` the statement asks whether
+    what decides on further parts has values on it.
     """
 
     statement: Statement
@@ -70,6 +73,7 @@ class Part:
     back: Mapping[str, Expr] = field(default_factory=dict)
     steps: tuple[Expr, ...] = ()
     lacks: str = ""
+    only_values: bool = False
 
     @property
     def conditions(self) -> tuple[Rel, ...]:
@@ -100,7 +104,13 @@ class Part:
         narrowed, left = bounded(boxes, relations)
         boxes = {n: replace(box, stated=boxes[n].stated) for n, box in narrowed.items()}
         statement = self.statement.mapped(put_in)
-        return replace(statement, given=(*statement.given, *left)), boxes
+        statement = replace(
+            statement,
+            relations=tuple(map(_signed, statement.relations)),
+            conditions=tuple(map(_signed, statement.conditions)),
+        )
+        given = tuple(r for r in (*statement.given, *left) if plain(r)[0] is not True)
+        return replace(statement, given=given), boxes
 
     def under(self, *relations: Rel) -> Part | None:
         """Where these relations hold; None if that is nowhere, at a glance."""
@@ -111,12 +121,28 @@ class Part:
                 if not sides:
                     return None
                 continue
-            told[sides] = told.get(sides, frozenset((-1, 0, 1))) & signs
+            told[sides] = told.get(sides, self._known(sides)) & signs
             if not told[sides]:
                 return None
         found = replace(self, told=told)
         whole = (value for n, value in found.fixed.items() if self.boxes[n].integer)
         return found if all(is_whole(value, {}) for value in whole) else None
+
+    def _known(self, sides: Sides) -> Signs:
+        """The signs that the domain leaves to a difference, as far as it speaks of it alone."""
+        found = EVERY
+        for rel in self.statement.domain:
+            same, signs = plain(rel)
+            found &= signs if same == sides else EVERY
+        box = self.boxes.get(str(sides[0].value)) if sides[0].kind == "symbol" else None
+        if box is not None and sides[1].kind == "number":
+            for end, is_open, beyond in (
+                (box.lower, box.lower_open, 1),
+                (box.upper, box.upper_open, -1),
+            ):
+                if end == sides[1].fraction:
+                    found &= {beyond} if is_open else {beyond, 0}
+        return found
 
     def put_in(self, node: Expr, value: Expr) -> Part:
         """With a value in the place of a node."""
@@ -139,16 +165,16 @@ def plain(rel: Rel) -> tuple[Sides | bool, Signs]:
     signs = frozenset(ALLOWED[rel.operator])
     try:
         terms = monomials(rel.left - rel.right)
-        if any((PI, -1) in monomial for monomial in terms):
-            terms = monomials(terms_expr(terms) * PI)
+        least = min((dict(monomial).get(PI, 0) for monomial in terms), default=0)
+        if least:
+            terms = monomials(terms_expr(terms) * power(PI, -least))
     except Undecided:
         return (rel.left, rel.right), signs
     if len(terms) < 2 and set(terms) <= {UNIT, TURN}:
         c = sum(terms.values())
         return (c > 0) - (c < 0) in signs, signs
-    if len(terms) == 1 and (inner := _of_one_sign(*terms)) is not None:
-        operator = rel.operator if next(iter(terms.values())) > 0 else _mirrored(rel.operator)
-        return plain(Rel(operator, inner, ZERO))
+    if (inner := _signed(rel)) != rel:
+        return plain(inner)
     rest = {m: c for m, c in terms.items() if m not in (UNIT, TURN)}
     if not rest:
         return (rel.left, rel.right), signs
@@ -161,15 +187,18 @@ def plain(rel: Rel) -> tuple[Sides | bool, Signs]:
     ), signs
 
 
-def _of_one_sign(monomial: Monomial) -> Expr | None:
-    """What has the same sign as an arc tangent; None for anything else."""
-    ((base, n), *others) = monomial
-    is_angle = base.kind == "call" and base.name == "atan" and n == 1 and not others
-    return base.parts[0] if is_angle else None
-
-
-def _mirrored(operator: str) -> str:
-    return operator_of(frozenset(-sign for sign in ALLOWED[operator]))
+def _signed(rel: Rel) -> Rel:
+    """What compares a multiple of an arc tangent with 0 as what compares its argument; anything
+    else as it is.
+    """
+    with suppress(Undecided):
+        terms = monomials(rel.left - rel.right)
+        ((monomial, c),) = terms.items() if len(terms) == 1 else [(UNIT, Fraction(1))]
+        ((base, n),) = monomial if len(monomial) == 1 else [(ZERO, 1)]
+        if base.kind == "call" and base.name == "atan" and n == 1:
+            signs = frozenset(sign if c > 0 else -sign for sign in ALLOWED[rel.operator])
+            return Rel(operator_of(signs), base.parts[0], ZERO)
+    return rel
 
 
 def _sum(terms: Terms) -> Expr:
@@ -187,7 +216,14 @@ def parts_of(
         if len(waiting) + len(done) > MOST_PARTS:
             raise Undecided(f"more than {MOST_PARTS} cases")
         part = waiting.pop()
-        part = replace(part, statement=with_arguments(part.statement))
+        asked = with_arguments(part.statement)
+        new = [each for each in asked.needed if each not in part.statement.needed]
+        if new:
+            # on no further part is anything said where these have no value
+            given = (*part.statement.domain, *asked.given[len(part.statement.given) :])
+            valued = Statement(tuple(Rel("<=", each, each) for each in new), given=given)
+            waiting.append(replace(part, statement=valued, only_values=True))
+        part = replace(part, statement=asked)
         jump = next((n for n in nodes(*part.statement.exprs()) if has_jumps(n)), None)
         if jump is None or part.lacks:
             done.append(part)
@@ -295,7 +331,7 @@ def _cases(
 
 
 def _opposite(rel: Rel) -> Rel:
-    signs = frozenset((-1, 0, 1)) - frozenset(ALLOWED[rel.operator])
+    signs = EVERY - frozenset(ALLOWED[rel.operator])
     return replace(rel, operator=operator_of(signs))
 
 
@@ -313,7 +349,7 @@ def _whole_parts(part: Part, node: Expr, holds: Holds) -> Iterator[Part | None]:
     whole[UNIT] = terms.get(UNIT, Fraction(0)) - shift
     if shift:
         rest[UNIT] = shift
-    over, outside = terms_expr(rest), terms_expr({m: c for m, c in whole.items() if c})
+    over, outside = _sum(rest), _sum({m: c for m, c in whole.items() if c})
     known = _floor_at(over, {})
     if known is not None:
         yield part.put_in(node, add(outside, number(known)))

@@ -109,7 +109,7 @@ class Ranges:
         box = Box(stated=False) if self._is_open(node) else self._any(node)
         most = Fraction(1) if node.name == "erf" else None
         least = None if most is None else -most
-        if node.name == "sum" or not (box.stated or self._is_bounded(node)):
+        if node.name == "sum" or (not box.stated and node.name != "atan"):
             return replace(box, lower=least, upper=most)
         over = node.parts[0] - (1 if node.name == "log" else 0)
         if self.is_positive(over):
@@ -121,11 +121,6 @@ class Ranges:
     def _any(self, *exprs: Expr) -> Box:
         names = symbols_of(*exprs) - {VARIABLE.name, EULER.name}
         return Box(stated=not names or any(self.boxes[n].stated for n in names if n in self.boxes))
-
-    def _is_bounded(self, node: Expr) -> bool:
-        """Whether a symbol in it has a domain with an end."""
-        known = (self.boxes.get(name, Box()) for name in symbols_of(node))
-        return any((box.lower, box.upper) != (None, None) for box in known)
 
     def _is_open(self, node: Expr) -> bool:
         """Whether a sum of one term of a sequence or more, whatever its bounds: the term with the
