@@ -14,7 +14,7 @@ from gainproof.verify.judge.exact.enclosure import value_shown
 from gainproof.verify.judge.exact.expression import Expr, number, symbols_of, walk
 from gainproof.verify.judge.exact.expression_text import labelled
 from gainproof.verify.judge.exact.functions import has_jumps
-from gainproof.verify.judge.exact.limits import Undecided
+from gainproof.verify.judge.exact.limits import NOWHERE, Undecided
 from gainproof.verify.judge.exact.points import try_points
 from gainproof.verify.judge.exact.statement import (
     NOT_EVALUATED,
@@ -30,6 +30,7 @@ from gainproof.verify.judge.freed.certificate import Decides, certificate_of
 from gainproof.verify.judge.freed.domain_words import domain_text
 from gainproof.verify.judge.freed.folding import folded
 from gainproof.verify.judge.freed.freely import where_valued
+from gainproof.verify.judge.freed.induction import open_sums
 from gainproof.verify.judge.freed.jumps import EVERY, Part, Sides, Signs, operator_of, parts_of
 from gainproof.verify.judge.freed.monomials import monomials, terms_expr
 from gainproof.verify.judge.freed.special_points import point_text
@@ -72,7 +73,9 @@ def by_parts(
                 came = decides(*part.within(), parameter, part.labels)
             found.append((part, came))
         except Undecided as reason:
-            reasons.append(str(reason))
+            # the first way to decide is said first; of a sum it may speak of a step of an induction
+            if not str(reason).startswith(NOWHERE) or open_sums(part.statement):
+                reasons.append(str(reason))
     certificate = certificate_of(statement, boxes, parameter, labels)
     if found and not reasons and all(outcome.verdict == "proved" for _, outcome in found):
         everywhere = domain_text(statement, boxes, labels)

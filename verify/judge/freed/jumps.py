@@ -125,8 +125,11 @@ class Part:
             if not told[sides]:
                 return None
         found = replace(self, told=told)
+        put_in = partial(substituted, values=found.fixed)
+        there = (Rel(r.operator, put_in(r.left), put_in(r.right)) for r in found.conditions)
         whole = (value for n, value in found.fixed.items() if self.boxes[n].integer)
-        return found if all(is_whole(value, {}) for value in whole) else None
+        is_empty = any(plain(rel)[0] is False for rel in there)
+        return None if is_empty or not all(is_whole(value, {}) for value in whole) else found
 
     def _known(self, sides: Sides) -> Signs:
         """The signs that the domain leaves to a difference, as far as it speaks of it alone."""
@@ -216,6 +219,8 @@ def parts_of(
         if len(waiting) + len(done) > MOST_PARTS:
             raise Undecided(f"more than {MOST_PARTS} cases")
         part = waiting.pop()
+        known = partial(substituted, values=part.fixed)
+        part = replace(part, statement=part.statement.mapped(known))
         asked = with_arguments(part.statement)
         new = [each for each in asked.needed if each not in part.statement.needed]
         if new:

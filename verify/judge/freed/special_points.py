@@ -149,6 +149,10 @@ def _candidates(
     box = boxes.get(name, Box())
     ends = [end for end in (box.lower, box.upper, inside(box, 1)) if end is not None]
     yield from (number(each) for each in (*ends, *SIMPLE, *numbers))
+    for rel in statement.domain:
+        sides = (rel.left, rel.right)
+        if symbol(name) in sides and symbols_of(*sides) == {name}:
+            yield from (side for side in sides if not symbols_of(side))
     for node in walk(*statement.exprs()):
         if node.kind != "call" or name not in symbols_of(node) or not node.parts:
             continue

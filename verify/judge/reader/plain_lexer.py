@@ -170,6 +170,8 @@ class _PlainLexer:
     def _mark(self) -> None:
         text, start = self.text, self.position
         mark = next((m for n in (3, 2, 1) if (m := text[start : start + n]) in _MARKS), "")
+        if text[start] == "%":
+            raise self._error("% may be one of two remainders: write mod(x, y)", "%")
         if not mark:
             problem = f"the character {text[start]!r} has no meaning in plain text"
             raise self._error(problem, text[start])
@@ -192,9 +194,11 @@ class _PlainLexer:
     def _closed(self, opening: int, separators: list[int], value: str) -> tuple[str, str]:
         """What closes the bracket `opening`: square brackets with a semicolon hold a matrix."""
         if self.tokens[opening].kind == "CASES_OPEN" and value == ")":
-            for number in separators:
+            only_commas = all(self.tokens[number].kind == "COMMA" for number in separators)
+            for place, number in enumerate(separators):
                 if self.tokens[number].kind == "COMMA":
-                    self.tokens[number] = replace(self.tokens[number], kind="CELL")
+                    kind = "LINE" if only_commas and place % 2 else "CELL"
+                    self.tokens[number] = replace(self.tokens[number], kind=kind)
             return "CASES_CLOSE", CASES
         if self.tokens[opening].kind == "LEFT_BRACE" and value == ")":
             return "RIGHT_BRACE", "}"
