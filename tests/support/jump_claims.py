@@ -9,18 +9,21 @@ is used.
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from fractions import Fraction
 from random import Random
+from typing import Any
 
 import mpmath
 
 DIGITS = 60
 NEAR = mpmath.mpf(10) ** -40
 
-Tree = tuple
+Tree = Any
 """A letter, a number, "pi", or a name with its parts."""
+
+Point = Mapping[str, tuple[Fraction, Fraction]]
 
 LAWS: tuple[Tree, ...] = (
     ("=", ("max", "a", "b"), ("/", ("+", ("+", "a", "b"), ("abs", ("-", "a", "b"))), 2)),
@@ -48,8 +51,11 @@ LAWS: tuple[Tree, ...] = (
     ("=", ("WRAP", ("WRAP", "a")), ("WRAP", "a")),
     ("<", ("WRAP", "a"), "pi"),
     (">=", ("WRAP", "a"), ("-", 0, "pi")),
-    ("=", ("cases", ("MOD", "a"), ("<=", ("MOD", "a"), "pi"), ("-", ("MOD", "a"), ("*", 2, "pi"))),
-     ("TURN", "a")),
+    (
+        "=",
+        ("cases", ("MOD", "a"), ("<=", ("MOD", "a"), "pi"), ("-", ("MOD", "a"), ("*", 2, "pi"))),
+        ("TURN", "a"),
+    ),
     ("<=", ("atan2", "a", "b"), "pi"),
     (">", ("atan2", "a", "b"), ("-", 0, "pi")),
     ("=", ("atan2", ("*", 3, "a"), ("*", 3, "b")), ("atan2", "a", "b")),
@@ -59,8 +65,11 @@ LAWS: tuple[Tree, ...] = (
     ("=", ("atan2", "a", "b"), ("*", 2, ("atan", ("/", "a", ("+", ("HYPOT", "a", "b"), "b"))))),
     ("=", ("cos", ("-", ("atan2", "a", "b"), "b")), ("cos", ("-", "b", ("atan2", "a", "b")))),
     ("=", ("abs", ("atan2", "a", "b")), ("atan2", ("abs", "a"), "b")),
-    ("=", ("sign", ("atan2", "a", "b")), ("cases", 1, (">", "a", 0), -1, ("<", "a", 0),
-     0, (">", "b", 0), 1)),
+    (
+        "=",
+        ("sign", ("atan2", "a", "b")),
+        ("cases", 1, (">", "a", 0), -1, ("<", "a", 0), 0, (">", "b", 0), 1),
+    ),
 )
 """All true, where both sides have a value, of whatever the letters are."""
 HALF = (
@@ -87,7 +96,7 @@ SWAPPED = {
     ">": ">=", ">=": ">", "sin": "cos", "cos": "sin",
 }  # fmt: skip
 PLACES = ("x", "y", ("+", "x", "y"), ("-", "x", "y"), ("*", 2, "x"), ("-", "x", 1), ("/", "x", 2))
-SHORT = {
+SHORT: Mapping[str, Any] = {
     "TURN": lambda a: ("atan2", ("sin", a), ("cos", a)),
     "WRAP": lambda a: ("-", a, ("*", ("*", 2, "pi"), ("floor", ("/", ("+", a, "pi"), ("*", 2, "pi"))))),
     "MOD": lambda a: ("mod", a, ("*", 2, "pi")),
@@ -150,7 +159,7 @@ VALUES = [
     for p, q in [
         (0, 0), (1, 0), (-1, 0), (2, 0), (-2, 0), (3, 0), (-3, 0), ("1/2", 0), ("-1/2", 0), ("3/2", 0),
         ("-7/3", 0), ("22/7", 0), (0, 1), (0, -1), (0, "1/2"), (0, "-1/2"), (0, 2), (0, "3/2"),
-        (1, 1), (-1, 1), (1, -1), ("31/5", 0), (7, 0), (-9, 0), ("1/10", -3),
+        (1, 1), (-1, 1), (1, -1), ("31/5", 0), (7, 0), (-9, 0), ("1/10", -3), (1, 4), (0, 7),
     ]
 ]  # fmt: skip
 """r and q of r + q pi."""
@@ -219,14 +228,14 @@ def _cases(parts: list[Tree]) -> str:
     return "; ".join([*lines, *([written(parts[-1])] if len(parts) % 2 else [])])
 
 
-def _holds(tree: Tree, point: dict) -> bool:
+def _holds(tree: Tree, point: Point) -> bool:
     name, left, right = tree
     a, b = value(left, point), value(right, point)
     gap = 0 if abs(a - b) < NEAR else a - b
     return {"=": gap == 0, "<": gap < 0, "<=": gap <= 0, ">": gap > 0, ">=": gap >= 0}[name]
 
 
-def value(tree: Tree, point: dict) -> mpmath.mpf:
+def value(tree: Tree, point: Point) -> Any:
     """The value at a point. Raises ZeroDivisionError where there is none."""
     if isinstance(tree, str) and tree in point:
         r, q = point[tree]
@@ -244,7 +253,7 @@ def value(tree: Tree, point: dict) -> mpmath.mpf:
     return _of(name, [value(part, point) for part in parts])
 
 
-def _of(name: str, parts: list) -> mpmath.mpf:
+def _of(name: str, parts: list[Any]) -> Any:
     a = mpmath.mpf(0) if abs(parts[0]) < NEAR else parts[0]
     b = None if len(parts) < 2 else mpmath.mpf(0) if abs(parts[1]) < NEAR else parts[1]
     match name:
@@ -275,6 +284,6 @@ def _of(name: str, parts: list) -> mpmath.mpf:
     return getattr(mpmath, name)(a)
 
 
-def _whole(a: mpmath.mpf, name: str) -> mpmath.mpf:
+def _whole(a: Any, name: str) -> Any:
     near = mpmath.nint(a)
     return near if abs(a - near) < NEAR else getattr(mpmath, name)(a)

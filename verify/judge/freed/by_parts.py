@@ -31,7 +31,15 @@ from gainproof.verify.judge.freed.domain_words import domain_text
 from gainproof.verify.judge.freed.folding import folded
 from gainproof.verify.judge.freed.freely import where_valued
 from gainproof.verify.judge.freed.induction import open_sums
-from gainproof.verify.judge.freed.jumps import EVERY, Part, Sides, Signs, operator_of, parts_of
+from gainproof.verify.judge.freed.jumps import (
+    EVERY,
+    Part,
+    Sides,
+    Signs,
+    is_above,
+    operator_of,
+    parts_of,
+)
 from gainproof.verify.judge.freed.monomials import monomials, terms_expr
 from gainproof.verify.judge.freed.special_points import point_text
 from gainproof.verify.judge.verdict_words import LACKS_VALUE
@@ -60,8 +68,8 @@ def by_parts(
     nothing: list[Told] = []
     try:
         parts = parts_of(statement, boxes, labels, partial(_holds, decides=decides))
-    except Undecided as reason:
-        parts, reasons = [], [str(reason)]
+    except Undecided as why:
+        parts, reasons = [], [str(why)]
     for part in parts:
         if part.lacks and not _counts(part):
             nothing.append(part.told)
@@ -72,10 +80,10 @@ def by_parts(
             else:
                 came = decides(*part.within(), parameter, part.labels)
             found.append((part, came))
-        except Undecided as reason:
+        except Undecided as why:
             # the first way to decide is said first; of a sum it may speak of a step of an induction
-            if not str(reason).startswith(NOWHERE) or open_sums(part.statement):
-                reasons.append(str(reason))
+            if not str(why).startswith(NOWHERE) or open_sums(part.statement):
+                reasons.append(str(why))
     certificate = certificate_of(statement, boxes, parameter, labels)
     if found and not reasons and all(outcome.verdict == "proved" for _, outcome in found):
         everywhere = domain_text(statement, boxes, labels)
@@ -172,8 +180,7 @@ def _without_value(
 ) -> Outcome:
     """Refuted at a point of a part on which a function has no value."""
     within, boxes = part.within()
-    given = tuple(r for r in within.domain if not any(map(has_jumps, walk(r.left, r.right))))
-    false = Statement((Rel("=", number(0), number(1)),), given=given)
+    false = Statement((Rel("=", number(0), number(1)),), given=within.domain)
     found = decides(false, boxes, parameter, part.labels)
     if found.witness is None:
         raise Undecided("a function without a value")
@@ -185,12 +192,12 @@ def _without_value(
         balls = Balls({}, PRECISION)
     none = Enclosure("", "", part.lacks)
     for rel in statement.relations:
-        sides = [value_shown(side, balls) for side in (rel.left, rel.right)]
-        if any(side.undefined not in (None, NOT_EVALUATED) for side in sides):
+        left, right = (value_shown(side, balls) for side in (rel.left, rel.right))
+        if not {left.undefined, right.undefined} <= {None, NOT_EVALUATED}:
             break
     else:
-        sides = [none, none]
-    lacking = Witness(point, rel.operator, *sides, note=LACKS_VALUE)
+        left, right = none, none
+    lacking = Witness(point, rel.operator, left, right, note=LACKS_VALUE)
     return replace(found, verdict="refuted", witness=lacking)
 
 
@@ -222,7 +229,8 @@ def _union(a: Told, b: Told) -> Told | None:
     if len(keys) > 1:
         return None
     union = {k: a.get(k, EVERY) | b.get(k, EVERY) for k in dict.fromkeys((*a, *b))}
-    return {k: signs for k, signs in union.items() if signs != EVERY}
+    # what is above a whole part is never below 0
+    return {k: s for k, s in union.items() if s != EVERY and not (s == {0, 1} and is_above(k[0]))}
 
 
 def _text(told: Told, labels: Mapping[str, str], parts: Iterable[Part]) -> str:
@@ -259,7 +267,7 @@ def _told_anew(witness: Witness | None, part: Part, statement: Statement) -> Wit
         if value is None:
             return witness
         values[name] = number(value)
-    values |= fixed
+    values |= {name: substituted(value, values) for name, value in fixed.items()}
     point = {n: folded(terms_expr(monomials(substituted(e, values)))) for n, e in part.back.items()}
     point |= {n: values[n] for n in statement.symbols() if n in values and n not in point}
     if any(symbols_of(value) for value in point.values()):

@@ -18,6 +18,7 @@ from math import inf
 from gainproof.verify.judge.domain import bounded, box_conditions
 from gainproof.verify.judge.exact.box import Box, Boxes
 from gainproof.verify.judge.exact.calculus import rebuilt, substituted
+from gainproof.verify.judge.exact.constant_value import constant_value
 from gainproof.verify.judge.exact.enclose import Balls, NoValue, Unresolved, compared, enclosed
 from gainproof.verify.judge.exact.expression import (
     Expr,
@@ -82,25 +83,31 @@ class Part:
 
     @property
     def fixed(self) -> dict[str, Expr]:
-        """The symbols that are numbers on it."""
-        return {
-            left.name: right
-            for (left, right), signs in self.told.items()
-            if signs == {0} and left.kind == "symbol" and not symbols_of(right)
-        }
+        """The symbols that equations of first degree give on it, by numbers and other symbols."""
+        found: dict[str, Expr] = {}
+        for (left, right), signs in self.told.items():
+            if signs != {0}:
+                continue
+            over = substituted(left - right, found)
+            for name in sorted(symbols_of(over)):
+                factor, rest = _line(over, name) or (ZERO, ZERO)
+                value = constant_value(factor)
+                if not value or (self.boxes[name].integer and symbols_of(rest)):
+                    continue
+                solved = {name: _sum(monomials(div(neg(rest), factor)))}
+                found = {n: substituted(e, solved) for n, e in found.items()} | solved
+                break
+        return found
 
     def within(self) -> tuple[Statement, Boxes]:
         """The statement under the conditions, bounds of symbols as those of their domains."""
         fixed = self.fixed
         boxes = {n: box for n, box in self.boxes.items() if n not in fixed}
         put_in = partial(substituted, values=fixed)
-        relations = [
-            Rel(r.operator, put_in(r.left), put_in(r.right))
-            for r in self.conditions
-            if r.operator != "=" or fixed.get(str(r.left.value)) != r.right
-        ]
+        relations = [Rel(r.operator, put_in(r.left), put_in(r.right)) for r in self.conditions]
         for name in fixed:
             relations += box_conditions(name, fixed[name], replace(self.boxes[name], integer=False))
+        relations = [rel for rel in relations if plain(rel)[0] is not True]
         narrowed, left = bounded(boxes, relations)
         boxes = {n: replace(box, stated=boxes[n].stated) for n, box in narrowed.items()}
         statement = self.statement.mapped(put_in)
@@ -156,6 +163,11 @@ class Part:
         return replace(self, statement=self.statement.mapped(change))
 
 
+def is_above(expr: Expr) -> bool:
+    """Whether it stands for what is above a whole part."""
+    return expr.kind == "symbol" and expr.name.startswith(ABOVE)
+
+
 def operator_of(signs: Signs) -> str:
     """The relation that is said by the signs of a difference."""
     return next(o for o, allowed in ALLOWED.items() if frozenset(allowed) == signs)
@@ -181,6 +193,8 @@ def plain(rel: Rel) -> tuple[Sides | bool, Signs]:
     rest = {m: c for m, c in terms.items() if m not in (UNIT, TURN)}
     if not rest:
         return (rel.left, rel.right), signs
+    if (whole := _whole_sides(terms, rest, signs)) is not None:
+        return whole
     lead = rest[min(rest, key=lambda m: monomial_expr(m).key)]
     if lead < 0:
         signs = frozenset(-sign for sign in signs)
@@ -188,6 +202,24 @@ def plain(rel: Rel) -> tuple[Sides | bool, Signs]:
         _sum({m: c / lead for m, c in rest.items()}),
         _sum({m: -c / lead for m, c in terms.items() if m in (UNIT, TURN)}),
     ), signs
+
+
+def _whole_sides(terms: Terms, rest: Terms, signs: Signs) -> tuple[Sides | bool, Signs] | None:
+    """What compares n + t and a whole number, as what compares n; None for anything else."""
+    pairs = {m: base for m in rest for base, k in m if len(m) == 1 and k == 1}
+    names = {str(base.value).removeprefix(WHOLE).removeprefix(ABOVE) for base in pairs.values()}
+    over = terms.get(UNIT, Fraction(0)) / next(iter(rest.values()))
+    alike = len(rest) == len(pairs) == 2 and len(names) == 1 and len(set(rest.values())) == 1
+    if not alike or TURN in terms or over.denominator > 1:
+        return None
+    if next(iter(rest.values())) < 0:
+        signs = frozenset(-sign for sign in signs)
+    n = next(base for base in pairs.values() if str(base.value).startswith(WHOLE))
+    known = {(True, True): EVERY, (False, False): frozenset[int]()}
+    kept = known.get(
+        (1 in signs, -1 in signs), frozenset((0, 1)) if 1 in signs else frozenset((-1,))
+    )
+    return (bool(kept) if kept in known.values() else (n, number(-over))), kept
 
 
 def _signed(rel: Rel) -> Rel:
@@ -245,9 +277,9 @@ def with_arguments(statement: Statement) -> Statement:
     """
     asked = (*[e for r in statement.asked for e in (r.left, r.right)], *statement.needed)
     inner, outer = _deciding(asked), _deciding(statement.exprs())
-    given = [Rel("<=", each, each) for each in outer if each not in inner]
+    valued = [Rel("<=", each, each) for each in outer if each not in inner]
     needed = tuple(dict.fromkeys((*statement.needed, *inner)))
-    given = tuple(dict.fromkeys((*statement.given, *given)))
+    given = tuple(dict.fromkeys((*statement.given, *valued)))
     return replace(statement, needed=needed, given=given)
 
 
@@ -369,9 +401,9 @@ def _whole_parts(part: Part, node: Expr, holds: Holds) -> Iterator[Part | None]:
         narrowed = part.under(*kept)
         if narrowed is not None and not any(holds(_opposite(rel), part) for rel in kept):
             yield narrowed.put_in(node, add(outside, number(k)))
-    replaced = None if steps else _in_steps(part, holds)
-    if steps or replaced is not None:
-        yield replaced
+    replaced = [] if steps else _in_steps(part, holds)
+    yield from replaced
+    if steps or replaced:
         return
     n = symbol(f"{WHOLE}{labelled(over, part.labels)}")
     boxes = {**part.boxes, n.name: Box(integer=True, stated=_is_stated(part, over))}
@@ -423,9 +455,10 @@ def _steps(part: Part, over: Expr, holds: Holds) -> range | None:
     return None if first is None or last is None else range(first, last + 1)
 
 
-def _in_steps(part: Part, holds: Holds) -> Part | None:
-    """With a symbol replaced, in which the argument of a whole part is of first degree: that whole
-    part, and what is above it. Of several with the longest steps, which the others divide.
+def _in_steps(part: Part, holds: Holds) -> list[Part | None]:
+    """With a symbol replaced, in which the argument of a whole part is of first degree, by that
+    whole part alone, and by it and what is above it; empty where there is none. Of several by those
+    with the longest steps, which the others divide.
     """
     best: tuple[float, str, Expr, Expr, Expr] | None = None
     for node in nodes(*part.statement.exprs()):
@@ -447,25 +480,31 @@ def _in_steps(part: Part, holds: Holds) -> Part | None:
                 if best is None or size < best[0]:
                     best = size, name, over, factor, rest
     if best is None:
-        return None
+        return []
     _, name, over, factor, rest = best
     text = labelled(over, part.labels)
     n, t = symbol(f"{WHOLE}{text}"), symbol(f"{ABOVE}{text}")
-    value = terms_expr(monomials(div(add(n, t, neg(rest)), factor)))
     box = part.boxes.get(name, Box(stated=False))
     boxes = {k: b for k, b in part.boxes.items() if k != name}
     boxes[n.name] = Box(integer=True, stated=box.stated)
     boxes[t.name] = Box(Fraction(0), Fraction(1), lower_open=False, stated=box.stated)
     labels = {**part.labels, n.name: f"floor({text})", t.name: f"mod({text}, 1)"}
-    moved = {name: value}
-    back = {k: substituted(e, moved) for k, e in {name: symbol(name), **part.back}.items()}
-    relations = [
-        Rel(r.operator, substituted(r.left, moved), substituted(r.right, moved))
-        for r in part.conditions
-    ]
-    statement = part.statement.mapped(lambda e: substituted(e, moved))
-    within = Part(statement, boxes, labels, {}, back, (*part.steps, over), part.lacks)
-    return within.under(*relations, *box_conditions(name, value, box))
+    found = []
+    for letters, sign in (((n,), 0), ((n, t), 1)):
+        value = terms_expr(monomials(div(add(*letters, neg(rest)), factor)))
+        put_in = partial(substituted, values={name: value})
+        within = replace(
+            part,
+            statement=part.statement.mapped(put_in),
+            boxes=boxes,
+            labels=labels,
+            told={(t, ZERO): frozenset((sign,))},
+            back={k: put_in(e) for k, e in {name: symbol(name), **part.back}.items()},
+            steps=(*part.steps, over),
+        )
+        moved = [Rel(r.operator, put_in(r.left), put_in(r.right)) for r in part.conditions]
+        found.append(within.under(*moved, *box_conditions(name, value, box)))
+    return found
 
 
 def _line(expr: Expr, name: str) -> tuple[Expr, Expr] | None:
