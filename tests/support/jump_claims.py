@@ -96,9 +96,10 @@ SWAPPED = {
     ">": ">=", ">=": ">", "sin": "cos", "cos": "sin",
 }  # fmt: skip
 PLACES = ("x", "y", ("+", "x", "y"), ("-", "x", "y"), ("*", 2, "x"), ("-", "x", 1), ("/", "x", 2))
+TURN = ("*", 2, "pi")
 SHORT: Mapping[str, Any] = {
     "TURN": lambda a: ("atan2", ("sin", a), ("cos", a)),
-    "WRAP": lambda a: ("-", a, ("*", ("*", 2, "pi"), ("floor", ("/", ("+", a, "pi"), ("*", 2, "pi"))))),
+    "WRAP": lambda a: ("-", a, ("*", TURN, ("floor", ("/", ("+", a, "pi"), TURN)))),
     "MOD": lambda a: ("mod", a, ("*", 2, "pi")),
     "HYPOT": lambda a, b: ("sqrt", ("+", ("*", a, a), ("*", b, b))),
 }  # fmt: skip
@@ -154,15 +155,14 @@ def _claim(tree: Tree, domain: tuple[Tree, ...] | None) -> JumpClaim:
     return JumpClaim(kind, written(tree), said, false, lacks, seen)
 
 
-VALUES = [
-    (Fraction(p), Fraction(q))
-    for p, q in [
-        (0, 0), (1, 0), (-1, 0), (2, 0), (-2, 0), (3, 0), (-3, 0), ("1/2", 0), ("-1/2", 0), ("3/2", 0),
+PLACED: tuple[tuple[int | str, int | str], ...] = (
+        (0, 0), (1, 0), (-1, 0), (2, 0), (-2, 0), (3, 0), (-3, 0), ("1/2", 0), ("-1/2", 0),
+        ("3/2", 0),
         ("-7/3", 0), ("22/7", 0), (0, 1), (0, -1), (0, "1/2"), (0, "-1/2"), (0, 2), (0, "3/2"),
         (1, 1), (-1, 1), (1, -1), ("31/5", 0), (7, 0), (-9, 0), ("1/10", -3), (1, 4), (0, 7),
-    ]
-]  # fmt: skip
+    )  # fmt: skip
 """r and q of r + q pi."""
+VALUES = [(Fraction(r), Fraction(q)) for r, q in PLACED]
 
 
 def _long(tree: Tree) -> Tree:

@@ -9,7 +9,7 @@ import flint
 
 from gainproof.verify.judge.exact.calculus import rebuilt
 from gainproof.verify.judge.exact.expression import Expr, walk
-from gainproof.verify.judge.exact.functions import Cases, ball_of, is_cases
+from gainproof.verify.judge.exact.functions import ball_of, first_case, is_cases
 from gainproof.verify.judge.exact.poly import Ball, rational
 from gainproof.verify.judge.exact.statement import ALLOWED
 
@@ -54,9 +54,11 @@ class Balls:
         """The first value whose conditions hold, none before it being open to doubt."""
         if node.kind != "call" or not is_cases(node.name, len(parts)):
             return None
-        for relations, value in Cases.of(Expr(node.kind, node.value, parts)).values:
+        rest: Expr | None = Expr(node.kind, node.value, parts)
+        while rest is not None:
+            comparisons, value, rest = first_case(rest)
             try:
-                known = [self._compared(*relation) for relation in relations]
+                known = [self._compared(*each) for each in comparisons]
             except NoValue:
                 break
             except Unresolved:

@@ -6,14 +6,13 @@ function, `erfinv` its inverse between -1 and 1: |x| < s 2^(1/2) erfinv(p) has p
 normal x of deviation s.
 
 Functions with jumps: `floor`; `atan2` of y and x, the angle of the point (x, y) above -pi and at
-most pi, of the origin none; and cases, whose name says how their parts are compared (`Cases`).
+most pi, of the origin none; and cases, whose name says how their parts are compared (`first_case`).
 `no jump` of y, x and a slope of y is 0 where that angle has a slope, and has no value elsewhere.
 """
 
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass
 from fractions import Fraction
 from types import MappingProxyType
 
@@ -28,27 +27,22 @@ MOST_POWER = 4096
 JUMPS = ("atan2", "floor", "no jump")
 
 
-@dataclass(frozen=True)
-class Cases:
-    """Values by conditions, of which the first that holds counts: each with operators and the pairs
-    of parts that they compare; the last may have none. Where no condition holds there is no value.
+Comparison = tuple[str, Expr, Expr]
 
-    `cases >,<= - ` is the name of a call with two conditions of one and two relations and a value
-    for all else: its parts are a value, two sides, a value, four sides, a value.
+
+def first_case(node: Expr) -> tuple[tuple[Comparison, ...], Expr, Expr | None]:
+    """Of cases what the first compares and its value, and all other cases, if there are any.
+
+    `cases >,<= -` is the name of a call with a value under two conditions and one for all else: its
+    parts are a value, four sides, a value. The first case counts whose conditions hold; where none
+    does there is no value.
     """
-
-    values: tuple[tuple[tuple[tuple[str, Expr, Expr], ...], Expr], ...]
-
-    @staticmethod
-    def of(node: Expr) -> Cases:
-        """The cases of a call that `is_cases`."""
-        rest = iter(node.parts)
-        found = []
-        for operators in node.name.split(" ")[1:]:
-            value = next(rest)
-            compared = [] if operators == "-" else operators.split(",")
-            found.append((tuple((each, next(rest), next(rest)) for each in compared), value))
-        return Cases(tuple(found))
+    first, *others = node.name.removeprefix(OF_CASES).split(" ")
+    operators = [] if first == "-" else first.split(",")
+    value, *rest = node.parts
+    sides, rest = rest[: 2 * len(operators)], rest[2 * len(operators) :]
+    other = Expr("call", OF_CASES + " ".join(others), tuple(rest)) if others else None
+    return tuple(zip(operators, sides[::2], sides[1::2], strict=True)), value, other
 
 
 def is_cases(name: str, count: int) -> bool:

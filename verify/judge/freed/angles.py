@@ -18,6 +18,7 @@ from gainproof.verify.judge.exact.expression import (
     Expr,
     add,
     div,
+    mul,
     neg,
     number,
     power,
@@ -32,6 +33,7 @@ from gainproof.verify.judge.freed.circle import PARTS, PI, TURN, cosine_of
 from gainproof.verify.judge.freed.domain_words import domain_text
 from gainproof.verify.judge.freed.freely import where_valued
 from gainproof.verify.judge.freed.monomials import Monomial, monomial_expr, monomials, terms_expr
+from gainproof.verify.judge.reader.words import OF_CASES
 
 OF_POINTS = ("atan", "atan2")
 MOST_MULTIPLE = 8
@@ -82,7 +84,10 @@ def without_angles(expr: Expr, is_positive: Positive) -> Expr:
         if node.kind != "call":
             return None
         if node.name == "atan2" and len(parts) == 2:
-            return _of_its_angle(*parts, is_positive) or _nearer(*parts, is_positive)
+            found = _of_its_angle(*parts, is_positive) or _nearer(*parts, is_positive)
+            # what is left out is still asked to have a value
+            rest = [mul(ZERO, part) for part in parts if not is_total(part)]
+            return add(found, *rest) if found is not None else None
         if node.name not in ("sin", "cos", "tan") or len(parts) != 1:
             return None
         try:
@@ -169,7 +174,8 @@ def by_points(
             return False
         return found.verdict == "proved"
 
-    if statement.connective != "if":
+    calls = (node for node in walk(*statement.exprs()) if node.kind == "call")
+    if statement.connective != "if" or any(n.name.startswith(OF_CASES) for n in calls):
         raise Undecided("")
     relations: list[Rel] = []
     needed: list[Expr] = []

@@ -26,7 +26,6 @@ from gainproof.verify.judge.freed.certificate import certificate_of
 from gainproof.verify.judge.freed.domain_words import domain_text
 from gainproof.verify.judge.freed.freely import VALUED, freely, refuse_without_value, where_valued
 from gainproof.verify.judge.freed.induction import open_sums
-from gainproof.verify.judge.freed.jumps import with_arguments
 from gainproof.verify.judge.freed.other_variables import in_other_variables
 from gainproof.verify.judge.freed.restated import put_in, restated
 from gainproof.verify.judge.freed.rewriting import has_functions
@@ -90,9 +89,8 @@ def _without_jumps(
         except Undecided:
             return False
 
-    asked = with_arguments(statement)
-    plainer = asked.mapped(lambda e: without_angles(e, is_positive))
-    if plainer != asked:
+    plainer = statement.mapped(lambda e: without_angles(e, is_positive))
+    if plainer != statement:
         found = decided(plainer, boxes, parameter, labels)
         return replace(found, certificate=certificate_of(statement, boxes, parameter, labels))
     try:

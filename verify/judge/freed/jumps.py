@@ -33,7 +33,7 @@ from gainproof.verify.judge.exact.expression import (
 )
 from gainproof.verify.judge.exact.expression import walk as nodes
 from gainproof.verify.judge.exact.expression_text import labelled
-from gainproof.verify.judge.exact.functions import Cases, has_jumps
+from gainproof.verify.judge.exact.functions import first_case, has_jumps
 from gainproof.verify.judge.exact.limits import Undecided
 from gainproof.verify.judge.exact.simple_points import simple_points
 from gainproof.verify.judge.exact.statement import ALLOWED, Rel, Statement
@@ -44,7 +44,7 @@ from gainproof.verify.judge.freed.rewriting import bound_names
 from gainproof.verify.judge.meaning.domains import is_whole
 from gainproof.verify.judge.reader.words import OF_CASES
 
-MOST_PARTS = 60
+MOST_PARTS = 300
 MOST_STEPS = 4
 """Whole numbers that a whole part may be, for it to be looked at one by one."""
 PRECISION = 128
@@ -246,52 +246,69 @@ def parts_of(
     statement: Statement, boxes: Boxes, labels: Mapping[str, str], holds: Holds
 ) -> list[Part]:
     """Parts that together are the domain, in which no function jumps. Raises Undecided."""
-    waiting, done = [Part(statement, boxes, labels)], list[Part]()
+    waiting, done, tried = [Part(statement, boxes, labels)], list[Part](), 0
     while waiting:
-        if len(waiting) + len(done) > MOST_PARTS:
-            raise Undecided(f"more than {MOST_PARTS} cases")
         part = waiting.pop()
-        known = partial(substituted, values=part.fixed)
-        part = replace(part, statement=part.statement.mapped(known))
-        asked = with_arguments(part.statement)
-        new = [each for each in asked.needed if each not in part.statement.needed]
-        if new:
-            # on no further part is anything said where these have no value
-            given = (*part.statement.domain, *asked.given[len(part.statement.given) :])
-            valued = Statement(tuple(Rel("<=", each, each) for each in new), given=given)
-            waiting.append(replace(part, statement=valued, only_values=True))
-        part = replace(part, statement=asked)
-        jump = next((n for n in nodes(*part.statement.exprs()) if has_jumps(n)), None)
+        put_in = partial(substituted, values=part.fixed)
+        part = replace(part, statement=part.statement.mapped(put_in))
+        claimed = first_jump(*_asked(part.statement))
+        jump = claimed or first_jump(*part.statement.exprs())
         if jump is None or part.lacks:
             done.append(part)
-        elif symbols_of(jump) & bound_names(part.statement):
+            continue
+        if symbols_of(jump) & bound_names(part.statement):
             raise Undecided("a function with jumps under a sum whose bounds are symbols")
-        else:
-            waiting += [each for each in _split(part, jump, holds) if each is not None]
+        # on no further part is anything said where what decides on it has no value
+        valued = tuple(Rel("<=", e, e) for e in _deciding(jump) if not is_total(e))
+        new = [rel for rel in valued if rel.left not in part.statement.needed]
+        if claimed is None:
+            part = replace(part, statement=_given(part.statement, *valued))
+        elif new:
+            alone = Statement(tuple(new), given=part.statement.domain)
+            waiting.append(replace(part, statement=alone, only_values=True))
+            needed = (*part.statement.needed, *[rel.left for rel in new])
+            part = replace(part, statement=replace(part.statement, needed=needed))
+        for each in _split(part, jump, holds):
+            tried += 1
+            if tried > MOST_PARTS:
+                raise Undecided(f"more than {MOST_PARTS} cases")
+            waiting += [] if each is None else [each]
     return done
 
 
-def with_arguments(statement: Statement) -> Statement:
-    """With the arguments of functions that jump asked to have a value, and what cases compare: a
-    statement on a part says nothing where these have none.
+def _asked(statement: Statement) -> tuple[Expr, ...]:
+    """Of what values are asked for on the whole domain."""
+    return (*[e for rel in statement.asked for e in (rel.left, rel.right)], *statement.needed)
+
+
+def _given(statement: Statement, *relations: Rel) -> Statement:
+    """Under further conditions."""
+    return replace(statement, given=tuple(dict.fromkeys((*statement.given, *relations))))
+
+
+def first_jump(*exprs: Expr) -> Expr | None:
+    """A function with jumps in whose arguments no other one is; of cases only what the first
+    compares is looked at, since of the rest no value may be asked.
     """
-    asked = (*[e for r in statement.asked for e in (r.left, r.right)], *statement.needed)
-    inner, outer = _deciding(asked), _deciding(statement.exprs())
-    valued = [Rel("<=", each, each) for each in outer if each not in inner]
-    needed = tuple(dict.fromkeys((*statement.needed, *inner)))
-    given = tuple(dict.fromkeys((*statement.given, *valued)))
-    return replace(statement, needed=needed, given=given)
+    without: set[bytes] = set()
+
+    def first(node: Expr) -> Expr | None:
+        if node.key in without:
+            return None
+        inner = _deciding(node) if node.kind == "call" and has_jumps(node) else node.parts
+        found = next((f for part in inner if (f := first(part)) is not None), None)
+        if found is None and not has_jumps(node):
+            without.add(node.key)
+        return found or (node if has_jumps(node) else None)
+
+    return next((f for expr in exprs if (f := first(expr)) is not None), None)
 
 
-def _deciding(exprs: Iterable[Expr]) -> list[Expr]:
-    found: list[Expr] = []
-    for node in nodes(*exprs):
-        if has_jumps(node) and node.name.startswith(OF_CASES):
-            compared_sides = (s for rels, _ in Cases.of(node).values for r in rels for s in r[1:])
-            found += [side for side in compared_sides if not is_total(side)]
-        elif has_jumps(node):
-            found += [part for part in node.parts if not is_total(part)]
-    return [each for each in dict.fromkeys(found) if not any(map(has_jumps, nodes(each)))]
+def _deciding(jump: Expr) -> tuple[Expr, ...]:
+    """What tells where a function jumps."""
+    if not jump.name.startswith(OF_CASES):
+        return jump.parts
+    return tuple(side for comparison in first_case(jump)[0] for side in comparison[1:])
 
 
 def _split(part: Part, node: Expr, holds: Holds) -> Iterator[Part | None]:
@@ -303,27 +320,27 @@ def _split(part: Part, node: Expr, holds: Holds) -> Iterator[Part | None]:
     elif node.name == "no jump":
         branches = _slopes(part, *node.parts)
     else:
-        branches = _cases(Cases.of(node).values, ())
+        branches = _cases(node)
     for relations, value, lack in branches:
-        within = part
-        for rel in relations:
-            if holds(_opposite(rel), within):
-                break
-            narrowed = within.under(rel)
-            if narrowed is None:
-                break
-            within = narrowed
+        within = _narrowed(part, relations, holds)
+        if within is None or value is not None:
+            yield within and within.put_in(node, value or ZERO)
+        elif part.statement.connective != "if":
+            yield within.put_in(node, div(number(1), ZERO))
         else:
-            yield _lacking(within, node, lack) if value is None else within.put_in(node, value)
+            # only conditions may ask for it: they say nothing where it has no value
+            is_asked = first_jump(*_asked(part.statement)) == node
+            yield replace(within, lacks=lack) if is_asked else None
 
 
-def _lacking(part: Part, node: Expr, lack: str) -> Part | None:
-    """Where a function has no value; None if only conditions ask for it, which say nothing then."""
-    statement = part.statement
-    if statement.connective != "if":
-        return part.put_in(node, div(number(1), ZERO))
-    asked = (*[e for r in statement.asked for e in (r.left, r.right)], *statement.needed)
-    return replace(part, lacks=lack) if node in nodes(*asked) else None
+def _narrowed(part: Part, relations: Iterable[Rel], holds: Holds) -> Part | None:
+    """Where relations hold; None if that is seen to be nowhere."""
+    found: Part | None = part
+    for rel in relations:
+        if found is None or holds(_opposite(rel), found):
+            return None
+        found = found.under(rel)
+    return found
 
 
 Branch = tuple[tuple[Rel, ...], Expr | None, str]
@@ -354,17 +371,12 @@ def _slopes(part: Part, y: Expr, x: Expr, rise: Expr) -> Iterator[Branch]:
     yield (*there, Rel("=", rise, ZERO)), value, ""
 
 
-def _cases(
-    values: tuple[tuple[tuple[tuple[str, Expr, Expr], ...], Expr], ...], before: tuple[Rel, ...]
-) -> Iterator[Branch]:
-    if not values:
-        yield before, None, "none of the cases"
-        return
-    (compared_here, value), *rest = values
-    relations = tuple(Rel(*each) for each in compared_here)
-    yield (*before, *relations), value, ""
+def _cases(node: Expr) -> Iterator[Branch]:
+    comparisons, value, other = first_case(node)
+    relations = tuple(Rel(*each) for each in comparisons)
+    yield relations, value, ""
     for k, rel in enumerate(relations):
-        yield from _cases(tuple(rest), (*before, *relations[:k], _opposite(rel)))
+        yield (*relations[:k], _opposite(rel)), other, "none of the cases"
 
 
 def _opposite(rel: Rel) -> Rel:

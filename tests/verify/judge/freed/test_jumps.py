@@ -9,6 +9,8 @@ from small_claims import SmallClaim, check, judged
 WRAPPED = "x - 2 pi floor((x + pi)/(2 pi))"
 TURNED = "atan2(sin(x), cos(x))"
 REMAINDER = "mod(x + pi, 2 pi) - pi"
+LETTER = "{ unit = '1', meaning = 'a coordinate' }"
+TWO_PI = "mod(x, 2 pi) - 2 pi"
 
 
 def _plain(formula: str, domain: str = "", kind: str = "") -> SmallClaim:
@@ -34,7 +36,7 @@ TRUE = [
     _plain(f"-pi <= {REMAINDER} < pi"),
     _plain(f"pi - mod(pi - x, 2 pi) = {TURNED}"),
     _plain(f"x + 2 pi floor((pi - x)/(2 pi)) = {TURNED}"),
-    _plain(f"cases(mod(x, 2 pi), mod(x, 2 pi) <= pi; mod(x, 2 pi) - 2 pi) = {TURNED}"),
+    _plain(f"cases(mod(x, 2 pi), mod(x, 2 pi) <= pi; {TWO_PI}) = {TURNED}"),
     _plain(f"cos({WRAPPED}) = cos(x)"),
     _plain(f"{TURNED} = x", r"-\pi < x \leq \pi"),
     _plain(f"cases(x - 2 pi, x > pi; x) = {TURNED}", r"-\pi < x \leq 3 \pi"),
@@ -67,7 +69,7 @@ FALSE = [
     ("conditional", _plain(f"-pi < {REMAINDER} <= pi")),
     ("conditional", _plain(f"{TURNED} = x", r"-\pi \leq x \leq \pi")),
     ("conditional", _plain(f"{TURNED} = x")),
-    ("conditional", _plain(f"cases(mod(x, 2 pi), mod(x, 2 pi) < pi; mod(x, 2 pi) - 2 pi) = {TURNED}")),
+    ("conditional", _plain(f"cases(mod(x, 2 pi), mod(x, 2 pi) < pi; {TWO_PI}) = {TURNED}")),
     ("refuted", _plain(f"sin({WRAPPED}) = -sin(x)")),
     ("conditional", _plain("mod(-x, m) = m - mod(x, m)", "m > 0")),  # 0 and m where m divides x
     ("conditional", _plain("0 <= mod(x, m) < m")),
@@ -131,9 +133,6 @@ def test_an_angle_that_jumps_has_no_trend() -> None:
     fields = "text = 'it falls'\nabout = ['b', 'y']\ntrend = 'decreasing'\ndomain = 'x < 0'"
     found = judged("monotone", fields, {**symbols, "x": LETTER, "y": LETTER})
     assert found.verdict == "undecided"
-
-
-LETTER = "{ unit = '1', meaning = 'a coordinate' }"
 
 
 @pytest.mark.parametrize(
