@@ -86,8 +86,8 @@ def without_angles(expr: Expr, is_positive: Positive) -> Expr:
         if node.name == "atan2" and len(parts) == 2:
             found = _of_its_angle(*parts, is_positive) or _nearer(*parts, is_positive)
             # what is left out is still asked to have a value
-            rest = [mul(ZERO, part) for part in parts if not is_total(part)]
-            return add(found, *rest) if found is not None else None
+            lost = [mul(ZERO, part) for part in parts if not is_total(part)]
+            return add(found, *lost) if found is not None else None
         if node.name not in ("sin", "cos", "tan") or len(parts) != 1:
             return None
         try:

@@ -27,19 +27,19 @@ from gainproof.verify.judge.exact.statement import (
 from gainproof.verify.judge.exact.total import is_total
 from gainproof.verify.judge.exact.witness import inside
 from gainproof.verify.judge.freed.certificate import Decides, certificate_of
-from gainproof.verify.judge.freed.domain_words import domain_text
-from gainproof.verify.judge.freed.folding import folded
-from gainproof.verify.judge.freed.freely import where_valued
-from gainproof.verify.judge.freed.induction import open_sums
-from gainproof.verify.judge.freed.jumps import (
+from gainproof.verify.judge.freed.domain_parts import (
     EVERY,
     Part,
     Sides,
     Signs,
     is_above,
     operator_of,
-    parts_of,
 )
+from gainproof.verify.judge.freed.domain_words import domain_text
+from gainproof.verify.judge.freed.folding import folded
+from gainproof.verify.judge.freed.freely import where_valued
+from gainproof.verify.judge.freed.induction import open_sums
+from gainproof.verify.judge.freed.jumps import parts_of
 from gainproof.verify.judge.freed.monomials import monomials, terms_expr
 from gainproof.verify.judge.freed.special_points import point_text
 from gainproof.verify.judge.verdict_words import LACKS_VALUE
