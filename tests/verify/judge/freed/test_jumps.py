@@ -50,11 +50,17 @@ TRUE = [
     _plain("mod(x + k m, m) = mod(x, m)", "m > 0"),
     _plain("floor(x + k) = floor(x) + k"),
     _plain("floor(x) = 2 <=> 2 <= x < 3", kind="equivalence"),
+    _plain("floor(x) >= 0", "x >= 0"),
+    _plain("ceil(x) > 0", "x > 0"),
+    _plain("floor(x) = 0", "0 <= x < 1"),
     # signs, greater and smaller numbers, cases
     _plain("sign(x) abs(x) = x"),
     _plain("max(a, b) = (a + b + abs(a - b))/2"),
     _plain("min(max(x, -1), 1) = cases(-1, x < -1; 1, x > 1; x)"),
     _plain("cases(1/x, x != 0; 0) x = sign(x)^2"),
+    # of cases that do not apply no value is asked
+    _plain("cases(floor(1/x), x != 0; 0) = cases(floor(1/x), x != 0; 0)", "-1 < x < 1"),
+    _plain("cases(0, x = 0; 1, 1/x > 0; 2) = cases(0, x = 0; 1, x > 0; 2)", "-1 < x < 1"),
     _plain("max(a, b) = cases(a, a > b; b)"),
 ]
 FALSE = [
@@ -74,6 +80,9 @@ FALSE = [
     ("conditional", _plain("mod(-x, m) = m - mod(x, m)", "m > 0")),  # 0 and m where m divides x
     ("conditional", _plain("0 <= mod(x, m) < m")),
     ("conditional", _plain("floor(x) < x")),
+    ("conditional", _plain("floor(x/2) < x/2", "x >= 0")),
+    ("conditional", _plain("floor(x) > 0", "x > 0")),
+    ("conditional", _plain("floor(x) = 0", "0 <= x <= 1")),
     ("conditional", _plain("ceil(x) = floor(x) + 1")),
     ("conditional", _plain("sign(x) = x/abs(x)", "-1 < x < 1")),  # no value at 0
     ("conditional", _plain("cases(1/x, x != 0; 0) x = 1", "-1 < x < 1")),
