@@ -85,6 +85,7 @@ def _input(argument: Argument, kernel: ExpressionKernel) -> Input:
         raise ExpressionError(
             f"{place}: one of several inputs, or a signed one, needs a greatest number, and a "
             f"least one above 0 unless it is signed; it is from {argument.lower} to {upper}"
+            + ("; zero=True admits 0 beside such a domain" if lower == 0 else "")
         )
     if argument.zero:
         raise ExpressionError(f"{place}: 0 is admitted beside a domain with both ends above 0")

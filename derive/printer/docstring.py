@@ -15,7 +15,7 @@ from gainproof.derive.printer.double_word.bound import units
 from gainproof.derive.printer.double_word.single import single_units
 from gainproof.derive.printer.formats import FLOAT64, Format
 from gainproof.derive.printer.kernel import Input, Kernel, Limit, Output, Requirement
-from gainproof.derive.printer.library import ULP, functions_of
+from gainproof.derive.printer.library import NUMPY, ULP, functions_of
 from gainproof.derive.printer.loss import Loss, loss_text
 from gainproof.derive.printer.signed_inputs import has_signs
 
@@ -133,6 +133,15 @@ def mathematics(kernel: Kernel, bounds: Sequence[KernelBound]) -> list[list[str]
         [line for required in kernel.requirements for line in _required(required)],
         [line for row in range(len(kernel.outputs)) for line in _output(kernel, bounds, row)],
     ]
+
+
+def described(kernel: Kernel, bounds: Sequence[KernelBound]) -> list[str]:
+    """The same as lines for other languages, by their names of functions, with the source."""
+    sections = [*mathematics(kernel, bounds), textwrap.wrap(f"Source: {kernel.source}", WIDTH)]
+    text = "\n\n".join("\n".join(section) for section in sections if section)
+    for ours, numpys in NUMPY.items():
+        text = text.replace(f"np.{numpys} ", f"{ours} ").replace(f"np.{numpys},", f"{ours},")
+    return text.splitlines()
 
 
 def _input(given: Input) -> Iterator[str]:

@@ -7,29 +7,21 @@ order in which the kernel computes them, so that a tool sees the roundings that 
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
 
-from gainproof.derive.printer.affine import in_two_parts
 from gainproof.derive.printer.arithmetic import literal
 from gainproof.derive.printer.bound import KernelBound
 from gainproof.derive.printer.constant import constant
-from gainproof.derive.printer.formats import FLOAT64, FORMATS, Format
+from gainproof.derive.printer.emitter import Language, emitted
+from gainproof.derive.printer.formats import FLOAT64, Format
 from gainproof.derive.printer.kernel import Input, Kernel, Module
 from gainproof.derive.printer.near_cbrt import ERROR
 from gainproof.derive.printer.plain import plain
 from gainproof.derive.printer.program import Program, Step
 from gainproof.derive.printer.register_plan import late
-from gainproof.derive.printer.threshold import threshold
 
 PRECISION = {"float64": "binary64", "float32": "binary32"}
-OPERATION = {
-    "add": "+",
-    "sub": "-",
-    "mul": "*",
-    "div": "/",
-    "neg": "-",
-    "abs": "fabs",
-    "near_cbrt": "cbrt",
-}
+OPERATION = {"neg": "-", "abs": "fabs", "near_cbrt": "cbrt"}
 """What FPCore calls otherwise. It has no bits of numbers: a start of a cube root is the root."""
 
 START = "The kernel starts {} from bits, at a number within {} of the cube root."
@@ -61,15 +53,36 @@ def _core(module: str, kernel: Kernel, bound: KernelBound, row: int) -> Iterator
     yield f"  {_let(steps, end, form, '{}')})"
 
 
+@dataclass(frozen=True)
+class _FPCore(Language):
+    def operation(self, sign: str, first: str, second: str) -> str:
+        return f"({sign} {first} {second})"
+
+    def sum_in_two_parts(self, text: str, rest: str) -> str:
+        return f"(+ {text} {rest})"
+
+    def call(self, name: str, parts: Sequence[str]) -> str:
+        return f"({OPERATION.get(name, name)} {' '.join(parts)})"
+
+    def choice(self, less: str, more: str, yes: str, no: str) -> str:
+        return f"(if (< {less} {more}) {yes} {no})"
+
+    def statement(self, name: str, text: str) -> str:
+        return f"[{name} {text}]"
+
+
 def _let(steps: Program, end: int, form: Format, last: str) -> str:
     """The steps that a value needs as bindings, and what becomes of the value."""
-    order = late(steps, [end])
-    value = last.format(_operand(steps, end, form))
-    if not order:
+
+    def name(number: int, step: Step) -> str:
+        return step.label if step.operation == "input" else _step(number)
+
+    made = emitted(steps, [end], _FPCore(form), name)
+    value = last.format(made.outputs[0])
+    if not made.lines:
         return value
     gap = "\n         "
-    bindings = gap.join(f"[{_step(number)} {_expression(steps, number, form)}]" for number in order)
-    return f"(let* ({bindings}){gap[:-5]}{value})"
+    return f"(let* ({gap.join(made.lines)}){gap[:-5]}{value})"
 
 
 def _step(number: int) -> str:
@@ -98,30 +111,3 @@ def _domain(given: Input, low: float, high: float) -> str:
     if given.integer:
         text = f"(and {text} (== {given.name} (floor {given.name})))"
     return f"(or (== {given.name} 0) {text})" if given.zero else text
-
-
-def _operand(steps: Program, number: int, form: Format) -> str:
-    step = steps.steps[number]
-    if step.operation == "input":
-        return step.label
-    if step.constant is not None:
-        return literal(step.constant.nearest(form))
-    return _step(number)
-
-
-def _expression(steps: Program, number: int, form: Format) -> str:
-    step: Step = steps.steps[number]
-    parts = [_operand(steps, part, form) for part in step.operands]
-    if step.scale is not None:
-        return f"(* {parts[0]} {literal(step.scale)})"
-    if step.operation == "select":
-        limit = threshold(steps, step, form)
-        value = literal(limit.value)
-        test = f"(< {parts[0]} {value})" if limit.input_first else f"(< {value} {parts[1]})"
-        return f"(if {test} {parts[2]} {parts[3]})"
-    text = f"({OPERATION.get(step.operation, step.operation)} {' '.join(parts)})"
-    found = in_two_parts(steps, number)
-    if found is None:
-        return text
-    affine = found[FORMATS.index(form)]
-    return f"(+ {text} {literal(affine.sign * affine.constant.remainder(form))})"

@@ -23,14 +23,19 @@ if TYPE_CHECKING:
 
     from gainproof.answers.answer import Answer
     from gainproof.answers.judge import Judge as Judge
+    from gainproof.bad_input import BadInputError as BadInputError
     from gainproof.notebook.front_door import Derivation
     from gainproof.notebook.judged_file import JudgedFile
 
-__all__ = ["Judge", "__version__", "ask", "check", "derivation"]
+__all__ = ["BadInputError", "Judge", "__version__", "ask", "check", "derivation"]
 
 
 def __getattr__(name: str) -> object:
-    """`Judge`, imported when it is asked for."""
+    """`Judge` and `BadInputError`, imported when they are asked for."""
+    if name == "BadInputError":
+        from gainproof.bad_input import BadInputError
+
+        return BadInputError
     if name == "Judge":
         from gainproof.answers.judge import Judge
 
@@ -78,7 +83,7 @@ def ask(
 
     Raises
     ------
-    gainproof.bad_input.BadInputError
+    gainproof.BadInputError
         For a formula that cannot be read, with a mark under the place, and for other bad input.
     """
     from gainproof.answers.judge import Judge
@@ -100,7 +105,7 @@ def derivation(name_or_file: str, *, fresh: bool = False) -> Derivation:
     executed: derived, and its certificate checked.
 
     `fresh`: take nothing from the cache. Deriving takes seconds to a minute, from the cache a
-    moment. Raises gainproof.bad_input.BadInputError for a name that there is not and for a model
+    moment. Raises gainproof.BadInputError for a name that there is not and for a model
     that cannot be derived.
     """
     from gainproof.notebook import front_door
@@ -112,7 +117,7 @@ def check(file: str, *, seconds: float | None = None, fresh: bool = False) -> Ju
     """The claims of a claim file, or of one of gainproof's own by its key, judged.
 
     A claim that takes more than `seconds` (None: as for `gainproof check`) is undecided. Raises
-    gainproof.bad_input.BadInputError for a file that cannot be used.
+    gainproof.BadInputError for a file that cannot be used.
     """
     from gainproof.claims.time_limit import DEFAULT
     from gainproof.notebook import front_door

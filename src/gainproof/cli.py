@@ -41,29 +41,32 @@ from gainproof.version import VERSION
 
 COMMANDS: Mapping[str, ModuleType] = {
     "ask": ask,
-    "serve": serve,
-    "run": run,
-    "derive": derive,
-    "generate": generate,
     "check": check,
-    "certify": certify,
     "explain": explain,
+    "design": design,
+    "generate": generate,
+    "derive": derive,
+    "list": listing,
     "cite": cite,
     "book": book,
-    "design": design,
+    "figure": figure,
     "locate": locate,
     "track": track,
-    "figure": figure,
-    "list": listing,
+    "serve": serve,
+    "run": run,
+    "certify": certify,
     "bench": bench,
     "campaign": campaign,
 }
+"""In the order of a user's questions."""
 COLLECTED = 100_000
 """New objects after which cycles are looked for. Certificates and verdicts are millions of objects
 without any: after every 700, as is usual, looking took more than half of this process's time."""
 DESCRIPTION = """\
-Steady-state gains of tracking filters: derived step by step, proved by certificates, printed as
-NumPy kernels with proved error bounds; and a judge that says whether a printed formula is right."""
+For tracking filters: says whether a printed formula is right, finds the gains that belong to given
+noises, shows derivations step by step, each step checked, and prints kernels whose error is proved.
+
+To begin with:  gainproof ask 'beta = alpha^2/(2 - alpha)'"""
 
 
 PLACES = ("out", "report", "state", "plot", "html", "new", "draft", "covariance", "example", "save")
@@ -120,7 +123,10 @@ def main(arguments: Sequence[str] | None = None, asked: Callable[[], bool] = lam
         if isinstance(stream, io.TextIOWrapper):
             stream.reconfigure(errors="replace")
     try:
-        if given and not given[0].startswith("-") and given[0] not in COMMANDS:
+        if not given:
+            make_parser().print_help()
+            return 2
+        if not given[0].startswith("-") and given[0] not in COMMANDS:
             raise unknown_name("command", given[0], COMMANDS)
         options = _options(given)
         for name in PLACES:

@@ -1,3 +1,3 @@
 """The version of gainproof, in a file of its own: the build reads it without importing."""
 
-VERSION = "0.1.0"
+VERSION = "0.2.0"

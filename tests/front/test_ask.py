@@ -19,12 +19,13 @@ from one_of_each import further
 import gainproof.answers
 from gainproof.answers.judge import Judge
 from gainproof.answers.question import Options
-from gainproof.answers.typed import is_plain
 from gainproof.bad_input import BadInputError
 from gainproof.claims.judgements import shipped_models
 from gainproof.cli import main
+from gainproof.verify.judge.claim.notation import is_plain
 
 SCHEMA = Path(gainproof.answers.__file__).with_name("answers.schema.json")
+MODELS = Path(__file__).parents[2] / "docs" / "models"
 HOSTILE = Path(__file__).parents[1] / "verify" / "judge" / "hostile"
 
 
@@ -290,6 +291,25 @@ def test_the_command(
     assert "wanted is NAME: and what it is" in capsys.readouterr().err
 
 
+def test_a_model_of_ones_own(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    """Acceleration constant over each half: 3 beta^2 + 16 alpha^2 + 16 alpha beta = 32 beta, from
+    the trace and determinant of (I - K H) F by hand; not so for a whole interval.
+    """
+    own = str(MODELS / "half_intervals.py")
+    formula = r"3\beta^2 + 16\alpha^2 + 16\alpha\beta - 32\beta = 0"
+    for model, word in ((own, "proved"), ("random-acceleration", "refuted")):
+        assert main(["ask", formula, "--model", model]) == 0
+        assert capsys.readouterr().out.splitlines()[1].strip().startswith(word)
+    saved = str(tmp_path / "new.toml")
+    for file, also, told in (
+        (own, ["--save", saved], "cannot name a model in Python"),
+        (str(MODELS / "correlated_velocity.py"), [], "it has parameters"),
+        (str(tmp_path / "none.py"), [], "none.py"),
+    ):
+        assert main(["ask", formula, "--model", file, *also]) == 2
+        assert told in capsys.readouterr().err
+
+
 def test_a_script_without_a_guard_is_not_executed_again(tmp_path: Path) -> None:
     file = tmp_path / "script.py"
     file.write_text(
@@ -329,7 +349,7 @@ def test_formulas_made_to_do_harm_do_none() -> None:
 
 def test_models_that_are_shipped_have_strengths_that_are_known() -> None:
     """A model of measured position that comes new needs its line in the table of noises."""
-    from gainproof.answers.question import _NOISE_ORDERS
+    from gainproof.verify.judge.claim.letters import NOISE_ORDERS
 
     positions = [m["name"] for m in shipped_models() if len(m["measurement"]) == 1]
-    assert set(positions) == set(_NOISE_ORDERS)
+    assert set(positions) == set(NOISE_ORDERS)

@@ -10,6 +10,7 @@ from typing import Any
 import pytest
 
 from gainproof import cli
+from gainproof.claims.source_words import claims_said
 from gainproof.files import places
 from gainproof.jobs.cache import default_folder
 
@@ -297,7 +298,7 @@ publication = "none"
 title = "numbers"
 kind = "algebra"
 [settings.s.symbols]
-'x' = { unit = "deg", meaning = "an angle" }
+'x' = { unit = "mm", meaning = "an angle" }
 'y' = { unit = "1", meaning = "a number" }
 [[claims]]
 id = "good"
@@ -331,7 +332,7 @@ def test_all_errors_are_told_in_one_run(broken: Path, capsys: Capture) -> None:
     assert cli.main(["check", str(broken)]) == 2
     shown = capsys.readouterr()
     assert not shown.out
-    assert "line 11: settings.s.symbols.x.unit: 'deg' is no unit: write rad" in shown.err
+    assert "line 11: settings.s.symbols.x.unit: 'mm' is no unit: write m" in shown.err
     assert "line 30, column 14: claims.bad.latex: the symbol z is not declared" in shown.err
     assert shown.err.count("claims.") == 1
 
@@ -374,7 +375,7 @@ def test_what_can_be_read_is_judged(broken: Path, capsys: Capture) -> None:
 
 
 def test_a_file_without_errors_is_the_same_with_keep_going(broken: Path, capsys: Capture) -> None:
-    broken.write_text(BROKEN.replace('"deg"', '"rad"').replace("y + z", "y + 0"), encoding="utf-8")
+    broken.write_text(BROKEN.replace('"mm"', '"m"').replace("y + z", "y + 0"), encoding="utf-8")
     assert cli.main(["check", str(broken), "--keep-going", "--json"]) == 0
     judged = json.loads(capsys.readouterr().out)
     assert (judged["errors"], judged["not_judged"]) == ([], [])
@@ -384,3 +385,27 @@ def test_a_file_without_errors_is_the_same_with_keep_going(broken: Path, capsys:
 def test_no_errata_of_a_file_with_errors(broken: Path, capsys: Capture) -> None:
     assert cli.main(["check", str(broken), "--keep-going", "--errata"]) == 2
     assert "made of files without errors" in capsys.readouterr().err
+
+
+def test_a_file_of_formulas_alone_is_checked_explained_and_has_errata(
+    tmp_path: Path, capsys: Capture
+) -> None:
+    path, sheet = tmp_path / "gains.toml", tmp_path / "sheet.md"
+    path.write_text(
+        'format = "gainproof claims 1"\nsymbols = "usual"\n'
+        "claims = ['beta = 2(2 - alpha) + 4 sqrt(1 - alpha)', '\\alpha < 1']\n"
+        '[source]\ntitle = "Notes"\n[settings.s]\ntitle = "s"\nkind = "steady_state"\n'
+        'model = "random-acceleration"\n',
+        encoding="utf-8",
+    )
+    assert cli.main(["check", str(path), "--errata", str(sheet)]) == 0
+    shown = capsys.readouterr().out
+    assert "1  refuted" in shown
+    assert "2  proved" in shown
+    assert "sign of a term" in sheet.read_text(encoding="utf-8")
+    said = claims_said(path.read_text(encoding="utf-8"))
+    meanings = ((r"\beta", "gain of the velocity"), (r"\alpha", "gain of the position"))
+    assert said["1"].symbols == meanings
+    assert said["2"].origin == "printed"
+    assert cli.main(["explain", str(path), "2"]) == 0
+    assert "2: proved" in capsys.readouterr().out

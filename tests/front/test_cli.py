@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import os
+import re
 import signal
 import subprocess
 import sys
@@ -122,7 +123,13 @@ def test_bad_input_is_answered_with_status_2(
     assert "Traceback" not in captured.err
 
 
-@pytest.mark.parametrize("arguments", [[], ["derive"], ["check", "--no-such-option"]])
+def test_no_command_shows_what_there_is(capsys: Capture) -> None:
+    assert cli.main([]) == 2
+    shown = capsys.readouterr().out
+    assert all(re.search(rf"^ +{name} ", shown, re.MULTILINE) for name in cli.COMMANDS)
+
+
+@pytest.mark.parametrize("arguments", [["derive"], ["check", "--no-such-option"]])
 def test_wrong_usage_has_status_2(arguments: list[str], capsys: Capture) -> None:
     with pytest.raises(SystemExit) as end:
         cli.main(arguments)

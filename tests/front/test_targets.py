@@ -11,7 +11,7 @@ import pytest
 
 from gainproof import cli
 from gainproof.derive.printer.program import FUNCTIONS
-from gainproof.standalone.shipped import test_c
+from gainproof.standalone.shipped import test_c, test_octave
 
 SUBJECT, MODULE = "least-squares-mean", "least_squares_mean"
 BOTH = ("--target", "fpcore", "--target", "c", "--target", "numpy")
@@ -26,8 +26,8 @@ def names(folder: Path) -> set[str]:
     return {p.relative_to(folder).as_posix() for p in folder.rglob("*.*")}
 
 
-def run_tests(folder: Path) -> subprocess.CompletedProcess[str]:
-    run = [sys.executable, "-m", "pytest", *QUIET, str(folder / "tests/test_c.py")]
+def run_tests(folder: Path, name: str = "c") -> subprocess.CompletedProcess[str]:
+    run = [sys.executable, "-m", "pytest", *QUIET, str(folder / f"tests/test_{name}.py")]
     plain = {"PYTHONDONTWRITEBYTECODE": "1", "PYTEST_DISABLE_PLUGIN_AUTOLOAD": "1"}
     own = {**os.environ, **plain}
     return subprocess.run(run, env=own, capture_output=True, text=True, check=False)
@@ -53,8 +53,32 @@ def test_other_targets_lie_in_folders_of_their_own(tmp_path: Path) -> None:
     assert names(package) == before
 
 
+@pytest.mark.parametrize(
+    ("name", "files"),
+    [
+        ("octave", {f"+{MODULE}/gains.m", f"+{MODULE}/predicted_covariance.m",
+                    f"+{MODULE}/updated_covariance.m", f"test_{MODULE}.m"}),
+        ("rust", {f"{MODULE}/Cargo.toml", f"{MODULE}/src/lib.rs", f"{MODULE}/tests/values.rs"}),
+    ],
+)  # fmt: skip
+def test_a_language_has_its_files_and_their_test(
+    tmp_path: Path, name: str, files: set[str]
+) -> None:
+    package = tmp_path / "mean_kernels"
+    assert generate(package, "--target", name) == 0
+    found = {each for each in names(package) if each.startswith(f"{name}/")}
+    assert found == {f"{name}/{each}" for each in files}
+    assert run_tests(package, name).returncode == 0
+    (source,) = (package / name / each for each in files if each.endswith(("gains.m", "lib.rs")))
+    text = source.read_text(encoding="utf-8")
+    source.write_text(text.replace(" + 1.0", " + 1.0000000000001"), encoding="utf-8")
+    assert source.read_text(encoding="utf-8") != text
+    said = run_tests(package, name).stdout
+    assert "skipped" in said or "failed" in said, said
+
+
 def test_the_functions_that_round_otherwise_are_those_that_kernels_call() -> None:
-    assert set(test_c.LIBRARY) == set(FUNCTIONS)
+    assert set(test_c.LIBRARY) == set(test_octave.LIBRARY) == set(FUNCTIONS)
 
 
 def test_other_targets_need_a_package(capsys: pytest.CaptureFixture[str]) -> None:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import ast
 import sys
+from collections.abc import Iterator
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -77,13 +78,24 @@ def border_of(path: str) -> Border:
     return max(matching, key=lambda border: len(border.folder))
 
 
+def statements(tree: ast.AST) -> Iterator[ast.AST]:
+    """All of a tree but expressions, which hold most of it and no import that is not a call."""
+    waiting = [tree]
+    while waiting:
+        node = waiting.pop()
+        yield node
+        inner = ast.iter_child_nodes(node)
+        waiting += (each for each in inner if not isinstance(each, ast.expr))
+
+
 def imported_names(source: str) -> list[tuple[int, str]]:
     """Line and dotted name of every import, wherever it stands; a relative one starts with a dot.
 
     `import_module` and `__import__` with a literal argument count; without one they come as `?`.
     """
     found: list[tuple[int, str]] = []
-    for node in ast.walk(ast.parse(source)):
+    calls = "import_module" in source or "__import__" in source
+    for node in (ast.walk if calls else statements)(ast.parse(source)):
         if isinstance(node, ast.Import):
             found += [(node.lineno, alias.name) for alias in node.names]
         elif isinstance(node, ast.ImportFrom):

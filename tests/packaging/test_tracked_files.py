@@ -10,7 +10,9 @@ import pytest
 
 ROOT = Path(__file__).resolve().parents[2]
 SUFFIXES = frozenset({".css", ".html", ".js", ".json", ".md", ".py", ".toml", ".typed"})
-OTHERS = frozenset({".gitignore", "LICENSE", "py.typed", ".ci/run", ".ci/thorough"})
+OTHERS = frozenset(
+    {".gitignore", "CITATION.cff", "LICENSE", "py.typed", ".ci/release", ".ci/run", ".ci/thorough"}
+)
 LINKS = frozenset(f"src/gainproof/{name}" for name in ("derive", "generated", "verify"))
 HOME = re.compile(rb"/(?:root|home|Users)/[A-Za-z.]")
 """Where users have their folders."""

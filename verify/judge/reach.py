@@ -38,12 +38,29 @@ def _sides(relations: tuple[Relation, ...]) -> Iterator[Graph]:
 
 def reached(claim: Claim, setting: Setting) -> frozenset[str]:
     """Declared symbols that the claim uses, or a definition or domain of one that it uses."""
+    return closure(used(claim, setting), setting.symbols)
+
+
+def used(claim: Claim, setting: Setting) -> set[str]:
+    """Names that stand in the claim itself, or in the equations of a filter that it names."""
     texts = {*claim.about, *claim.held, *filter(None, (claim.variable, claim.previous))}
     texts |= {name for graph in graphs_of_claim(claim) for name in names_in(graph)}
     for name in claim.ascending:
         for formula in setting.filters.get(name, ()):
             texts |= {token for graph in _graphs(formula) for token in names_in(graph)}
-    return closure(texts, setting.symbols)
+    return texts
+
+
+def named_by(setting: Setting) -> set[str]:
+    """Names in the matrices of a setting and in the equations of its filters."""
+    own = setting.own_model
+    matrices = [*setting.gain_matrices.values()]
+    if own is not None:
+        matrices += [own.transition, own.process_noise, own.measurement, own.measurement_noise]
+    graphs = [entry for rows in matrices for row in rows for entry in row]
+    for formulas in setting.filters.values():
+        graphs += [graph for formula in formulas for graph in _graphs(formula)]
+    return {name for graph in graphs for name in names_in(graph)}
 
 
 def closure(names: set[str], symbols: Mapping[str, SymbolEntry]) -> frozenset[str]:

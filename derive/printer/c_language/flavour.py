@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-import re
 from dataclasses import dataclass
 
 from gainproof.derive.printer.arithmetic import literal
+from gainproof.derive.printer.emitter import unlike
 from gainproof.derive.printer.formats import FLOAT32, FLOAT64, Format
 from gainproof.derive.printer.kernel import Kernel
 from gainproof.derive.printer.program import FUNCTIONS
@@ -63,19 +63,9 @@ SINGLE = Flavour(FLOAT32, "float", "_float", "f")
 FLAVOURS = (DOUBLE, SINGLE)
 
 
-def argument(name: str) -> str:
-    """The name of an input or output in C."""
-    taken = name in KEYWORDS or re.fullmatch(r"t\d+", name)
-    return f"{name}_" if taken else name
-
-
 def arguments(kernel: Kernel) -> tuple[list[str], list[str]]:
     """Names of inputs and outputs, no two alike."""
-    found = list[str]()
     named = [each.name for each in kernel.inputs] + [each.name for each in kernel.outputs]
-    for name in map(argument, named):
-        while name in found:
-            name = f"{name}_"
-        found.append(name)
+    found = unlike(named, KEYWORDS)
     count = len(kernel.inputs)
     return found[:count], found[count:]

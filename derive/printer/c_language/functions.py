@@ -3,15 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import replace
 
 from gainproof.derive.printer.bound import KernelBound
-from gainproof.derive.printer.c_language.body import Body, body
+from gainproof.derive.printer.c_language.body import body, required
 from gainproof.derive.printer.c_language.flavour import Flavour
 from gainproof.derive.printer.c_language.names import Names, codes
-from gainproof.derive.printer.constant import constant
-from gainproof.derive.printer.formats import FLOAT64
-from gainproof.derive.printer.kernel import Input, Kernel, Output, Requirement
+from gainproof.derive.printer.emitter import Body
+from gainproof.derive.printer.kernel import Input, Kernel
 
 
 def prototypes(names: Names, flavour: Flavour) -> list[str]:
@@ -32,8 +30,8 @@ def definitions(
 ) -> tuple[list[str], bool]:
     """All functions of one type, and whether they start cube roots."""
     made = body(kernel, flavour, _input_names(kernel, names))
-    wanted = [_required(kernel, each, names, flavour) for each in kernel.requirements]
-    near = made.near_cbrt or any(each.near_cbrt for each, _ in wanted)
+    wanted = required(kernel, flavour, _input_names(kernel, names))
+    near = any("near_cbrt" in each.operations for each in (made, *(each for each, _ in wanted)))
     lines = [
         *_values(names, flavour, made),
         *_fine(kernel, names, flavour, bound, wanted),
@@ -86,17 +84,6 @@ def _within(given: Input, name: str, flavour: Flavour, ends: tuple[float, float]
     if given.integer:
         text = f"({text} & ({name} == floor{flavour.letter}({name})))"
     return f"({text} | ({name} == 0))" if given.zero else text
-
-
-def _required(
-    kernel: Kernel, required: Requirement, names: Names, flavour: Flavour
-) -> tuple[Body, str]:
-    """The steps of what is required, and the condition on it."""
-    part = replace(kernel, outputs=(Output(required.name, required.meaning),))
-    made = body(part, flavour, _input_names(kernel, names))
-    limit = required.least if flavour.form is FLOAT64 else required.single
-    least = flavour.number(constant(limit).nearest(flavour.form))
-    return made, f"({made.outputs[0]} >= {least})"
 
 
 def _fine(

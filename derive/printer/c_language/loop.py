@@ -20,9 +20,9 @@ def c_loop(kernel: Kernel) -> str:
     lines = [
         "#include <math.h>",
         "#include <stddef.h>",
-        *(("#include <stdint.h>", "#include <string.h>") if made.near_cbrt else ()),
+        *(("#include <stdint.h>", "#include <string.h>") if "near_cbrt" in made.operations else ()),
         "",
-        *(near_cbrt(DOUBLE) if made.near_cbrt else ()),
+        *(near_cbrt(DOUBLE) if "near_cbrt" in made.operations else ()),
         f"void {kernel.name}(size_t n, {', '.join(arguments)})",
         "{",
         "    for (size_t i = 0; i < n; ++i) {",

@@ -11,9 +11,9 @@ from gainproof.derive.printer.c_language.flavour import DOUBLE, FLAVOURS
 from gainproof.derive.printer.c_language.functions import definitions, prototypes
 from gainproof.derive.printer.c_language.names import Names, codes, names_of
 from gainproof.derive.printer.canonical_json import canonical_json
-from gainproof.derive.printer.docstring import mathematics
+from gainproof.derive.printer.docstring import described
 from gainproof.derive.printer.kernel import Kernel, Module
-from gainproof.derive.printer.library import NUMPY, functions_of
+from gainproof.derive.printer.library import functions_of
 
 Bounds = Sequence[Sequence[KernelBound]]
 
@@ -90,18 +90,10 @@ def _header(module: Module, bounds: Bounds) -> Iterator[str]:
     yield from ("#ifdef __cplusplus", 'extern "C" {', "#endif")
     for kernel, pair in zip(module.kernels, bounds, strict=True):
         names = names_of(module.name, kernel)
-        yield from ("", *_comment(_described(kernel, pair)), *_enumeration(kernel, names))
+        yield from ("", *_comment(described(kernel, pair)), *_enumeration(kernel, names))
         for flavour in FLAVOURS:
             yield from (f"{line};" for line in prototypes(names, flavour))
     yield from ("", "#ifdef __cplusplus", "}", "#endif", "", "#endif")
-
-
-def _described(kernel: Kernel, pair: Sequence[KernelBound]) -> list[str]:
-    sections = [*mathematics(kernel, pair), textwrap.wrap(f"Source: {kernel.source}", 96)]
-    text = "\n\n".join("\n".join(section) for section in sections if section)
-    for ours, numpys in NUMPY.items():
-        text = text.replace(f"np.{numpys} ", f"{ours} ").replace(f"np.{numpys},", f"{ours},")
-    return text.splitlines()
 
 
 def _enumeration(kernel: Kernel, names: Names) -> Iterator[str]:

@@ -3,17 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
-from fractions import Fraction
 from typing import Any
 
 from gainproof.derive.printer.c_language.flavour import FLAVOURS, Flavour
 from gainproof.derive.printer.c_language.names import Names, codes, names_of
-from gainproof.derive.printer.formats import Format
 from gainproof.derive.printer.kernel import Kernel, Module
-from gainproof.derive.printer.known_values import DIGITS
-
-WRITTEN = Fraction(100, 10**DIGITS)
-"""What a value of so many digits may be off, relative to itself."""
+from gainproof.derive.printer.trial import points
 
 COUNTING = """\
 static int numbers, wrong;
@@ -66,15 +61,13 @@ def _tries(
     module: Module, kernel: Kernel, flavour: Flavour, known: Mapping[str, Any]
 ) -> Iterator[str]:
     names, kind = names_of(module.name, kernel), flavour.type
-    points = known["points"][flavour.form.name]
+    found = list(points(known, flavour.form))
     width = len(names.inputs)
     yield f"    static const {kind} at[][{width}] = {{"
-    yield from (f"        {_row(flavour, point['at'])}," for point in points)
+    yield from (f"        {_row(flavour, at)}," for at, _ in found)
     yield "    };"
     yield f"    static const {kind} ends[][{2 * len(names.outputs)}] = {{"
-    for point in points:
-        ends = [x for output in known["outputs"] for x in _ends(flavour.form, output, point)]
-        yield f"        {_row(flavour, ends)},"
+    yield from (f"        {_row(flavour, ends)}," for _, ends in found)
     yield "    };"
     yield f"    {kind} {', '.join(f'{name} = 0' for name in names.outputs)};"
     targets = [f"&{name}" for name in names.outputs]
@@ -98,27 +91,6 @@ def _refusals(kernel: Kernel, names: Names, flavour: Flavour, targets: list[str]
         given = [f"at[0][{i}]" if i != row else "NAN" for i in range(len(names.inputs))]
         call = f"{names.function(flavour)}({', '.join([*given, *targets])})"
         yield f'    expect("{kernel.name}{flavour.ending} refuses", {row}, {call}, {code}, {code});'
-
-
-def _ends(form: Format, output: Mapping[str, Any], point: Mapping[str, Any]) -> tuple[float, float]:
-    """The least and the greatest number of the format within the bound; where nothing is promised
-    any but NaN.
-    """
-    text = point["values"].get(output["name"])
-    if text is None:
-        return -float("inf"), float("inf")
-    stated, exact = output[form.name], Fraction(text)
-    scale = abs(Fraction(point.get("scales", {}).get(output["name"], exact)))
-    allowed = (Fraction(stated["bound"]) * Fraction(form.epsilon) + WRITTEN) * scale
-    allowed += WRITTEN * abs(exact) + Fraction(stated["beside"])
-    return _beyond(form, exact - allowed, form.at_least), _beyond(
-        form, exact + allowed, form.at_most
-    )
-
-
-def _beyond(form: Format, value: Fraction, rounded: Any) -> float:
-    largest = Fraction(form.largest)
-    return float(rounded(min(max(value, -largest), largest)))
 
 
 def _row(flavour: Flavour, numbers: list[float]) -> str:

@@ -6,19 +6,15 @@ rounding of `Math.sqrt` to the engine; all that are known take the processor's, 
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
 
-from gainproof.derive.printer.affine import in_two_parts
-from gainproof.derive.printer.arithmetic import literal
-from gainproof.derive.printer.formats import FLOAT64
+from gainproof.derive.printer.emitter import Language, emitted
 from gainproof.derive.printer.kernel import Kernel
 from gainproof.derive.printer.plain import plain
-from gainproof.derive.printer.program import FUNCTIONS, Program, Step
+from gainproof.derive.printer.program import Program
 from gainproof.derive.printer.register_plan import late
-from gainproof.derive.printer.threshold import threshold
 
-SIGN = {"add": "+", "sub": "-", "mul": "*", "div": "/"}
 RUNTIME = ("within", "refuse", "nearCubeRoot")
 """What `runtime.js` defines for kernels."""
 TAKEN = frozenset(
@@ -49,10 +45,9 @@ def body(kernel: Kernel) -> Body:
     steps = plain(kernel.program)
     ends = [steps.outputs[output.name] for output in kernel.outputs]
     order = late(steps, ends)
-    printer = _Printer(steps, _names(kernel, steps, order))
-    inputs = _argument_names(kernel)
-    lines = tuple(printer.lines(order))
-    return Body(lines, tuple(inputs.values()), tuple(printer.operand(end) for end in ends))
+    names = _names(kernel, steps, order)
+    made = emitted(steps, ends, _JavaScript(), lambda number, _: names[number])
+    return Body(made.lines, tuple(_argument_names(kernel).values()), made.outputs)
 
 
 def _argument_names(kernel: Kernel) -> dict[str, str]:
@@ -84,43 +79,18 @@ def _names(kernel: Kernel, steps: Program, order: Sequence[int]) -> dict[int, st
 
 
 @dataclass(frozen=True)
-class _Printer:
-    steps: Program
-    names: dict[int, str]
-
-    def lines(self, order: Sequence[int]) -> Iterator[str]:
-        for number in order:
-            text = self._expression(number, self.steps.steps[number])
-            yield f"const {self.names[number]} = {text};"
-
-    def operand(self, number: int) -> str:
-        constant = self.steps.steps[number].constant
-        return self.names[number] if constant is None else literal(constant.nearest(FLOAT64))
-
-    def _expression(self, number: int, step: Step) -> str:
-        parts = [self.operand(part) for part in step.operands]
-        if step.scale is not None:
-            return f"{parts[0]} * {literal(step.scale)}"
-        match step.operation:
-            case "sqrt" | "abs":
-                return f"Math.{step.operation}({parts[0]})"
-            case "neg":
-                return f"-{parts[0]}"
-            case "near_cbrt":
-                return f"nearCubeRoot({parts[0]})"
-            case "select":
-                limit = threshold(self.steps, step, FLOAT64)
-                value = literal(limit.value)
-                test = f"{parts[0]} < {value}" if limit.input_first else f"{value} < {parts[1]}"
-                return f"{test} ? {parts[2]} : {parts[3]}"
-            case name if name in FUNCTIONS:
-                return f"Math.{name}({', '.join(parts)})"
-        first, second = parts
+class _JavaScript(Language):
+    def operation(self, sign: str, first: str, second: str) -> str:
         # a negative constant after a sign is a text of its own
-        second = f"({second})" if second.startswith("-") else second
-        plain_text = f"{first} {SIGN[step.operation]} {second}"
-        found = in_two_parts(self.steps, number)
-        if found is None:
-            return plain_text
-        rest = found[0].sign * found[0].constant.remainder(FLOAT64)
-        return f"({plain_text}) + ({literal(rest)})"
+        return super().operation(sign, first, f"({second})" if second.startswith("-") else second)
+
+    def sum_in_two_parts(self, text: str, rest: str) -> str:
+        return super().sum_in_two_parts(text, f"({rest})")
+
+    def call(self, name: str, parts: Sequence[str]) -> str:
+        if name == "near_cbrt":
+            return f"nearCubeRoot({parts[0]})"
+        return super().call(name if name == "neg" else f"Math.{name}", parts)
+
+    def statement(self, name: str, text: str) -> str:
+        return f"const {name} = {text};"

@@ -17,7 +17,7 @@ FORMAT = "gainproof answers 1"
 BEST = ("proved", DEFINITION, "conditional")
 """Verdicts for which one way to understand a formula is preferred to others, the best first."""
 OPEN = (SEARCHED, NO_FILTER)
-"""How the words on a filter end that name none."""
+"""What the words on a filter that name none hold."""
 ANY_NUMBERS = " as a statement about any numbers"
 ONLY_DEFINES = (
     "nothing is known of the number on one side: the formula can only say what it is; what it is "
@@ -128,7 +128,8 @@ class Answer:
         kinds = [*(["symbols"] if guessed not in ([], [FILTER]) else [])]
         if FILTER in guessed:
             # where it was searched the conventions name it
-            kinds.append(FILTER if self._filter().endswith(OPEN) else self._filter())
+            is_open = any(words in self._filter() for words in OPEN)
+            kinds.append(FILTER if is_open else self._filter())
         if self.verdict == "refuted" and FILTER in guessed and self.claim["convention"] is None:
             words += ANY_NUMBERS if NO_FILTER in self._filter() else f" for a {self._filter()}"
         return f"{words}; assumed: {' and '.join(kinds)}" if kinds else words

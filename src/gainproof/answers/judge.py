@@ -30,12 +30,20 @@ class Judge:
         after that.
     fresh : bool
         Take nothing of what was found before.
+    models : sequence of mapping
+        Models beside those that are shipped, as `generated/catalogue.json` has them.
     """
 
-    def __init__(self, *, seconds: float = DEFAULT, fresh: bool = False) -> None:
+    def __init__(
+        self,
+        *,
+        seconds: float = DEFAULT,
+        fresh: bool = False,
+        models: Sequence[Mapping[str, Any]] = (),
+    ) -> None:
         if not (isinstance(seconds, int | float) and 0 < seconds <= MOST):
             raise BadInputError(f"seconds: a number above 0 and up to {MOST:g}, got {seconds!r}")
-        self._models = shipped_models()
+        self._models = [*shipped_models(), *map(dict, models)]
         # the process answers one formula after the other
         self._one_by_one = threading.Lock()
         known = KeptTrials(Cache(default_folder(), fresh))

@@ -9,15 +9,15 @@ from __future__ import annotations
 import re
 from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
-from types import MappingProxyType
 from typing import Any
 
-from gainproof.answers import letters
-from gainproof.answers.letters import REAL, Meaning, entry_of
-from gainproof.answers.typed import Typed, condition, definition, kind_of, symbol_name, typed
+from gainproof.answers.typed import Typed, condition, definition, symbol_name, typed
 from gainproof.bad_input import BadInputError, unknown_name
 from gainproof.claims.template import FORMAT_LINE
 from gainproof.claims.toml_text import quoted
+from gainproof.verify.judge.claim import letters
+from gainproof.verify.judge.claim.kinds import kind_of
+from gainproof.verify.judge.claim.letters import REAL, Meaning, entry_of
 from gainproof.verify.judge.claim.settings import CONVENTIONS
 from gainproof.verify.judge.claim.units import read_unit
 from gainproof.verify.judge.formula import Formula, Graph
@@ -35,19 +35,6 @@ ANGLES = frozenset({"sin", "cos", "tan", "asin", "acos", "atan", "cot", "sec", "
 SEARCH, NONE, FIXED = "search", "none", "fixed"
 FILTER = "filter"
 """What is assumed of no symbol."""
-_NOISE_ORDERS: Mapping[str, tuple[str, int, str]] = MappingProxyType(
-    {
-        "random-velocity": ("deviation", 2, "m s^-1"),
-        "random-acceleration": ("deviation", 4, "m s^-2"),
-        "continuous-white-acceleration": ("density", 3, "m^2 s^-3"),
-        "acceleration-increments": ("deviation", 4, "m s^-2"),
-        "wiener-acceleration": ("deviation", 4, "m s^-2"),
-        "random-jerk": ("deviation", 6, "m s^-3"),
-        "continuous-white-jerk": ("density", 5, "m^2 s^-5"),
-    }
-)
-"""Of the models of measured position: what their strength is, the power of T of the first entry of
-Q in units of it (a deviation counts with its square), and its unit."""
 
 
 @dataclass(frozen=True)
@@ -273,7 +260,7 @@ def _candidates(
         ]
     strengths = [token for token in tokens if meant[token].role in ("deviation", "density")]
     if not strengths:
-        words = SEARCHED if model == SEARCH else f"process noise {model}"
+        words = f"process noise {model}" if model != SEARCH else SEARCHED + _searched(meant)
         steady = ('kind = "steady_state"', f'model = "{model}"', *_conventions(options, meant))
         return [Candidate(steady, meant, f"Kalman filter in its steady state, {words}")]
     if len(strengths) > 1:
@@ -286,7 +273,7 @@ def _candidates(
         each
         for each in models
         if model in (SEARCH, each["name"])
-        and _NOISE_ORDERS.get(str(each["name"]), ("",))[0] == role
+        and letters.NOISE_ORDERS.get(str(each["name"]), ("",))[0] == role
         and len(_rows(each, "transition")) >= max(orders, default=2)
     ]
     fewest = min((len(_rows(each, "transition")) for each in suited), default=0)
@@ -303,6 +290,13 @@ def _candidates(
     return found
 
 
+def _searched(meant: Mapping[str, Meaning]) -> str:
+    """Among which models the judge searches: as many states as the highest component named."""
+    parts = (part for each in meant.values() for part in each.quantity.split(".") if part.isdigit())
+    states = max(map(int, parts), default=0)
+    return f" among models of {states} states" if states > 1 else ""
+
+
 def _rows(model: Mapping[str, object], name: str) -> list[list[str]]:
     rows = model[name]
     assert isinstance(rows, list)
@@ -314,7 +308,7 @@ def _with_strength(
 ) -> Candidate:
     """A model of the catalogue, written out with the symbols of its noises."""
     name = str(model["name"])
-    role, power, unit = _NOISE_ORDERS[name]
+    role, power, unit = letters.NOISE_ORDERS[name]
 
     def symbol_of(quantity: str, usual: str) -> str:
         return next((t for t, m in meant.items() if m.quantity == quantity), usual)

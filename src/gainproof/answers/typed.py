@@ -8,9 +8,10 @@ import unicodedata
 from collections.abc import Collection, Sequence
 from dataclasses import dataclass, replace
 
-from gainproof.answers.letters import filter_meanings
 from gainproof.bad_input import BadInputError
 from gainproof.claims.symbols_met import Met, symbols_met
+from gainproof.verify.judge.claim.letters import filter_meanings
+from gainproof.verify.judge.claim.notation import MARK, is_plain
 from gainproof.verify.judge.formula import Formula
 from gainproof.verify.judge.reader.characters import meant_character
 from gainproof.verify.judge.reader.errors import ReaderError
@@ -18,9 +19,6 @@ from gainproof.verify.judge.reader.latex import graph_to_latex, relations_to_lat
 from gainproof.verify.judge.reader.limits import MOST_CHARACTERS
 from gainproof.verify.judge.reader.names import canonical_token
 
-INEQUALITIES = frozenset({"<", "<=", ">", ">=", "!="})
-MARK = re.compile(r"\^(?:\{[-+]\}|[-+](?=\s*(?:[-+=/)},<>\\]|$)))")
-"""A minus or plus above a name, for what is predicted or updated."""
 MOST_NAME = 100
 ONE_NAME = (r"\Delta t", r"\Delta T")
 """What is one name wherever it stands, and no product."""
@@ -39,7 +37,7 @@ _DIFFERENTIAL = re.compile(
     r"\\int|integral|diff|\\frac\s*\{?\s*(?:\\mathrm\s*\{?\s*)?d|\bd\w*\s*/\s*d"
 )
 """Where the d of dt is one of a derivative or an integral."""
-_EULER = re.compile(r"(?<![A-Za-z\\_{])e(?![A-Za-z_'])(?!\^\{?[-+]\}?\s*(?:$|[=)}]))")
+_EULER = re.compile(r"(?<![A-Za-z\\_{])e(?=\s*\^)(?!\^\{?[-+]\}?\s*(?:$|[=)}]))")
 _LOGARITHM = re.compile(r"\\log(?![A-Za-z]|\s*_)|(?<![A-Za-z\\])log(?=\s*\()")
 
 
@@ -170,31 +168,6 @@ def _meant(text: str, met: Met) -> list[tuple[str, str]]:
     if _LOGARITHM.search(text):
         found.append(("log", "natural logarithm"))
     return found
-
-
-def is_plain(formula: str) -> bool:
-    """Whether a formula is typed as plain text: it has no commands of LaTeX and no marks of names
-    such as `P^-`.
-    """
-    return "\\" not in formula and MARK.search(formula) is None
-
-
-def kind_of(formula: Formula) -> str:
-    """The kind of claim that a formula is, as far as its relations say it."""
-    reading = formula.readings[0]
-    operators = {relation.operator for relation in reading.relations}
-    if reading.connective in ("iff", "implies"):
-        return "equivalence" if reading.connective == "iff" else "implication"
-    if "->" in operators or any(each.operator == "->" for each in reading.conditions):
-        orders = any(
-            node[:2] == ["call", "order"]
-            for relation in reading.relations
-            for node in relation.right["nodes"]
-        )
-        return "asymptotics" if orders or "sim" in operators else "limit"
-    if "approx" in operators:
-        return "value"
-    return "inequality" if operators & INEQUALITIES else "identity"
 
 
 def in_ascii(formula: str) -> str:

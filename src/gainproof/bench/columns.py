@@ -157,9 +157,11 @@ def worst_output(row: Row) -> Mapping[str, Any]:
 
 
 def ratio_text(value: float | None) -> str:
-    """Three figures and a few more of large ones; thousands as k from ten thousand on."""
+    """Three figures and a few more of large ones; thousands as k from ten thousand on, and M."""
     if value is None:
         return "-"
+    if value >= 999_500:
+        return f"{value / 1e6:.1f}M"
     if value >= 10_000:
         return f"{value / 1000:,.0f}k"
     if value >= 100:

@@ -11,9 +11,11 @@ import sympy as sp
 
 from gainproof.bad_input import unknown_name
 from gainproof.derive.catalogue import CATALOGUE
-from gainproof.derive.printer.bound import KernelBound, prove
-from gainproof.derive.printer.formats import FLOAT64
+from gainproof.derive.printer.bound import KernelBound
 from gainproof.derive.printer.kernel import Kernel
+from gainproof.files import places
+from gainproof.subjects import bounds_ledger
+from gainproof.subjects.generating import proved
 
 
 @dataclass(frozen=True)
@@ -47,13 +49,15 @@ def measured_kernels(
     subject and kernel. Raises BadInputError for a subject that is none.
     """
     names = subject_names(chosen)
+    known = bounds_ledger.usable(places.generated_folder())
     for entry in CATALOGUE:
         if entry.name not in names:
             continue
         subject = entry.build()
         module = import_module(f"gainproof.generated.{subject.module.name}")
         textbook = subject.textbook()
-        for kernel in subject.module.kernels:
+        bounds = proved(subject.module, known.get(subject.module.name, {})).bounds
+        for kernel, (double, _) in zip(subject.module.kernels, bounds, strict=True):
             if (subject.name, kernel.name) in but:
                 continue
             yield Measured(
@@ -61,7 +65,7 @@ def measured_kernels(
                 kernel,
                 getattr(module, kernel.name),
                 getattr(module, f"_{kernel.name.upper()}"),
-                prove(kernel, FLOAT64),
+                double,
                 textbook.get(kernel.name),
                 subject.model_data,
             )

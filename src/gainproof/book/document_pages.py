@@ -27,33 +27,21 @@ class Part:
 
 
 PARTS = (
-    Part("Tutorials", ("ask", "check-a-formula", "generate", "follow-a-derivation")),
     Part(
-        "How to",
-        (
-            "use-kernels",
-            "own-models",
-            "conventions-and-repairs",
-            "locate",
-            "track",
-            "certify",
-            "lecture-figures",
-        ),
+        "Is this formula right?",
+        ("ask", "check-a-formula", "claim-files", "reader", "conventions-and-repairs"),
     ),
+    Part("Which gains do I take?", ("design", "position-and-velocity", "time-varying")),
+    Part("Where does it come from?", ("follow-a-derivation", "lecture-figures")),
+    Part("Code for it?", ("generate", "own-models", "stable-forms", "use-kernels")),
+    Part("Radar coordinates?", ("coordinates", "converted-measurements")),
+    Part("Where are the targets?", ("locate", "track")),
     Part(
-        "Explanation",
-        (
-            "what-proved-rests-on",
-            "design",
-            "stable-forms",
-            "position-and-velocity",
-            "time-varying",
-            "coordinates",
-            "converted-measurements",
-        ),
+        "Why should I believe it?",
+        ("what-proved-rests-on", "certify", "stability-policy", "history"),
     ),
-    Part("Reference", ("claim-files", "reader", "stability-policy")),
 )
+"""The pages in the order of a user's questions."""
 
 
 def address(name: str) -> str:

@@ -4,19 +4,27 @@ symbols, and a mark wherever the user has to say something.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+import re
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
+from itertools import islice
 
 from gainproof.claims.symbols_met import Met, symbols_met
 from gainproof.claims.template import FORMAT_LINE, KINDS_COMMENT, SETTINGS_COMMENT, SYMBOLS_COMMENT
+from gainproof.claims.tex_macros import Macro, expanded, macros_in, with_displays
 from gainproof.claims.tex_rows import Equation, equations
-from gainproof.claims.tex_text import argument_of, macro_of, without_comments
+from gainproof.claims.tex_text import argument_of, without_comments
 from gainproof.claims.toml_text import comment, quoted
 
 MOST_EQUATIONS = 1000
 MOST_FORMULA = 4000
 _MOST_SHOWN = 2000
-_MOST_MACRO = 100
+MOST_SETTLED = 6
+"""Functions of one equation whose argument is taken, and brackets that are tried."""
+_INVERSE = re.compile(r"\\(sin|cos|tan)\s*\^\s*\{\s*-\s*1\s*\}")
+_UNCLEAR = re.compile(r"what \S+ acts on is not clear: write (.+)", re.DOTALL)
+_CASES = re.compile(r"(.+?=)\s*\\begin\{cases\}(.+)\\end\{cases\}[\s.,;]*", re.DOTALL)
+_WORDS = re.compile(r"\\(?:text|mathrm|textrm|mbox)\s*\{\s*(?:if|for|when|where)\s*\}~?")
 
 
 @dataclass(frozen=True)
@@ -31,19 +39,17 @@ class Draft:
 
 
 def draft(tex: str, name: str, key: str) -> Draft:
-    """The draft of a claim file from the text of a LaTeX file. Nothing in it is executed, no macro
-    expanded, no included file read; `name` is its name, `key` that of the source.
+    """The draft of a claim file from the text of a LaTeX file. Its macros are put in; nothing in it
+    is executed, no included file read; `name` is its name, `key` that of the source.
     """
     text = without_comments(tex)
-    found: list[Equation] = []
-    for equation in equations(text):
-        if len(found) == MOST_EQUATIONS:
-            break
-        found.append(equation)
-    met = [_met(equation, text) for equation in found]
+    macros = macros_in(text)
+    printed = islice(equations(with_displays(text, macros)), MOST_EQUATIONS)
+    readings = [one for equation in printed for one in _readings(equation, macros)]
+    found = [one.equation for one in readings]
+    met = [one.met for one in readings]
     claims = [
-        _claim(equation, one, name)
-        for equation, one, name in zip(found, met, _ids(found), strict=True)
+        _claim(one, identifier) for one, identifier in zip(readings, _ids(found), strict=True)
     ]
     parts = [
         comment(f"Drafted from {name}. Say what is marked TODO, then: gainproof check THIS-FILE"),
@@ -72,26 +78,84 @@ def draft(tex: str, name: str, key: str) -> Draft:
     return Draft("\n".join(parts) + "\n", len(found), unread)
 
 
-def _met(equation: Equation, text: str) -> Met:
-    """The symbols of an equation, or why it was not read and what to do about it."""
+@dataclass(frozen=True)
+class _Read:
+    """An equation as it was read, or why it was not; `taken` says what was taken for what."""
+
+    equation: Equation
+    met: Met
+    taken: tuple[str, ...] = ()
+
+
+def _readings(equation: Equation, macros: Mapping[str, Macro]) -> list[_Read]:
+    """How an equation was read: by its cases, if it has some and is not read as a whole."""
     if len(equation.latex) > MOST_FORMULA:
-        return Met((), None, f"more than {MOST_FORMULA} characters: leave it out")
-    met = symbols_met(equation.latex)
-    return met if met.formula is not None else replace(met, problem=_problem(met, text))
+        return [
+            _Read(equation, Met((), None, f"more than {MOST_FORMULA} characters: leave it out"))
+        ]
+    try:
+        equation = replace(equation, latex=expanded(equation.latex, macros))
+    except ValueError as error:
+        return [_Read(equation, Met((), None, f"the macro {error}: write it out"))]
+    whole = _read(equation)
+    cases = None if whole.met.formula else _CASES.fullmatch(equation.latex)
+    if cases is None:
+        return [whole]
+    found = []
+    for row in cases[2].split("\\\\"):
+        value, _, where = row.partition("&")
+        where = _WORDS.sub("", where).strip(" .,;")
+        if value.strip():
+            case = rf"{cases[1]} {value.strip(' ,;')}" + (rf" \quad ({where})" if where else "")
+            one = _read(replace(equation, latex=case))
+            if "otherwise" in where or "else" in where:
+                problem = "what holds otherwise: write the condition of this case"
+                one = replace(one, met=replace(one.met, formula=None, problem=problem))
+            found.append(one)
+    return found
 
 
-def _problem(met: Met, text: str) -> str:
-    """Why an equation was not read, and what to do about it."""
-    macro = macro_of(text, met.token) if met.token.startswith("\\") else None
-    if macro is not None:
-        stands = f", for {macro[:_MOST_MACRO]}" if macro else " with arguments"
-        return f"{met.token} is a macro of the paper{stands}: macros are not expanded, write it out"
-    if met.token == "^T":
-        return (
-            "a letter under a transpose is a matrix, and a draft does not know its size: declare "
-            "it with shape = [rows, columns], then take away the signs of a comment"
-        )
-    return f"{met.problem}: write it in another way or leave it out"
+def _read(equation: Equation) -> _Read:
+    """An equation with what is usually meant by a print that the reader finds open: `\\tan^{-1}` is
+    the inverse, what follows a sine is in it up to a sum or a bracket.
+    """
+    latex = equation.latex
+    inverse = dict.fromkeys(_INVERSE.findall(latex))
+    taken = [f"\\{function}^{{-1}} was taken as \\arc{function}" for function in inverse]
+    latex = _INVERSE.sub(r"\\arc\1", latex)
+    met = symbols_met(latex, transposes=True)
+    for _ in range(MOST_SETTLED):
+        form = _settled(latex, met)
+        if form is None:
+            break
+        latex, words = form
+        taken.append(words)
+        met = symbols_met(latex, transposes=True)
+    if met.formula is None:
+        met = replace(met, problem=f"{met.problem}: write it in another way or leave it out")
+        return _Read(equation, met)
+    return _Read(replace(equation, latex=latex), met, tuple(taken))
+
+
+def _settled(latex: str, met: Met) -> tuple[str, str] | None:
+    """The equation with brackets where the reader asks for them, and what was taken; None where it
+    does not ask.
+    """
+    unclear = _UNCLEAR.fullmatch(met.problem)
+    if unclear is None:
+        return None
+    wide, _, narrow = unclear[1].partition(" or ")
+    form = narrow or wide if met.token in ("(", "[") else wide
+    for place in [match.start() for match in re.finditer(r"\(", form)][:MOST_SETTLED]:
+        # of the form with brackets what stood there without
+        shown, rest = form[:place], form[place + 1 :]
+        close = rest.rfind(")") if form is wide else rest.find(")")
+        bare = rest[:close] + rest[close + 1 :]
+        pattern = re.escape(shown) + r"\s*" + re.escape(bare)
+        if found := re.search(pattern, latex):
+            whole = latex[: found.start()] + form + latex[found.end() :]
+            return whole, f"{found[0]} was taken as {form}"
+    return None
 
 
 def _or_todo(field: str, value: str | None) -> str:
@@ -104,15 +168,25 @@ def _authors(text: str) -> list[str]:
 
 
 def _symbols(found: Sequence[Equation], met: Sequence[Met]) -> list[str]:
-    """A declaration of each symbol of the equations that were read, with the first few of these."""
+    """A declaration of each symbol of the equations that were read, with the first few of these.
+    One that stands under a transpose in one of them is a matrix in all.
+    """
+    matrices = {name: of for one in met for name, of in one.matrices.items()}
     places: dict[str, list[str]] = {}
     for equation, one in zip(found, met, strict=True):
         for token in one.symbols if one.formula is not None else ():
-            places.setdefault(token, []).append(_short_place(equation))
+            where = places.setdefault(token, [])
+            where += [] if _short_place(equation) in where else [_short_place(equation)]
     lines = []
     for token, where in places.items():
         more = f" and {len(where) - 3} more" if len(where) > 3 else ""
-        entry = '{ unit = "TODO", meaning = "TODO" }'
+        entry = 'unit = "TODO", meaning = "TODO"'
+        if token in matrices:
+            entry = f'shape = "TODO", {entry}'
+        if matrices.get(token):
+            of = ", ".join(map(quoted, matrices[token]))
+            entry = f'definition = "TODO", arguments = [{of}], shape = "TODO", meaning = "TODO"'
+        entry = f"{{ {entry} }}"
         lines.append(f"{quoted(token)} = {entry}  # in {', '.join(where[:3])}{more}")
     return lines
 
@@ -138,7 +212,8 @@ def _ids(found: Sequence[Equation]) -> list[str]:
     return names
 
 
-def _claim(equation: Equation, met: Met, name: str) -> list[str]:
+def _claim(read: _Read, name: str) -> list[str]:
+    equation, met = read.equation, read.met
     number = f"equation ({equation.number})"
     place = number if equation.number else f"equation without a number, line {equation.line}"
     label = f", label {equation.label}" if equation.label else ""
@@ -151,7 +226,7 @@ def _claim(equation: Equation, met: Met, name: str) -> list[str]:
         f"latex = {quoted(equation.latex)}",
     ]
     if met.formula is not None:
-        return lines
+        return [*(comment(f"TODO {words}") for words in read.taken), *lines]
     shown = [comment(line[:_MOST_SHOWN]) for line in lines if not line.startswith("kind")]
     why = f"TODO not read, {met.problem}"
     return [comment(why), *shown]

@@ -10,6 +10,7 @@ from collections.abc import Collection, Mapping
 from dataclasses import dataclass
 from typing import Any
 
+from gainproof.verify.judge.claim.usual import table_of, whole_claims
 from gainproof.verify.judge.claim.vocabulary import usual_origin
 from gainproof.verify.judge.reader.plain_names import plain_name
 
@@ -40,16 +41,22 @@ def claims_said(text: str) -> dict[str, Said]:
     file = tomllib.loads(text)
     shared = file.get("symbols", {})
     tables = {
-        name: {**shared, **setting.get("symbols", {})} for name, setting in file["settings"].items()
+        name: {**table_of(setting, shared), **table_of(setting, setting.get("symbols", {}))}
+        for name, setting in file["settings"].items()
     }
-    return {claim["id"]: _said(claim, tables[claim["setting"]]) for claim in file["claims"]}
+    return {claim["id"]: _said(claim, tables[claim["setting"]]) for claim in _claims(file)}
+
+
+def _claims(file: Mapping[str, Any]) -> list[Any]:
+    kinds = {name: str(setting.get("kind")) for name, setting in file["settings"].items()}
+    return whole_claims(file["claims"], kinds)
 
 
 def claim_words(text: str, only: Collection[str] | None = None) -> dict[str, str]:
     """The words of every claim that has no formula, by id: its paraphrase, or what its fields say.
     `text` is that of a claim file that was accepted; with `only`, for the claims of these ids.
     """
-    claims = tomllib.loads(text)["claims"]
+    claims = _claims(tomllib.loads(text))
     if only is not None:
         claims = [one for one in claims if isinstance(one, Mapping) and one.get("id") in only]
     return {

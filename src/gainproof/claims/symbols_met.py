@@ -5,16 +5,20 @@ until it reads the equation or says what it cannot read.
 from __future__ import annotations
 
 import re
-from collections.abc import Sequence
-from dataclasses import dataclass
+from collections.abc import Mapping, Sequence
+from contextlib import suppress
+from dataclasses import dataclass, field
 
 from gainproof.verify.judge.formula import Formula
 from gainproof.verify.judge.reader.alphabet import ACCENTS, GREEK, is_letter
 from gainproof.verify.judge.reader.errors import ReaderError
-from gainproof.verify.judge.reader.names import canonical_token
+from gainproof.verify.judge.reader.names import canonical_token, names_in
 from gainproof.verify.judge.reader.reader import read_formula, read_plain
 
 MOST_NEW_SYMBOLS = 60
+_MOST_RUN = 4
+_MOST_BACK = 60
+"""Letters of a run that are taken for names, and characters in which the last name is sought."""
 
 
 @dataclass(frozen=True)
@@ -29,7 +33,8 @@ class Free:
 @dataclass(frozen=True)
 class Met:
     """The symbols of an equation in order of appearance, and the formula, or why there is none, at
-    what the reader stopped, and the line with a mark under the place.
+    what the reader stopped, and the line with a mark under the place. `matrices` are letters under
+    a transpose, with the arguments of one that is a function.
     """
 
     symbols: tuple[str, ...]
@@ -37,11 +42,15 @@ class Met:
     problem: str = ""
     token: str = ""
     caret: str = ""
+    matrices: Mapping[str, tuple[str, ...]] = field(default_factory=dict)
 
 
-def symbols_met(text: str, *, plain: bool = False, known: Sequence[str] = ()) -> Met:
+def symbols_met(
+    text: str, *, plain: bool = False, known: Sequence[str] = (), transposes: bool = False
+) -> Met:
     """Read an equation in LaTeX, or as `plain` text, declaring its symbols as they come; `known`
-    are names that it may hold besides, such as those of several letters.
+    are names that it may hold besides, such as those of several letters. With `transposes` what
+    stands under one is declared as a matrix.
     """
     declared = {name: Free() for name in known}
     read = read_plain if plain else read_formula
@@ -50,13 +59,55 @@ def symbols_met(text: str, *, plain: bool = False, known: Sequence[str] = ()) ->
             formula = read(text, declared)
         except ReaderError as error:
             met = _names(error.token) if not plain else _plain_names(error)
-            new = [name for name in met if name not in declared]
+            new = {name: Free() for name in met if name not in declared}
+            if transposes and error.token == "^T":
+                new = _transposed(text[: error.position], declared)
             if not new:
                 return Met(tuple(declared), None, error.problem, error.token, error.caret)
-            declared |= dict.fromkeys(new, Free())
+            declared |= new
         else:
-            return Met(tuple(name for name in declared if name in formula.symbols), formula)
+            symbols = tuple(name for name in declared if name in formula.symbols)
+            matrices = {n: declared[n].arguments for n in symbols if declared[n].shape is not None}
+            return Met(symbols, formula, matrices=matrices)
     return Met(tuple(declared), None, f"more than {MOST_NEW_SYMBOLS} symbols")
+
+
+def _transposed(before: str, declared: Mapping[str, Free]) -> dict[str, Free]:
+    """The letters that a transpose behind the text stands over, as matrices: one letter, all in a
+    bracket, or a function of one letter.
+    """
+    before = before.rstrip(" ^_{")
+    if not before.endswith((")", "]")):
+        name = _last_name(before, declared)
+        return {name: Free(shape=(1, 1))} if name and declared[name].shape is None else {}
+    depth, start = 0, len(before)
+    while start > 0 and (depth or start == len(before)):
+        start -= 1
+        depth += (before[start] in ")]") - (before[start] in "([")
+    inner = before[start + 1 : -1].removesuffix("\\right")
+    within = [name for name in names_in(inner, _MOST_RUN) if name in declared]
+    function = _last_name(before[:start].removesuffix("\\left"), declared)
+    if len(within) == 1 and function and inner.strip() == _last_text(inner, within[0]):
+        return {function: Free((within[0],), (1, 1))}
+    return {name: Free(shape=(1, 1)) for name in within if declared[name].shape is None}
+
+
+def _last_name(text: str, declared: Mapping[str, Free]) -> str:
+    """The longest declared name that the text ends with; empty without one."""
+    text = text.rstrip()
+    for start in range(max(0, len(text) - _MOST_BACK), len(text)):
+        with suppress(ReaderError):
+            name = canonical_token(text[start:])
+            if name in declared:
+                return name
+    return ""
+
+
+def _last_text(text: str, name: str) -> str:
+    """The text without blanks around, if it is that name alone."""
+    with suppress(ReaderError):
+        return text.strip() if canonical_token(text) == name else ""
+    return ""
 
 
 def _names(token: str) -> list[str]:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 
@@ -92,6 +93,8 @@ def _until(
 
 _CONTINUES = ("=", "<", ">", "+", "-", "\\le", "\\ge", "\\times", "\\cdot", "\\approx", "\\equiv")
 _DROPPED = ("\\nonumber", "\\notag", "\\displaystyle", "\\hspace", "\\vspace", "\\allowbreak")
+_LEADING = re.compile(r"(?:\s|~|\{\}|\\[,;:! ]|\\q?quad(?![A-Za-z]))+")
+"""Spaces at the beginning of a row."""
 _TAKES_ARGUMENT = ("\\hspace", "\\vspace", "\\label", "\\tag")
 _MOST_LABEL = 200
 _MOST_CONTENT = 20_000
@@ -236,7 +239,8 @@ def _joined(rows: Iterable[_Row]) -> Iterator[_Row]:
     """Rows that begin with a relation or an operator continue the one before."""
     waiting: _Row | None = None
     for row in rows:
-        text = row.latex.strip()
+        leading = _LEADING.match(row.latex)
+        text = row.latex[leading.end() if leading else 0 :].rstrip()
         continues = text.startswith(_CONTINUES) or not text
         if waiting is not None and continues:
             waiting = _Row(

@@ -4,8 +4,6 @@ expanded or followed; line numbers stay what they are.
 
 from __future__ import annotations
 
-import re
-
 _MOST_ARGUMENT = 1000
 _VERBATIM = ("verbatim", "verbatim*", "lstlisting", "comment", "minted", "filecontents")
 
@@ -91,19 +89,3 @@ def _without_thanks(text: str) -> str:
             break
         text = text[:place] + text[end:]
     return text
-
-
-def macro_of(text: str, command: str) -> str | None:
-    """What a macro of the text stands for, as it is defined; empty for one with arguments, None
-    where the text does not define the command.
-    """
-    name = re.escape(command)
-    found = re.search(
-        rf"\\(?:(?:re|provide)?newcommand\*?|def|DeclareMathOperator\*?)\s*"
-        rf"(?:\{{{name}\}}|{name}(?![A-Za-z]))\s*(?=[\[{{#])",
-        text,
-    )
-    if found is None:
-        return None
-    end = group_end(text, found.end()) if text[found.end()] == "{" else None
-    return text[found.end() + 1 : end - 1].strip() if end else ""

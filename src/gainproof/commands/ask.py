@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import argparse
 from collections.abc import Iterator
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from gainproof.claims import time_limit
 
@@ -40,7 +40,8 @@ def configure(parser: argparse.ArgumentParser) -> None:
         "--model",
         metavar="NAME",
         default="",
-        help="a model of `gainproof list`, search (the one that fits), fixed (any gains) or none",
+        help="a model of `gainproof list`, a file of your own model (FILE.py, which is executed), "
+        "search (the one that fits), fixed (any gains) or none",
     )
     parser.add_argument("--domain", metavar="CONDITION", default="", help="where it is claimed")
     parser.add_argument(
@@ -73,13 +74,19 @@ def run(options: argparse.Namespace) -> int:
     from gainproof.answers.judge import Judge
     from gainproof.bad_input import BadInputError, harmless
 
+    models = []
+    if options.model.endswith(".py"):
+        models = [_own_model(options.model)]
+        options.model = str(models[0]["name"])
+        if options.save is not None:
+            raise BadInputError("--save: a claim file cannot name a model in Python")
     asked = _options(options)
     formulas = list(_formulas(options.formulas))
     if options.save is not None and len(formulas) != 1:
         raise BadInputError(f"--save writes one formula, got {len(formulas)}")
     answers: list[Answer] = []
     errors: list[str] = []
-    with Judge(seconds=options.seconds, fresh=options.fresh) as judge:
+    with Judge(seconds=options.seconds, fresh=options.fresh, models=models) as judge:
         for formula in formulas:
             try:
                 answer = judge.answer(judge.question(formula, asked))
@@ -100,6 +107,27 @@ def run(options: argparse.Namespace) -> int:
     if errors:
         return 2
     return 1 if any(answer.verdict in ("held", "undecided") for answer in answers) else 0
+
+
+def _own_model(file: str) -> dict[str, Any]:
+    """The model of a user's own file, which is executed. Raises BadInputError."""
+    from gainproof.bad_input import BadInputError
+    from gainproof.claims.judgements import shipped_models
+    from gainproof.jobs.session import open_session
+    from gainproof.subjects import derivations
+
+    model = derivations.one(file, open_session(quiet=True)).model
+    if model is None:
+        raise BadInputError(f"--model {file}: it defines expressions, no model")
+    rows = [row for name in ("transition", "process_noise") for row in model[name]]
+    if not all(isinstance(entry, str) for row in rows for entry in row):
+        raise BadInputError(
+            f"--model {file}: it has parameters, and the judge takes models in numbers: give the "
+            "parameters values, or write its matrices into a claim file"
+        )
+    if model["name"] in [each["name"] for each in shipped_models()]:
+        raise BadInputError(f"--model {file}: its name {model['name']} is one of `gainproof list`")
+    return dict(model)
 
 
 def _print(answer: Answer, *, explain: bool, first: bool) -> None:

@@ -22,9 +22,10 @@ share, certificates, a page in Markdown each, tests, licence. DIR is the package
 name. FILE is a Python file of your own that defines MODEL, a gainproof.derive.model.Model, or
 EXPRESSIONS, a gainproof.derive.own_expressions.expressions.ExpressionSet; the file is executed.
 Other files in DIR are left alone, and nothing is written that would replace one.
---target c puts a C99 header, source and test program of each module besides, into DIR/c, in which
-the package computes once `python -m PACKAGE.compile` was run, and --target fpcore its expressions
-as FPCore, into DIR/fpcore.
+--target puts other languages besides, each into a folder of its name in DIR: c has a C99 header,
+source and test program of each module, in which the package computes once `python -m
+PACKAGE.compile` was run; octave a package of functions for MATLAB and Octave with a test script;
+rust a crate without the standard library (no_std) with its tests; fpcore expressions as FPCore.
 
 Where the error of an output is proved relative to something larger than its value, the command says
 how many digits can be lost and in which part of the domain, as docstring and page do. A kernel of
@@ -43,10 +44,10 @@ def configure(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("--out", metavar="DIR", help="write a package of its own into this folder")
     parser.add_argument(
         "--target",
-        choices=("numpy", "c", "fpcore"),
+        choices=("numpy", "c", "fpcore", "octave", "rust"),
         action="append",
         default=[],
-        help="write this besides NumPy modules; may be given twice",
+        help="write this besides NumPy modules; may be repeated",
     )
     parser.add_argument("--check", action="store_true", help="compare, write nothing")
     parser.add_argument("--test", action="store_true", help="run the tests of the package too")
@@ -98,11 +99,12 @@ def _own_folder(options: argparse.Namespace, session: Session) -> int:
 
 def _package(options: argparse.Namespace, session: Session) -> int:
     from gainproof.standalone import making, record, testing
+    from gainproof.standalone.files import TARGETS
 
     if options.test:
         testing.require_pytest()
     folder = Path(options.out)
-    targets = [target for target in making.TARGETS if target in options.target]
+    targets = [target for target in TARGETS if target in options.target]
     made = making.fresh(options.subjects, session, folder, targets)
     files = made.files
     if options.check:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import argparse
 
-HELP = "derive all, compare kernels, check certificates, judge claim files, write report/"
+HELP = "derive, check and judge all that is shipped, and compare it with its files"
 DESCRIPTION = """\
 Derives every subject, compares generated/ byte for byte, checks every certificate again, judges
 every claim file against its snapshot of verdicts, and writes report/report.txt and report.json.
@@ -40,6 +40,7 @@ def run(options: argparse.Namespace) -> int:
         print(f"gainproof: {error}; the summary will be printed", file=sys.stderr)
     session = open_session(fresh=options.fresh)
     findings = find(session, accept=options.accept)
+    print("gainproof run: what is shipped, derived, compared, checked and judged")
     print(report.summary(findings), end="")
     seconds = f"{session.progress.elapsed():.1f} s"
     try:

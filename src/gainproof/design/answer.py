@@ -11,6 +11,12 @@ from gainproof.bad_input import BadInputError
 from gainproof.design import belonging
 from gainproof.design.belonging import Belonging
 from gainproof.design.page import page, plain
+from gainproof.design.process_noise import (
+    NOISES,
+    page_of_filters,
+    plain_filters,
+    steady_filters,
+)
 from gainproof.design.sheet import Sheet, row_of, sheet
 from gainproof.design.units import Units
 
@@ -19,6 +25,9 @@ MOTIONS = {2: "acceleration", 3: "jerk"}
 
 def answered(options: argparse.Namespace) -> int:
     """Status 0, or 1 where none of the named filters exists. Raises BadInputError."""
+    noise = next((name for name in NOISES if getattr(options, name) is not None), None)
+    if noise is not None:
+        return _answered_by_noise(options, noise)
     states = _states(options)
     units = _units(options, states)
     made, belongs = _made(options, states)
@@ -35,6 +44,31 @@ def answered(options: argparse.Namespace) -> int:
         for name in drawn.get("files", ()):
             print(name)
     return 0 if made.found else 1
+
+
+def _answered_by_noise(options: argparse.Namespace, noise: str) -> int:
+    """Status 0: the steady-state filters of a process noise. Raises BadInputError."""
+    option = f"--{noise.replace('_', '-')}"
+    missing = [name for name in ("interval", "deviation") if getattr(options, name) is None]
+    if missing:
+        raise BadInputError(f"{option} takes --{' and --'.join(missing)} beside it")
+    if options.plot is not None:
+        raise BadInputError(
+            f"--plot belongs to the named filters, not to {option}; without --plot the tracking "
+            "index is told, which --tracking-index takes"
+        )
+    interval, deviation, value = (
+        _positive(f"--{name.replace('_', '-')}", getattr(options, name))
+        for name in ("interval", "deviation", noise)
+    )
+    states = None if options.states is None else int(options.states)
+    found = steady_filters(interval, deviation, noise, value, states)
+    motion = _units(options, len(found[0].gain)).motion
+    if options.json:
+        print(json.dumps(plain_filters(found, interval, deviation, noise, value), indent=1))
+    else:
+        print(page_of_filters(found, interval, deviation, noise, value, motion))
+    return 0
 
 
 def _states(options: argparse.Namespace) -> int:

@@ -27,7 +27,7 @@ def page(sheet: Sheet, units: Units, belongs: Sequence[Belonging] = ()) -> str:
     """The whole page."""
     lines = [_title(sheet)]
     if sheet.found:
-        lines += ["", *_table(_head(sheet), [_cells(row) for row in sheet.found])]
+        lines += ["", *table(_head(sheet), [_cells(row) for row in sheet.found])]
         lines += ["", *_meaning(sheet)]
         if units.stated:
             lines += ["", *_unit_table(sheet, units)]
@@ -49,7 +49,7 @@ def _title(sheet: Sheet) -> str:
 
 def _meaning(sheet: Sheet) -> list[str]:
     motion, scale, _ = MOTIONS[sheet.states]
-    return _wrapped(
+    return wrapped(
         "variance/B: of the predicted and the smoothed position under measurement noise alone, "
         f"over that of the measurement; lag: e_fin behind a constant {motion}, over {scale}; "
         "settles: samples until the largest pole's modulus, to that power, is at most 1 %. All "
@@ -82,7 +82,7 @@ def settles(samples: float) -> str:
     return f"{samples:.0f}" if samples < 1e6 else f"{samples:.3g}"
 
 
-def _table(head: Sequence[list[str]], rows: list[list[str]]) -> Iterator[str]:
+def table(head: Sequence[list[str]], rows: list[list[str]]) -> Iterator[str]:
     """Columns as wide as their longest cell: names to the left, numbers to the right."""
     everything = [*head, *rows]
     spans = [max(map(len, column)) for column in zip(*everything, strict=True)]
@@ -111,7 +111,7 @@ def _unit_table(sheet: Sheet, units: Units) -> Iterator[str]:
         return
     head = ["filter", *(HEADINGS[kind] for kind in kinds)]
     cells = [[name, *(_told(found.get(kind)) for kind in kinds)] for name, found in rows]
-    yield from _table([head], cells)
+    yield from table([head], cells)
 
 
 def _told(value: float | None) -> str:
@@ -121,29 +121,27 @@ def _told(value: float | None) -> str:
 def _notes(sheet: Sheet) -> Iterator[str]:
     for row in sheet.found:
         if row.note:
-            yield from _wrapped(f"{row.name} of lag {number(row.lag)}: {row.note}")
+            yield from wrapped(f"{row.name} of lag {number(row.lag)}: {row.note}")
         if row.distance is None:
-            yield from _wrapped(f"{row.name} of lag {number(row.lag)}: {NOT_TOLD}")
+            yield from wrapped(f"{row.name} of lag {number(row.lag)}: {NOT_TOLD}")
 
 
 def _absent(sheet: Sheet) -> Iterator[str]:
     for row in sheet.rows:
         if isinstance(row, Absent):
-            yield from _wrapped(f"{row.name}, {row.title}, {row.reason}")
+            yield from wrapped(f"{row.name}, {row.title}, {row.reason}")
 
 
 def _belonging(belongs: Sequence[Belonging]) -> Iterator[str]:
     fitting = [f"{each.name} ({each.title})" for each in belongs if each.fits]
     if fitting:
-        yield from _wrapped(
-            f"Within the digits given these are the gains of: {', '.join(fitting)}."
-        )
+        yield from wrapped(f"Within the digits given these are the gains of: {', '.join(fitting)}.")
     else:
         compared = " compared" if any(each.not_compared for each in belongs) else ""
         yield f"Within the digits given these are the gains of none of the named filters{compared}."
     for each in belongs:
         if each.not_compared:
-            yield from _wrapped(f"  {each.name}: not compared: {each.not_compared}")
+            yield from wrapped(f"  {each.name}: not compared: {each.not_compared}")
             continue
         *others, last = each.gains
         parts = zip(GAINS, others, each.off, strict=False)
@@ -178,7 +176,7 @@ def poles(values: Sequence[complex]) -> str:
     return ", ".join(parts)
 
 
-def _wrapped(text: str) -> list[str]:
+def wrapped(text: str) -> list[str]:
     return textwrap.wrap(text, columns(), subsequent_indent="  ", break_on_hyphens=False)
 
 

@@ -17,7 +17,8 @@ from gainproof.version import VERSION
 SHIPPED = Path(__file__).with_name("shipped")
 IN_C = Path(__file__).with_name("in_c")
 COMPILING = ("_compiled.py", "compile.py")
-TEST_OF_C = "test_c.py"
+TARGETS = ("c", "fpcore", "octave", "rust")
+"""What there may be besides NumPy modules; also the folders in which it lies."""
 HERE = "from gainproof.standalone."
 EVALUATES = "from gainproof.generated._runtime import evaluate\n"
 
@@ -34,7 +35,7 @@ def package_files(parts: Sequence[Mapping[str, Any]], name: str, command: str) -
         texts |= {f"{title}.py": _computing_in_c(texts[f"{title}.py"]) for title in titles}
         texts |= {name: shipped(IN_C / name) for name in COMPILING}
     texts |= {
-        **{f"tests/{path.name}": shipped(path) for path in _tests(in_c)},
+        **{f"tests/{path.name}": shipped(path) for path in _tests(parts)},
         "README.md": _readme(name, titles, command, in_c=in_c),
         "LICENSE": LICENCE,
         "py.typed": "",
@@ -43,9 +44,11 @@ def package_files(parts: Sequence[Mapping[str, Any]], name: str, command: str) -
     return {name: text.encode("utf-8") for name, text in placed.items()}
 
 
-def _tests(in_c: bool) -> list[Path]:
-    """The tests of what there is."""
-    return [path for path in sorted(SHIPPED.glob("*.py")) if in_c or path.name != TEST_OF_C]
+def _tests(parts: Sequence[Mapping[str, Any]]) -> list[Path]:
+    """The tests of what there is: those called after a target only where the target is wanted."""
+    folders = {name.partition("/")[0] for part in parts for name in part["files"]}
+    left_out = {f"test_{target}.py" for target in TARGETS if target not in folders}
+    return [path for path in sorted(SHIPPED.glob("*.py")) if path.name not in left_out]
 
 
 def _computing_in_c(text: str) -> str:

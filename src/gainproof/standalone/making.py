@@ -15,12 +15,10 @@ from gainproof.bad_input import BadInputError
 from gainproof.files import places
 from gainproof.jobs import workers
 from gainproof.jobs.session import Session
-from gainproof.standalone.files import package_files
+from gainproof.standalone.files import TARGETS, package_files
 from gainproof.subjects import bounds_ledger, derivations
 from gainproof.subjects.derived import derived_from
 
-TARGETS = ("c", "fpcore")
-"""What there may be besides NumPy modules; also the folders in which it lies."""
 TAKEN = frozenset({*sys.stdlib_module_names, "gainproof", "mpmath", "numpy", "pytest", "tests"})
 """Names under which nothing else could be imported any more, or that a package itself uses."""
 

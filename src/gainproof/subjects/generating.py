@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
@@ -21,6 +21,8 @@ from gainproof.derive.printer.kernel import Kernel, Module
 from gainproof.derive.printer.known_values import known_values
 from gainproof.derive.printer.loss import loss_text, place_text
 from gainproof.derive.printer.lost_digits import with_losses
+from gainproof.derive.printer.octave import octave_files
+from gainproof.derive.printer.rust import rust_files
 from gainproof.derive.printer.together import groups
 from gainproof.derive.printer.together import proved as prove_group
 from gainproof.derive.printer.write import module_files
@@ -38,6 +40,20 @@ BOUNDING = (
     "gainproof.derive.printer.bound_data",
 )
 """What proves bounds and writes them."""
+
+
+TARGETS: Mapping[str, Callable[[Module, list[Bounds], Mapping[str, Any]], dict[str, str]]] = {
+    "c": lambda module, bounds, values: {
+        **c_files(module, bounds),
+        f"test_{module.name}.c": c_trial(module, values),
+    },
+    "fpcore": lambda module, bounds, _: {f"{module.name}.fpcore": fpcore(module, bounds)},
+    "octave": octave_files,
+    "rust": rust_files,
+}
+"""Files of a module by name, for each target besides NumPy, from bounds and values already known; a
+folder of a package is called after the target.
+"""
 
 
 @dataclass(frozen=True)
@@ -161,9 +177,8 @@ def packaged(
         f"{module.name}.md": subject_page(subject, bounds),
         f"tests/values_{module.name}.json": canonical_json(values),
     }
-    files |= {f"c/{name}": text for name, text in c_files(module, bounds).items()}
-    files[f"c/test_{module.name}.c"] = c_trial(module, values)
-    files[f"fpcore/{module.name}.fpcore"] = fpcore(module, bounds)
+    for target, made in TARGETS.items():
+        files |= {f"{target}/{name}": text for name, text in made(module, bounds, values).items()}
     formulas = formulas_source(subject)
     if formulas:
         try:

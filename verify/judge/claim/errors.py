@@ -13,6 +13,8 @@ from gainproof.verify.judge.reader.plain_names import plain_name
 
 MOST_FOUND = 200
 """Errors of one file after which no more are looked for."""
+MOST_LINES = 4_000
+"""Lines of a file that are looked through for the place of a formula."""
 Made = TypeVar("Made")
 _HEADERS = ("[[claims]]", "[settings", "[symbols", "[source]")
 
@@ -184,7 +186,7 @@ class FileText:
     def place_of(self, value: str, start: int) -> tuple[int, int] | None:
         """Line and column where the first line of `value` stands, in the table of line `start`."""
         first = value.lstrip("\n").split("\n", 1)[0]
-        for number in range(start, len(self._lines) + 1):
+        for number in range(start, min(len(self._lines), start + MOST_LINES) + 1):
             line = self._lines[number - 1]
             if number > start and line.startswith(_HEADERS):
                 return None

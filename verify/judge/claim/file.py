@@ -40,6 +40,7 @@ from gainproof.verify.judge.claim.record import (
 )
 from gainproof.verify.judge.claim.settings import read_settings, symbol_error
 from gainproof.verify.judge.claim.symbols import complete_symbols
+from gainproof.verify.judge.claim.usual import USUAL, pruned
 from gainproof.verify.judge.dimensions.declared import shared_fault
 
 FORMAT = "gainproof claims 1"
@@ -147,15 +148,23 @@ def _claim_file(
     source = _source(text, document.take("source"))
     text.logarithm = source.logarithm if source else None
     start = text.line_of_table("symbols") or 1
-    declared = read_declarations(text, "symbols", document.take("symbols") or {}, start)
+    table = document.take("symbols") or {}
+    usual = table == USUAL
+    declared = {} if usual else read_declarations(text, "symbols", table, start)
     symbols = complete_symbols(text, declared)
     fault = shared_fault(symbols.sound)
     if fault is not None:
         text.note(symbol_error(text, "symbols", fault))
         symbols = replace(symbols, unsound=frozenset(symbols.symbols))
-    settings = read_settings(text, document.take("settings"), symbols, models)
+    settings = read_settings(text, document.take("settings"), symbols, models, usual=usual)
     claims, unread = read_claims(text, document.take("claims"), settings)
-    judged = {name: one.judged for name, one in settings.items() if one and one.judged}
+    judged = {
+        name: pruned(one.judged, one.usual, [c for c in claims if c.setting == name])
+        if one.usual
+        else one.judged
+        for name, one in settings.items()
+        if one and one.judged
+    }
     if source is None:
         return None
     return ClaimFile(text.path, source, symbols.sound, judged, claims, unread=unread)

@@ -33,6 +33,7 @@ OWN_FIELDS: Mapping[str, tuple[str, ...]] = {
 }
 """Fields that only claims of one kind take."""
 
+INEQUALITIES = frozenset(("<", "<=", ">", ">=", "!="))
 _OPERATORS = {
     "identity": frozenset(("=",)),
     "definition": frozenset(("=",)),
@@ -41,9 +42,27 @@ _OPERATORS = {
     "location": frozenset(("=",)),
     "value": frozenset(("=", "approx")),
     "asymptotics": frozenset(("=", "approx", "sim")),
-    "inequality": frozenset(("<", "<=", ">", ">=", "!=")),
+    "inequality": INEQUALITIES,
     "limit": frozenset(("->", "=")),
 }
+
+
+def kind_of(formula: Formula) -> str:
+    """The kind of claim that a formula is, as far as its relations say it."""
+    reading = formula.readings[0]
+    operators = {relation.operator for relation in reading.relations}
+    if reading.connective in ("iff", "implies"):
+        return "equivalence" if reading.connective == "iff" else "implication"
+    if "->" in operators or any(each.operator == "->" for each in reading.conditions):
+        orders = any(
+            node[:2] == ["call", "order"]
+            for relation in reading.relations
+            for node in relation.right["nodes"]
+        )
+        return "asymptotics" if orders or "sim" in operators else "limit"
+    if "approx" in operators:
+        return "value"
+    return "inequality" if operators & INEQUALITIES else "identity"
 
 
 def with_own_fields(claim: Claim, fields: Fields, symbols: Symbols) -> Claim:

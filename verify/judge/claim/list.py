@@ -14,14 +14,21 @@ from gainproof.verify.judge.claim.formulas import (
     plain_formula_of,
     token_in,
 )
-from gainproof.verify.judge.claim.kinds import OWN_FIELDS, WITHOUT_FORMULA, with_own_fields
+from gainproof.verify.judge.claim.kinds import (
+    OWN_FIELDS,
+    WITHOUT_FORMULA,
+    kind_of,
+    with_own_fields,
+)
 from gainproof.verify.judge.claim.record import Claim, Setting
 from gainproof.verify.judge.claim.settings import ReadSetting
+from gainproof.verify.judge.claim.usual import clash, means, whole_claims
 from gainproof.verify.judge.claim.vocabulary import CLAIM_KINDS, ORIGINS
 from gainproof.verify.judge.dimensions.declared import domain_fault
 from gainproof.verify.judge.formula import Formula
 from gainproof.verify.judge.matrices import claim_fields
 from gainproof.verify.judge.matrices.letter import MatrixClaim
+from gainproof.verify.judge.reach import used
 from gainproof.verify.judge.reader.latex import reading_to_latex
 from gainproof.verify.judge.reader.words import BRANCHES
 
@@ -61,15 +68,22 @@ def read_claims(
         raise text.error("claims", "at least one table [[claims]] is wanted")
     if len(table) > MOST_CLAIMS:
         raise text.error("claims", f"{len(table)} claims, but at most {MOST_CLAIMS} are read")
+    if any(isinstance(one, str) for one in table) and len(settings) != 1:
+        raise text.error("claims", "formulas alone are claims of one setting: say of which each is")
+    places = _places(text, table)
+    kinds = {name: one.setting.kind if one else "" for name, one in settings.items()}
+    alone = {number for number, one in enumerate(table, start=1) if isinstance(one, str)}
+    table = whole_claims(table, kinds)
     reading = {name: one.setting if one else None for name, one in settings.items()}
     judging = {name: one.judged if one else None for name, one in settings.items()}
     claims: list[Claim] = []
     unread: list[str] = []
     lines: dict[str, int] = {}
+    meant: dict[str, dict[str, tuple[str, str]]] = {name: {} for name in settings}
     start = 1
     for number, content in enumerate(table, start=1):
         identifier = text.attempt(partial(_identifier, text, number, content), "")
-        line = text.line_of_identifier(identifier, start) or start
+        line = places.get(number) or text.line_of_identifier(identifier, start) or start
         if not identifier:
             unread.append(f"number {number}")
             continue
@@ -80,13 +94,55 @@ def read_claims(
             start = line + 1
             continue
         lines[identifier] = line
-        start = line + 1
+        start = line + (number not in alone)
         claim = _read(text, content, identifier, line, reading, judging, claims, unread)
+        read = settings.get(claim.setting) if claim else None
+        if claim is not None and read is not None and read.usual:
+            claim = text.attempt(partial(_unmixed, text, claim, read, meant[claim.setting]), None)
         if claim is None:
             unread.append(identifier)
         else:
             claims.append(claim)
     return tuple(claims), tuple(unread)
+
+
+def _places(text: FileText, table: Sequence[object]) -> dict[int, int]:
+    """The lines of claims that are formulas alone, by number."""
+    found: dict[int, int] = {}
+    line = text.line_of_key("claims") or 1
+    for number, one in enumerate(table, start=1):
+        place = text.place_of(one, line) if isinstance(one, str) else None
+        if place is None and isinstance(one, str):
+            break  # nor are the others looked for, each in all that is looked through
+        if place is not None:
+            found[number] = line = place[0]
+    return found
+
+
+def _unmixed(
+    text: FileText, claim: Claim, read: ReadSetting, meant: dict[str, tuple[str, str]]
+) -> Claim:
+    """The claim, none of whose usual letters means what another symbol of the setting does; `meant`
+    are those of the claims before, by meaning, each with the id of its claim. Raises
+    ClaimFileError.
+    """
+    tokens = sorted(used(claim, read.setting).intersection(read.setting.symbols))
+    before = {meaning: token for meaning, (token, _) in meant.items()}
+    pair = clash(tokens, before, read.usual, read.setting)
+    if pair is not None:
+        one, other = pair
+        meaning = means(read.setting.symbols[one])
+        where = f" of claim {meant[meaning][1]}" if meaning in meant else ""
+        entry = read.setting.symbols[one if one in read.usual else other]
+        problem = (
+            f"{one} and {other}{where} would both be the {entry.meaning}: declare what one of "
+            "them is"
+        )
+        raise text.error(f"claims.{claim.id}", problem, claim.line)
+    for token in tokens:
+        if meaning := means(read.setting.symbols[token]):
+            meant.setdefault(meaning, (token, claim.id))
+    return claim
 
 
 def _read(
@@ -147,7 +203,9 @@ def _claim(
     """The claim as its fields say it. Errors that leave others to be found are noted."""
     text = fields.text
     identifier = fields.required_text("id")
-    kind = text.attempt(lambda: fields.choice("kind", CLAIM_KINDS), UNDECIDABLE)
+    written = fields.has("kind") and fields.take("kind") is None
+    usual = "identity" if written else None
+    kind = text.attempt(lambda: fields.choice("kind", CLAIM_KINDS, usual), UNDECIDABLE)
     place = text.attempt(lambda: fields.required_text("place"), "")
     setting = _setting(fields, settings)
     if setting.matrices is not None:
@@ -163,6 +221,7 @@ def _claim(
     words = fields.text_or_none("text")
     none: tuple[str, str | None, Formula | None] = ("", None, None)
     latex, plain, formula = text.attempt(lambda: _formula(fields, kind, setting), none)
+    kind = kind_of(formula) if written and formula is not None else kind
     needs_words = kind in ("determines", UNDECIDABLE) and text.noted == noted
     if formula is None and words is None and needs_words:
         raise fields.fail("text", "this field is missing: a claim in words is paraphrased here")

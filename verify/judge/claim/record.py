@@ -33,18 +33,20 @@ class SourceRecord:
 
 @dataclass(frozen=True)
 class Unit:
-    """Powers of base units. Angles are labels of dimension one."""
+    """Powers of base units. An angle in radians is of dimension one, one in degrees is not."""
 
     metre: Fraction = Fraction(0)
     second: Fraction = Fraction(0)
     kilogram: Fraction = Fraction(0)
     kelvin: Fraction = Fraction(0)
     ampere: Fraction = Fraction(0)
+    degree: Fraction = Fraction(0)
 
     @property
     def powers(self) -> tuple[Fraction, ...]:
         """In the order of the fields."""
-        return self.metre, self.second, self.kilogram, self.kelvin, self.ampere
+        of_masses = self.kilogram, self.kelvin, self.ampere
+        return self.metre, self.second, *of_masses, self.degree
 
     def __mul__(self, other: Unit) -> Unit:
         return Unit(*(a + b for a, b in zip(self.powers, other.powers, strict=True)))

@@ -11,6 +11,7 @@ from gainproof.verify.judge.claim.domains import contradiction, relations_of
 from gainproof.verify.judge.claim.errors import ClaimFileError, FileText
 from gainproof.verify.judge.claim.fields import Fields, nearest_hint
 from gainproof.verify.judge.claim.formulas import formula_of
+from gainproof.verify.judge.claim.letters import usual_letters
 from gainproof.verify.judge.claim.models import (
     GAIN_MATRICES,
     MATRICES,
@@ -20,6 +21,7 @@ from gainproof.verify.judge.claim.models import (
 )
 from gainproof.verify.judge.claim.record import Formula, Setting, SymbolEntry
 from gainproof.verify.judge.claim.symbols import SymbolTable, complete_symbols
+from gainproof.verify.judge.claim.usual import USUAL, usual_entries
 from gainproof.verify.judge.dimensions.declared import Fault, says_units, setting_fault
 from gainproof.verify.judge.matrices.declare import read_letters, read_sizes
 
@@ -65,18 +67,26 @@ FIELDS = (
 @dataclass(frozen=True)
 class ReadSetting:
     """A setting with whose symbols claims are read, and the one in which they can be judged:
-    without the symbols that have errors, and None where without them it is none.
+    without the symbols that have errors, and None where without them it is none. The symbols
+    `usual` are letters that the file does not declare.
     """
 
     setting: Setting
     judged: Setting | None
+    usual: frozenset[str] = frozenset()
 
 
 def read_settings(
-    text: FileText, table: object, shared: SymbolTable, models: Sequence[str] | None = None
+    text: FileText,
+    table: object,
+    shared: SymbolTable,
+    models: Sequence[str] | None = None,
+    *,
+    usual: bool = False,
 ) -> dict[str, ReadSetting | None]:
     """All settings by name, None for one that cannot be read; `shared` are the symbols of the
-    file's own table, `models` the names of the catalogue, if they are known. Errors are noted.
+    file's own table, `models` the names of the catalogue, if they are known; `usual` says that
+    letters mean what they usually do in all of them. Errors are noted.
     """
     if not isinstance(table, Mapping) or not table:
         raise text.error("settings", "at least one table [settings.NAME] is wanted")
@@ -84,7 +94,7 @@ def read_settings(
         raise text.error("settings", f"more than {MOST_SETTINGS} settings")
     found: dict[str, ReadSetting | None] = {}
     for name, content in table.items():
-        read = partial(_setting, text, name, content, shared, models)
+        read = partial(_setting, text, name, content, shared, models, usual)
         found[name] = text.attempt(read, None)
     return found
 
@@ -95,6 +105,7 @@ def _setting(
     content: object,
     shared: SymbolTable,
     models: Sequence[str] | None,
+    usual: bool,
 ) -> ReadSetting | None:
     where = f"settings.{name[:80]}"
     noted = text.noted
@@ -113,7 +124,12 @@ def _setting(
     if text.noted == noted:
         text.attempt(lambda: _check_kind(fields, kind, model, degree, models), None)
     errors = text.noted - noted
-    symbols = _symbols(text, where, own_symbols, shared)
+    letters = usual or own_symbols == USUAL
+    symbols, unsaid = _symbols(text, where, own_symbols, shared, (kind, model) if letters else None)
+    if own_symbols == USUAL and not errors and not usual_letters(kind, model):
+        problem = f"a setting of kind {kind} has no usual letters: declare its symbols"
+        text.note(fields.fail("symbols", problem))
+        errors = 1
     noted = text.noted
 
     def built(symbols: Mapping[str, SymbolEntry]) -> Setting:
@@ -128,8 +144,9 @@ def _setting(
     if errors or text.noted > noted:
         return ReadSetting(setting, None)
     if symbols.unsound:
-        return ReadSetting(setting, text.unsaid(lambda: checked(built(symbols.sound))))
-    return ReadSetting(setting, text.attempt(lambda: checked(setting), None))
+        judged = text.unsaid(lambda: checked(built(symbols.sound)))
+        return ReadSetting(setting, judged, unsaid)
+    return ReadSetting(setting, text.attempt(lambda: checked(setting), None), unsaid)
 
 
 def _built(
@@ -318,9 +335,22 @@ def _filters(fields: Fields, symbols: Mapping[str, SymbolEntry]) -> dict[str, tu
     return found
 
 
-def _symbols(text: FileText, where: str, table: object, shared: SymbolTable) -> SymbolTable:
+def _symbols(
+    text: FileText,
+    where: str,
+    table: object,
+    shared: SymbolTable,
+    filter_of: tuple[str, str | None] | None,
+) -> tuple[SymbolTable, frozenset[str]]:
+    """All symbols, and which of them are usual letters: none without the kind and the model of a
+    filter.
+    """
     place = f"{where}.symbols"
-    if table is None:
-        return shared
-    own = read_declarations(text, place, table, text.line_of_table(place) or 1)
-    return complete_symbols(text, own, shared)
+    if table is None and filter_of is None:
+        return shared, frozenset()
+    own = {}
+    if table not in (None, USUAL):
+        own = read_declarations(text, place, table, text.line_of_table(place) or 1)
+    explicit = {**shared.symbols, **{name: one.entry for name, one in own.items()}}
+    letters = usual_entries(*filter_of, explicit) if filter_of else {}
+    return complete_symbols(text, own, shared, letters), frozenset(letters)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
+from types import MappingProxyType
 
 from gainproof.verify.judge.claim.circles import MOST_DEEP, find_circle, find_deepest
 from gainproof.verify.judge.claim.declarations import Declaration
@@ -31,13 +32,17 @@ NO_SYMBOLS = SymbolTable()
 
 
 def complete_symbols(
-    text: FileText, declarations: Mapping[str, Declaration], shared: SymbolTable = NO_SYMBOLS
+    text: FileText,
+    declarations: Mapping[str, Declaration],
+    shared: SymbolTable = NO_SYMBOLS,
+    usual: Mapping[str, SymbolEntry] = MappingProxyType({}),
 ) -> SymbolTable:
-    """The `shared` entries and those declared; definitions and domains may use all of them. Errors
-    are noted.
+    """The `shared` entries, those declared and the `usual` ones beside them; definitions and
+    domains may use all of them. Errors are noted.
     """
-    bare = {**shared.symbols, **{name: item.entry for name, item in declarations.items()}}
-    complete = dict(shared.symbols)
+    known = {**usual, **shared.symbols}
+    bare = {**known, **{name: item.entry for name, item in declarations.items()}}
+    complete = dict(known)
     unsound = set(shared.unsound)
     for name, declaration in declarations.items():
         noted = text.noted

@@ -14,6 +14,7 @@ _BASES = {
     "kg": Unit(kilogram=_ONE),
     "K": Unit(kelvin=_ONE),
     "A": Unit(ampere=_ONE),
+    "deg": Unit(degree=_ONE),
 }
 _NEWTON = _BASES["kg"] * _BASES["m"] / _BASES["s"] ** 2
 _WATT = _NEWTON * _BASES["m"] / _BASES["s"]
@@ -21,15 +22,19 @@ KNOWN = {
     **_BASES,
     "1": Unit(),
     "rad": Unit(),
+    "degree": _BASES["deg"],
+    "degrees": _BASES["deg"],
     "Hz": _BASES["s"] ** -1,
     "N": _NEWTON,
     "J": _NEWTON * _BASES["m"],
     "W": _WATT,
     "V": _WATT / _BASES["A"],
 }
-"""All that may be written; none is a multiple of another, so that numbers mean what they say."""
+"""All that may be written; none is a multiple of another, so that numbers mean what they say. A
+degree is a unit of its own beside the radian: angles in it are turned where they are used.
+"""
 INSTEAD = {
-    **dict.fromkeys(("deg", "degree", "degrees", "°"), "rad; 1 deg is pi/180 rad"),
+    "°": "deg",
     **dict.fromkeys(("min", "minute"), "s; 1 min is 60 s"),
     **dict.fromkeys(("h", "hour"), "s; 1 h is 3600 s"),
     "ms": "s; 1 ms is 1/1000 s",

@@ -5,10 +5,12 @@ it says or rests on.
 from __future__ import annotations
 
 from collections.abc import Iterator
+from operator import methodcaller
 
 from gainproof.verify.judge.claim.record import Claim, Setting
 from gainproof.verify.judge.dimensions.dimension import Mismatch, agreed
 from gainproof.verify.judge.dimensions.formula import (
+    fault_of,
     graph_fault,
     names_of,
     reading_fault,
@@ -73,10 +75,8 @@ def _faults(claim: Claim, setting: Setting) -> Iterator[str]:
     if claim.recursion is not None and claim.previous is not None:
         yield from _recursion_faults(claim.recursion, claim.previous, names)
     for token in sorted(reached(claim, setting)):
-        try:
-            names.of(token)
-        except Mismatch as found:
-            yield str(found)
+        if (fault := fault_of(methodcaller("of", token), names)) is not None:
+            yield fault
 
 
 def _relations(claim: Claim, setting: Setting) -> Iterator[tuple[str, tuple[Relation, ...]]]:

@@ -12,10 +12,11 @@ from fractions import Fraction
 
 from gainproof.verify.judge.claim.record import Claim, Setting, SymbolEntry, Unit
 from gainproof.verify.judge.convention_effect import choices, with_units
-from gainproof.verify.judge.dimensions.dimension import Mismatch, agreed, times
+from gainproof.verify.judge.dimensions.dimension import Dimensions, agreed, times
 from gainproof.verify.judge.dimensions.formula import (
     dimension,
     dimension_of,
+    fault_of,
     names_of,
     relation_fault,
 )
@@ -126,14 +127,8 @@ def _definition_faults(token: str, entry: SymbolEntry, names: Names) -> Iterator
         yield Fault(token, "definition", problems[0] or "")
 
 
-def _differs(graph: Graph, wanted: object, what: str, names: Names) -> str | None:
-    try:
-        agreed([wanted, dimension(read_tree(graph), names)], what)  # type: ignore[list-item]
-    except Mismatch as fault:
-        return str(fault)
-    except Malformed:
-        pass  # reported where it is judged
-    return None
+def _differs(graph: Graph, wanted: Dimensions, what: str, names: Names) -> str | None:
+    return fault_of(lambda one: agreed([wanted, dimension(read_tree(graph), one)], what), names)
 
 
 def _model_faults(setting: Setting) -> Iterator[Fault]:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from fractions import Fraction
 
 from gainproof.verify.judge.claim.record import Setting, Unit
@@ -18,7 +18,7 @@ from gainproof.verify.judge.dimensions.dimension import (
     times,
     without_dimension,
 )
-from gainproof.verify.judge.dimensions.names import Names
+from gainproof.verify.judge.dimensions.names import Names, has_degrees
 from gainproof.verify.judge.dimensions.table import (
     determinant,
     inverse,
@@ -40,11 +40,15 @@ MOST_CHARACTERS = 60
 """Terms of so many characters are named."""
 OF_NUMBERS = frozenset(
     (
-        *("sin", "cos", "tan", "cot", "sec", "csc", "asin", "acos", "atan"),
+        *("asin", "acos", "atan"),
         *("sinh", "cosh", "tanh", "exp", "log", "ln", "arctan", "erf", "erfinv", "floor", "ceil"),
     )
 )
 """Functions of numbers: a series of powers of a length adds lengths to areas."""
+OF_ANGLES = frozenset(("sin", "cos", "tan", "cot", "sec", "csc"))
+"""Functions of angles, in radians, which are numbers, or in degrees."""
+DEGREE = Unit(degree=Fraction(1))
+ONE_OVER_DEGREE = ONE / DEGREE
 ALIKE = frozenset(("max", "min", "atan2", "mod"))
 """Functions whose arguments are compared with one another."""
 NUMBERS = frozenset(("sign", "rank"))
@@ -63,28 +67,43 @@ def reading_fault(reading: Reading, setting: Setting) -> str | None:
 
 def relation_fault(relation: Relation, names: Names) -> str | None:
     """What is wrong with the dimensions of a relation, or None."""
-    try:
-        left, right = (
-            dimension(read_tree(side), names) for side in (relation.left, relation.right)
-        )
-        if relation.operator != "propto":
-            agreed([left, right], "the sides")
-    except Mismatch as fault:
-        return str(fault)
-    except Malformed:
-        pass  # reported where the relation is judged
-    return None
+    return fault_of(lambda one: _compare(relation, one), names)
+
+
+def _compare(relation: Relation, names: Names) -> None:
+    sides = [read_tree(side) for side in (relation.left, relation.right)]
+    found = [dimension(side, names) for side in sides]
+    # bounds of an angle in degrees are numbers of degrees
+    bounds = DEGREE in found and any(map(_is_of_digits, sides))
+    if relation.operator != "propto" and not bounds:
+        agreed(found, "the sides")
+
+
+def _is_of_digits(side: Expr) -> bool:
+    return all(node.kind not in ("symbol", "call") for node in walk(side))
 
 
 def graph_fault(graph: Graph, names: Names) -> str | None:
     """What is wrong with the dimensions inside an expression, or None."""
-    try:
-        dimension(read_tree(graph), names)
-    except Mismatch as fault:
-        return str(fault)
-    except Malformed:
-        pass  # reported where it is judged
-    return None
+    return fault_of(lambda one: dimension(read_tree(graph), one), names)
+
+
+def fault_of(ask: Callable[[Names], object], names: Names) -> str | None:
+    """The mismatch that is found by asking for dimensions, or None. Beside degrees the number pi
+    may be a part of 180 of them in one radian: nothing is wrong if that makes all agree.
+    """
+    circles = [names.circle, ONE_OVER_DEGREE] if has_degrees(names.setting) else [names.circle]
+    found: str | None = None
+    for circle in circles:
+        try:
+            ask(names if circle == names.circle else names.with_circle(circle))
+        except Mismatch as fault:
+            found = found or str(fault)
+        except Malformed:
+            return None  # reported where it is judged
+        else:
+            return None
+    return found
 
 
 def dimension_of(graph: Graph, setting: Setting) -> Unit | None:
@@ -196,8 +215,10 @@ def _call(name: str, parts: list[Dimensions], names: Names) -> Dimensions:
     if name in names.setting.symbols:
         return names.called(name, parts)
     if name == "pi" and not parts:
+        return names.circle
+    if name in OF_ANGLES and DEGREE in parts:
         return ONE
-    if name in OF_NUMBERS or name.startswith(BASED):
+    if name in OF_NUMBERS | OF_ANGLES or name.startswith(BASED):
         without_dimension(parts[0], f"the argument of {name}")
         return ONE
     if name.startswith(OF_CASES):

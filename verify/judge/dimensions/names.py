@@ -7,7 +7,15 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping, Sequence
 
 from gainproof.verify.judge.claim.record import Setting, SymbolEntry
-from gainproof.verify.judge.dimensions.dimension import ANY, Dimensions, Mismatch, agreed, times
+from gainproof.verify.judge.dimensions.dimension import (
+    ANY,
+    ONE,
+    Dimension,
+    Dimensions,
+    Mismatch,
+    agreed,
+    times,
+)
 from gainproof.verify.judge.exact.expression import Expr
 from gainproof.verify.judge.exact.tree import read_tree
 from gainproof.verify.judge.formula import Formula
@@ -22,18 +30,34 @@ Asked = Callable[[Expr, "Names"], Dimensions]
 """What says the dimension of an expression over names."""
 
 
+def has_degrees(setting: Setting) -> bool:
+    """Whether a symbol is declared in degrees, or powers of them."""
+    return any(entry.unit and entry.unit.degree for entry in setting.symbols.values())
+
+
 class Names:
-    """Dimensions of the symbols of a setting; `local` are those of arguments of functions."""
+    """Dimensions of the symbols of a setting, and of the number pi, `circle`; `local` are those of
+    arguments of functions.
+    """
 
     def __init__(
-        self, setting: Setting, asked: Asked, local: Mapping[str, Dimensions] | None = None
+        self,
+        setting: Setting,
+        asked: Asked,
+        local: Mapping[str, Dimensions] | None = None,
+        circle: Dimension = ONE,
     ) -> None:
+        self.circle = circle
         self.setting = setting
         self.asked = asked
         self.local = dict(local or {})
         self.known: dict[str, Dimensions] = {"infinity": ANY}
         self.open: set[str] = set()
         self.calls: dict[tuple[str, tuple[Dimensions, ...]], Dimensions] = {}
+
+    def with_circle(self, circle: Dimension) -> Names:
+        """The same where the number pi has another dimension."""
+        return Names(self.setting, self.asked, self.local, circle)
 
     def of(self, token: str) -> Dimensions:
         """The dimension of a symbol. Raises Mismatch where its definition mixes dimensions."""
@@ -94,7 +118,7 @@ class Names:
         self.calls[call] = ANY
         self.open.add(token)
         try:
-            inner = Names(self.setting, self.asked, given)
+            inner = Names(self.setting, self.asked, given, self.circle)
             inner.open, inner.calls = self.open, self.calls
             self.calls[call] = inner._body(token, entry.definition)
         finally:

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 from types import MappingProxyType
 
+from gainproof.verify.judge.dimensions.formula import OF_ANGLES
 from gainproof.verify.judge.exact.calculus import substituted
 from gainproof.verify.judge.exact.constant_value import constant_value
 from gainproof.verify.judge.exact.expression import (
@@ -166,6 +167,8 @@ def _call(node: Expr, names: Names, bindings: Bindings) -> Value:
     if name == "power" and len(numbers) == 2:
         return general_power(*numbers)
     name = SAME.get(name, name)
+    if name in OF_ANGLES and len(numbers) == 1:
+        numbers = [names.angle(node.parts[0], numbers[0])]
     if (made := elementary(name, numbers)) is not None:
         return made
     if is_known(name, len(numbers)):

@@ -28,6 +28,10 @@ class Names(Protocol):
         """Whether expressions change with a base variable in a way that they do not show."""
         ...
 
+    def angle(self, argument: Expr, value: Expr) -> Expr:
+        """The value of the argument of a sine or the like in radians."""
+        ...
+
     def function(self, name: str, arguments: Sequence[Value], bindings: Bindings) -> Value:
         """The value of a declared function."""
         ...

@@ -21,6 +21,7 @@ from gainproof.verify.judge.exact.total import is_total
 from gainproof.verify.judge.exact.tree import read_tree
 from gainproof.verify.judge.formula import Graph
 from gainproof.verify.judge.meaning.bindings import Bindings
+from gainproof.verify.judge.meaning.degrees import in_radians
 from gainproof.verify.judge.meaning.derivatives import (
     along_pair,
     partial_derivative,
@@ -60,6 +61,10 @@ class Table(Symbols):
     def under(self, graph: Graph, bindings: Bindings) -> Value:
         """What a graph stands for under the bindings."""
         return evaluated(read_tree(graph), self, bindings)
+
+    def angle(self, argument: Expr, value: Expr) -> Expr:
+        """The value of an argument of a sine or the like in radians. Raises Undecided."""
+        return in_radians(argument, value, self.setting)
 
     def function(self, name: str, arguments: Sequence[Value], bindings: Bindings) -> Value:
         """The value of a declared function: its body with fresh names for the arguments, into which

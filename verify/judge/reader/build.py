@@ -56,7 +56,11 @@ class Builder:
         add = self.nodes.add
         match tree.data:
             case "number":
-                return add("number", str(Fraction(str(tree.children[0]))))
+                digits, _, power = str(tree.children[0]).partition("e")
+                number = add("number", str(Fraction(digits)))
+                if not power:
+                    return number
+                return add("mul", number, add("pow", add("number", "10"), power))
             case "symbol":
                 return add("symbol", str(tree.children[0]))
             case "constant":
@@ -131,6 +135,12 @@ class Builder:
         """A sum or product of nodes; of one node it is the node."""
         return numbers[0] if len(numbers) == 1 else self.nodes.add(kind, *numbers)
 
+    def refuse_entries(self, tree: Branch, *numbers: int) -> None:
+        """ReaderError if one of the nodes is a matrix, of which each entry is meant."""
+        if any(map(self.nodes.is_matrix, numbers)):
+            problem = "entry by entry, which is not read of matrices: write out the entries"
+            raise self.error(problem, tree)
+
     def _sum(self, tree: Branch) -> int:
         if has_dots(children(tree)):
             return dotted_sum(self, tree)
@@ -160,12 +170,17 @@ class Builder:
         while position < len(parts):
             part = parts[position]
             if part.operator != "divided":
-                factors.append(self._factor(part))
+                number = self._factor(part)
+                if part.entrywise and any(map(self.nodes.is_matrix, factors)):
+                    self.refuse_entries(part.factor, number)
+                factors.append(number)
                 position += 1
                 continue
             extent = self.extents.get(part.place, 1)
             above = self.many("mul", factors)
             below = [self._factor(other) for other in parts[position : position + extent]]
+            if part.entrywise:
+                self.refuse_entries(part.factor, *below)
             factors = [self.nodes.add("div", above, self.many("mul", below))]
             position += extent
         whole = self.many("mul", factors)
@@ -184,7 +199,10 @@ class Builder:
     def _power(self, tree: Branch) -> int:
         if tree.data == "raised":
             base, above = children(tree)
-            return self.power(self.value(base), above)
+            number = self.value(base)
+            if tokens(tree, "POWER")[0] == ".^":
+                self.refuse_entries(above, number, self.value(above))
+            return self.power(number, above)
         base = children(tree)[0]
         indices = tokens(tree, "NUMBER")
         index = Fraction(str(indices[0])) if indices else Fraction(2)

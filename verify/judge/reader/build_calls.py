@@ -98,6 +98,13 @@ def _plain_form(builder: Builder, word: Token, arguments: list[Branch], tree: Br
             return add("matrix", 1, 1, numbers[0])
         case "kron":
             return add("kronecker", *numbers)
+        case "pow":
+            builder.refuse_entries(tree, *numbers)
+            return builder.power(numbers[0], arguments[1])
+        case "hypot":
+            builder.refuse_entries(tree, *numbers)
+            squares = [add("pow", number, "2") for number in numbers]
+            return add("pow", add("add", *squares), "1/2")
     symbol = sole(arguments[1])
     if symbol.data != "symbol":
         raise builder.error(f"the second argument of {name} must be a symbol", arguments[1])

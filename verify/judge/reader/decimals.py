@@ -9,13 +9,14 @@ from gainproof.verify.judge.reader.tree import Branch, first_token
 
 
 def decimals_shown(tree: Branch, graph: Graph) -> int | None:
-    """The decimals of `0.50`, `-0.50` or `5.0 \\times 10^{-4}` as printed; None for anything that
-    is not one number.
+    """The decimals of `0.50`, `-0.50`, `5.0 \\times 10^{-4}` or `5.0e-4` as printed; None for
+    anything that is not one number.
     """
     power = power_of_ten(graph)
     if power is None:
         return None
-    return len(str(first_token(tree, "NUMBER")).partition(".")[2]) - power
+    digits = str(first_token(tree, "NUMBER")).partition("e")[0]
+    return len(digits.partition(".")[2]) - power
 
 
 def power_of_ten(graph: Graph) -> int | None:

@@ -3,14 +3,25 @@
 from __future__ import annotations
 
 from dataclasses import replace
-from fractions import Fraction
 
 from gainproof.verify.judge.reader.alphabet import DIGITS, is_letter, skip_space
 from gainproof.verify.judge.reader.errors import ReaderError, nearest_names
 from gainproof.verify.judge.reader.line_end import LineEnds
-from gainproof.verify.judge.reader.printed import decimal
-from gainproof.verify.judge.reader.scan import MOST_SHOWN, scan_number
-from gainproof.verify.judge.reader.special import circle_number, declared_kind, special_name
+from gainproof.verify.judge.reader.scan import MOST_SHOWN, Scanned
+from gainproof.verify.judge.reader.source_code import (
+    ENTRYWISE,
+    code_circle,
+    is_of_library,
+    library_end,
+    scan_code_number,
+    usual_word,
+)
+from gainproof.verify.judge.reader.special import (
+    circle_number,
+    declared_kind,
+    special_name,
+    with_base,
+)
 from gainproof.verify.judge.reader.tokens import MARKS, FormulaToken
 from gainproof.verify.judge.reader.vocabulary import Vocabulary
 from gainproof.verify.judge.reader.words import (
@@ -27,18 +38,17 @@ _MARKS = {mark: token for mark, token in MARKS.items() if mark not in ("{", "}",
     "==": ("EQUAL", "="),
     "~=": ("RELATION", "approx"),
     "~": ("RELATION", "sim"),
-    "**": ("POWER", "^"),
+    "**": ("POWER", "**"),
     "*": ("DOT", "*"),
+    "@": ("DOT", "*"),
+    ".*": ("DOT", ".*"),
+    "./": ("SLASH", "./"),
+    ".^": ("POWER", ".^"),
+    "&&": ("AND", "and"),
     ";": ("LINE", ";"),
 }
-_BY_ENTRIES = (".*", "./", ".^")
-_OF_CODE = {"fabs": "abs", "fabsf": "abs", "sqrtf": "sqrt", "M_PI": "pi"}
-"""Names of source code, and what they are called here."""
-_POWERS = ("pow", "powf")
 _REMAINDERS = ("fmod", "fmodf", "rem", "remainder")
 _OPERANDS = ("SYMBOL", "NUMBER", "CONSTANT", "CLOSE", "RIGHT_BRACE", "BAR_CLOSE")
-_MOST_EXPONENT = 20
-"""Beyond this a number with an exponent is not written out in a message."""
 _INFINITY = ("infinity", "inf", "oo")
 _RELATION_WORDS = {"propto": ("RELATION", "propto"), "approx": ("RELATION", "approx")}
 
@@ -70,11 +80,12 @@ class _PlainLexer:
                 self._add("DOTS", "...", start + 3)
             elif character in ".,;" and (end := self.line_ends.end_at(start)) is not None:
                 self.position = end
-            elif text[start : start + 2] in _BY_ENTRIES:
-                mark = text[start : start + 2]
-                raise self._error(f"{mark} is a sign of source code: write {mark[1]}", mark)
+            elif (end := self._transpose_end()) is not None:
+                self._add("TRANSPOSE", "T", end)
+            elif text[start : start + 2] in ENTRYWISE:
+                self._mark()
             elif character in DIGITS or character == ".":
-                self._add(*scan_number(text, start, single=False))
+                self._add(*scan_code_number(text, start, self.vocabulary))
             elif is_letter(character):
                 self._letters()
             else:
@@ -94,10 +105,23 @@ class _PlainLexer:
             kind = declared_kind(self.text, name, end, self.vocabulary)
             self._add(kind, name, end)
             return
-        text, start = self.text, self.position
+        text = self.text
+        start = library_end(text, self.position)
+        of_library = start > self.position
+        if of_library:
+            end = _word_end(text, start)
         word = text[start:end]
         calls = text.startswith("(", skip_space(text, end))
-        if calls and word == CASES:
+        if calls:
+            word = usual_word(word)
+        if (circle := code_circle(word, of_library=of_library)) is not None:
+            self._add("CONSTANT", circle, end)
+        elif word.startswith("log_"):
+            self._add(*self._logarithm(start))
+        elif of_library and not (calls and is_of_library(word)):
+            shown = text[self.position : end][:MOST_SHOWN]
+            raise self._error(f"{shown} is no function that is read", shown)
+        elif calls and word == CASES:
             self.stack.append((len(self.tokens), []))
             self._add("CASES_OPEN", CASES, skip_space(text, end) + 1)
         elif word == "mod" and self.tokens and self.tokens[-1].kind in _OPERANDS:
@@ -113,36 +137,27 @@ class _PlainLexer:
         elif calls and word in PLAIN_FORMS:
             self._add("WORD", word, end)
         elif calls and (function := function_of(word)) is not None:
-            usual = self.vocabulary.logarithm_name if word == "log" else function
-            self._add("WORD", usual, end)
+            # that of a library is natural, whatever the text calls so
+            usual = word == "log" and not of_library
+            self._add("WORD", self.vocabulary.logarithm_name if usual else function, end)
         elif (special := special_name(text, word, end)) is not None:
             self._add(*special)
         elif (number := circle_number(text, word, end, self.vocabulary)) is not None:
             self._add(*number)
-        elif word in PLAIN_FORMS or word == "sqrt" or function_of(word) is not None:
+        elif _is_function(word):
             raise self._error(f"{word} needs brackets: {word}(...)", word)
         else:
-            raise self._undeclared(word, end)
+            braced = text.find("}", end, end + MOST_SHOWN) if text[end : end + 1] == "{" else -1
+            raise self._undeclared(
+                text[start : braced + 1] if word.endswith("_") and braced > 0 else word
+            )
 
-    def _undeclared(self, word: str, end: int) -> ReaderError:
-        """The error for a word that nobody declared; what comes from source code is told how to be
-        written.
-        """
+    def _undeclared(self, word: str) -> ReaderError:
+        """The error for a word that nobody declared."""
         shown = word[:MOST_SHOWN]
-        before = self.tokens[-1] if self.tokens else None
-        if before is not None and before.kind == "NUMBER" and before.end == self.position:
-            written = _number_of_code(before.value, word, self.text[end:])
-            if written:
-                problem = f"a number as in source code: write {written}"
-                self.position = before.start
-                return self._error(problem, before.value)
-        if word in _POWERS:
-            return self._error(f"{word} is not read: write {_power(self.text, end)}", word)
         if word in _REMAINDERS:
             problem = f"{word} has not the sign of its divisor: write mod(x, y), x - y floor(x/y)"
             return self._error(problem, word)
-        if word in _OF_CODE:
-            return self._error(f"{word} is not read: write {_OF_CODE[word]}", word)
         known = [*self.vocabulary.plain_names, *PLAIN_FORMS, *FUNCTION_WORDS]
         problem = f"the symbol {shown} is not declared"
         return self._error(problem, shown, nearest_names(word, known))
@@ -162,10 +177,35 @@ class _PlainLexer:
                 problem = f"{name} may be {' or '.join((token, *others))}: write LaTeX"
                 raise self._error(problem, name, (token, *others))
             return token, end
-        end = start
-        while end < len(text) and _is_inner(text[end]):
-            end += 1
-        return "", end
+        return "", _word_end(text, start)
+
+    def _logarithm(self, start: int) -> Scanned:
+        """`log_2(x)` and `log_{10}(x)`, the base read as in LaTeX. ReaderError without brackets."""
+        text, under = self.text, start + len("log_")
+        end = _word_end(text, under)
+        # of the digits of a base LaTeX would take the first
+        based = function_of(f"log{text[under:end]}") if end > under else None
+        if based is not None:
+            found = Scanned("NAMED", based, end)
+        else:
+            found = with_base(text, Scanned("NAMED", "log", start + len("log")), self.vocabulary)
+        if not text.startswith("(", skip_space(text, found.end)):
+            shown = text[start : found.end]
+            raise self._error(f"{shown} needs brackets: {shown}(...)", shown)
+        return found._replace(kind="WORD")
+
+    def _transpose_end(self) -> int | None:
+        """The end of `'`, `.'` or `.T` right behind a matrix or a bracket; None where there is no
+        such mark.
+        """
+        text, start = self.text, self.position
+        mark = next((m for m in ("'", ".'", ".T") if text.startswith(m, start)), "")
+        end = start + len(mark)
+        before = self.tokens[-1] if self.tokens else None
+        if not mark or before is None or before.end != start or _is_inner(text[end : end + 1]):
+            return None
+        is_matrix = before.kind == "SYMBOL" and before.value in self.vocabulary.matrices
+        return end if is_matrix or before.kind in ("CLOSE", "MATRIX_CLOSE") else None
 
     def _mark(self) -> None:
         text, start = self.text, self.position
@@ -186,8 +226,8 @@ class _PlainLexer:
             kind, value = self._closed(*self.stack.pop(), value)
         elif kind in ("COMMA", "LINE") and self.stack:
             self.stack[-1][1].append(len(self.tokens))
-        elif kind == "POWER" and (power := _power_end(text, end)) is not None:
-            self._power(*power)
+        elif kind == "POWER" and (power := _power_end(text, end, mark)) is not None:
+            self._power(*power, value)
             return
         self._add(kind, value, end)
 
@@ -210,53 +250,16 @@ class _PlainLexer:
                 self.tokens[number] = replace(self.tokens[number], kind="CELL")
         return "MATRIX_CLOSE", "matrix"
 
-    def _power(self, digits: int, end: int) -> None:
+    def _power(self, digits: int, end: int, mark: str) -> None:
         """`^-1` and `^T`: `digits` is where a number begins, -1 for the mark of a transpose."""
         if digits < 0:
             self._add("TRANSPOSE", "T", end)
             return
-        self._add("POWER", "^", digits - 1)
+        self._add("POWER", mark, digits - 1)
         self._add("LEFT_BRACE", "{", digits - 1)
         self._add("MINUS", "-", digits)
-        self._add(*scan_number(self.text, digits, single=False))
+        self._add(*scan_code_number(self.text, digits, self.vocabulary))
         self._add("RIGHT_BRACE", "}", self.position)
-
-
-def _number_of_code(digits: str, word: str, following: str) -> str:
-    """How the number is written that has these digits, then the undeclared `word`: `1.0f`,
-    `3.3e-1`; empty if it is none.
-    """
-    if word in ("f", "F"):
-        return digits
-    sign = following[:1] if word in ("e", "E") and following[:1] in ("+", "-") else ""
-    power = following[1:] if sign else word[1:]
-    power = power[: len(power) - len(power.lstrip("0123456789"))]
-    if word[0] not in "eE" or not power or (not sign and power != word[1:]):
-        return ""
-    exponent = f"{sign.rstrip('+')}{power[:MOST_SHOWN]}"
-    small = len(power) <= 2 and abs(int(exponent)) <= _MOST_EXPONENT
-    written = decimal(Fraction(digits) * Fraction(10) ** int(exponent)) if small else None
-    return written or f"{digits}*10^{f'({exponent})' if sign == '-' else exponent}"
-
-
-def _power(text: str, start: int) -> str:
-    """`x**n` for what stands in the brackets at `start`, if it is two arguments."""
-    inner: list[str] = [""]
-    depth = 0
-    for character in text[skip_space(text, start) :]:
-        depth += (character == "(") - (character == ")")
-        if depth == 0:
-            break
-        if character == "," and depth == 1:
-            inner.append("")
-        else:
-            inner[-1] += character
-    inner[0] = inner[0].removeprefix("(")
-    parts = [part.strip() for part in inner]
-    if depth or len(parts) != 2 or not all(0 < len(part) <= MOST_SHOWN for part in parts):
-        return "x**n"
-    base, exponent = (part if all(map(_is_inner, part)) else f"({part})" for part in parts)
-    return f"{base}**{exponent}"
 
 
 def _is_inner(character: str) -> bool:
@@ -264,14 +267,26 @@ def _is_inner(character: str) -> bool:
     return is_letter(character) or character in DIGITS or character == "_"
 
 
-def _power_end(text: str, position: int) -> tuple[int, int] | None:
-    """After `^`: the place of a number behind a minus sign and the end of the sign, or -1 and the
-    end of `T`; None for anything else.
+def _word_end(text: str, position: int) -> int:
+    while position < len(text) and _is_inner(text[position]):
+        position += 1
+    return position
+
+
+def _is_function(word: str) -> bool:
+    """Whether it is the name of a function, or a word for what LaTeX prints with signs."""
+    return word in PLAIN_FORMS or word == "sqrt" or function_of(word) is not None
+
+
+def _power_end(text: str, position: int, mark: str) -> tuple[int, int] | None:
+    """After the `mark` of a power: the place of a number behind a minus sign and the end of the
+    sign, or -1 and the end of `T` after `^`; None for anything else.
     """
     start = skip_space(text, position)
     following = text[start + 1 : start + 2]
-    if text[start : start + 1] == "-" and following in DIGITS:
+    number = following in DIGITS or (following == "." and text[start + 2 : start + 3] in DIGITS)
+    if text[start : start + 1] == "-" and following and number:
         return start + 1, start + 1
-    if text[start : start + 1] == "T" and not _is_inner(following):
+    if mark == "^" and text[start : start + 1] == "T" and not _is_inner(following):
         return -1, start + 1
     return None

@@ -42,6 +42,8 @@ def _taken(part: Branch, text: str) -> Iterator[str]:
             if tokens(arguments, "ARGUMENT_OPEN") and len(inner.children) > 1:
                 name = text[part.meta.start_pos : inner.meta.start_pos].rstrip()
                 yield f"{_shown(part, text)} is {name}({_shown(inner, text)})"
+        case "number" if (code := _shown(part, text))[-1:] in ("f", "F"):
+            yield f"{code} is the number {code[:-1]}, single precision as in C"
         case "product":
             factors = children(part)
             for before, after in pairwise(factors):

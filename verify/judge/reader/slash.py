@@ -18,13 +18,15 @@ from gainproof.verify.judge.reader.tree import Branch, start
 class Part:
     """A factor with the way it joins what stands before: `first`, `juxtaposed`, `dotted`, `starred`
     (the dot of plain text, which ends what a slash divides by), `divided` or `crossed`; `place` is
-    where the operator or the factor begins; `bars` are the evaluations printed behind it.
+    where the operator or the factor begins; `bars` are the evaluations printed behind it;
+    `entrywise` says that it is joined by `.*` or `./`.
     """
 
     operator: str
     place: int
     factor: Branch
     bars: tuple[Branch, ...] = ()
+    entrywise: bool = False
 
 
 def product_parts(tree: Branch, text: str) -> list[Part]:
@@ -49,9 +51,10 @@ def product_parts(tree: Branch, text: str) -> list[Part]:
         if slashes > MOST_SLASHES:
             problem = f"more than {MOST_SLASHES} slashes in one product"
             raise ReaderError(problem, text, start(child), "/")
-        starred = child.data == "dotted" and child.children[0] == "*"
+        starred = child.data == "dotted" and child.children[0] in ("*", ".*")
         operator = "starred" if starred else str(child.data)
-        parts.append(Part(operator, start(child), factor))
+        entrywise = child.children[0] in (".*", "./")
+        parts.append(Part(operator, start(child), factor, entrywise=entrywise))
     operators = {part.operator for part in parts[1:]}
     if "crossed" in operators and len(operators) > 1:
         crossed = next(part for part in parts if part.operator == "crossed")

@@ -70,6 +70,8 @@ PLAIN_FORMS = {
     "inverse": 1,
     "matrix": 1,
     "kron": 2,
+    "pow": 2,
+    "hypot": 2,
     "diff": 2,
     "at": 3,
     "sum": 4,

@@ -110,7 +110,7 @@ FAULTS = {
     "title": ('title = "Notes"', "title = 1", "source.title", IDS),
     "shared unit": (
         """'m' = { unit = "1",""",
-        """'m' = { unit = "deg",""",
+        """'m' = { unit = "mm",""",
         "symbols.m.unit",
         ("x",),
     ),
@@ -299,7 +299,7 @@ def test_a_file_of_errors_ends_after_so_many(part: str) -> None:
         broken = claim.replace("2y", "2z")
         text = TEXT + "".join(broken.replace('"y"', f'"n{n}"') for n in range(1900))
     else:
-        many = "".join(f"'z_{{{n}}}' = {{ unit = 'deg', meaning = 'z' }}\n" for n in range(450))
+        many = "".join(f"'z_{{{n}}}' = {{ unit = 'mm', meaning = 'z' }}\n" for n in range(450))
         text = TEXT.replace("'y' = {", f"{many}'y' = {{")
     found = errors_of(text)
     assert len(found) == MOST_FOUND + 1

@@ -86,7 +86,7 @@ def solved(f: Rows, q: Rows, h: Rows, r: Fraction) -> tuple[list[float], float] 
     return [float(g) for g in gain[:, 0]], float(p[0, 0])
 
 
-@pytest.mark.parametrize("seed", cases(range(24), lambda seed: seed < 6))
+@pytest.mark.parametrize("seed", cases(range(24), lambda seed: seed < 3))
 def test_any_model_of_numbers_has_the_gain_that_scipy_finds(seed: int) -> None:
     f, q, h, r = drawn(seed)
     found = solved(f, q, h, r)

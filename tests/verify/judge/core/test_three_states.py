@@ -123,12 +123,12 @@ DECREASING = "about = ['c', 'a']\ntrend = 'decreasing'\ntext = 'c falls with a'"
         ("identity", r"a (a + b + \frac{c}{2}) = 2 b", "proved", "acceleration increments"),
         ("identity", r"a (a + b + c) = 2 b", "refuted", ""),
         further("identity", r"2 a c - b^2 = \frac{1}{12} c^2", "proved", "jerk constant"),
-        ("identity", r"2 a c - b^2 = \frac{1}{11} c^2", "refuted", ""),
+        further("identity", r"2 a c - b^2 = \frac{1}{11} c^2", "refuted", ""),
         ("identity", r"2 a^2 + 2 a b - 4 b + a c = \frac{1}{18} c^2", "proved", "jerk constant"),
         further(
             "identity", r"2 a^2 + 2 a b - 4 b + a c = \frac{1}{60} c^2", "proved", "white jerk"
         ),
-        ("identity", r"2 a^2 + 2 a b - 4 b - a c = \frac{1}{60} c^2", "refuted", ""),
+        further("identity", r"2 a^2 + 2 a b - 4 b - a c = \frac{1}{60} c^2", "refuted", ""),
         further("inequality", "c < b < 2 a", "proved", "acceleration increments"),
         ("inequality", "b < c", "refuted", ""),
         ("inequality", "b < a", "conditional", "acceleration increments"),

@@ -230,37 +230,3 @@ def test_both_forms_with_brackets_are_printed_and_read(text: str, forms: str) ->
 )
 def test_a_function_of_a_function_is_told_with_brackets(text: str, form: str) -> None:
     assert refusal(text).problem.endswith(f"of another function: write {form}")
-
-
-@pytest.mark.parametrize(
-    ("text", "form"),
-    [
-        ("a = pow(b, 3)", "b**3"),
-        ("a = k * powf(b + 1, -2)", "(b + 1)**(-2)"),
-        ("a = pow(b)", "x**n"),
-        ("a = pow(b, 2", "x**n"),
-        ("a = 1./3", "1"),
-        ("a = .5*b", "0.5"),
-        ("a = 1.0f/3", "1.0"),
-        ("a = 2F*b", "2"),
-        ("a = 3.3e-1*b", "0.33"),
-        ("a = 1.5E+3", "1500"),
-        ("a = 1e6*b", "1000000"),
-        ("a = 2e-300", "2*10^(-300)"),
-        ("a = b.*c", "*"),
-        ("a = b./c", "/"),
-        ("a = b.^2", "^"),
-        ("a = fabs(b)", "abs"),
-        ("a = M_PI*b", "pi"),
-    ],
-)
-def test_what_stands_in_source_code_is_told_as_it_is_written_here(text: str, form: str) -> None:
-    with pytest.raises(ReaderError) as caught:
-        read_plain(text, SYMBOLS)
-    assert caught.value.problem.endswith(f": write {form}")
-
-
-@pytest.mark.parametrize("text", ["a = 2e", "a = 3f + 1e2", "a = pow(b)"])
-def test_declared_letters_behind_a_number_stay_what_they_are(text: str) -> None:
-    declared = {**SYMBOLS, **{name: Declared() for name in ("e", "f", "e2")}}
-    assert read_plain(text, {**declared, "pow": Declared(("x",))}).readings

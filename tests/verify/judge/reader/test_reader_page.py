@@ -4,6 +4,7 @@ refused.
 
 from __future__ import annotations
 
+import re
 from pathlib import Path
 
 import pytest
@@ -14,6 +15,8 @@ from gainproof.verify.judge.reader.latex import reading_to_latex
 from gainproof.verify.judge.reader.names import canonical_token
 from gainproof.verify.judge.reader.plain import reading_to_plain
 from gainproof.verify.judge.reader.reader import read_formula, read_plain
+from gainproof.verify.judge.reader.source_code import PREFIXES, SAME
+from gainproof.verify.judge.reader.words import FUNCTION_COMMANDS, FUNCTION_WORDS, PLAIN_FORMS
 
 PAGE = Path(__file__).parents[4] / "docs" / "reader.md"
 NUMBERS = r"a b c k n x y T \alpha \beta \theta \sigma_v \dot{x}_{sk-1} x' \hat{x}_k(+) x^{-}"
@@ -51,6 +54,18 @@ READ, REFUSED = rows(3), rows(2)
 def test_both_tables_are_found() -> None:
     assert len(READ) > 40
     assert len(REFUSED) > 10
+
+
+def test_every_function_and_every_prefix_is_on_the_page() -> None:
+    found = rows(4)
+    commands, words = (
+        {name for row in found for name in re.findall(r"`?([^`, ]+)`?", row[column])}
+        for column in (1, 2)
+    )
+    assert words == {*FUNCTION_WORDS, *PLAIN_FORMS, *SAME, "sqrt", "lg", "log2", "log10"}
+    assert set(FUNCTION_COMMANDS) < commands
+    text = PAGE.read_text(encoding="utf-8")
+    assert all(f"`{prefix}`" in text or f".{prefix}`" in text for prefix in PREFIXES)
 
 
 def test_all_names_of_the_page_are_those_declared_here() -> None:

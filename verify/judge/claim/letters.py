@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass
+from functools import lru_cache
 from types import MappingProxyType
 from typing import Any
 
@@ -45,6 +46,19 @@ _ORDINALS = ("position", "velocity", "acceleration")
 _GAIN_LETTERS = {r"\alpha": 1, r"\beta": 2, r"\gamma": 3}
 _NAMED_GAINS = (("g", 1), ("h", 2), ("k", 3))
 """Of a g-h or g-h-k filter: only where no other letters but those of a filter stand beside them."""
+NOISE_ORDERS: Mapping[str, tuple[str, int, str]] = MappingProxyType(
+    {
+        "random-velocity": ("deviation", 2, "m s^-1"),
+        "random-acceleration": ("deviation", 4, "m s^-2"),
+        "continuous-white-acceleration": ("density", 3, "m^2 s^-3"),
+        "acceleration-increments": ("deviation", 4, "m s^-2"),
+        "wiener-acceleration": ("deviation", 4, "m s^-2"),
+        "random-jerk": ("deviation", 6, "m s^-3"),
+        "continuous-white-jerk": ("density", 5, "m^2 s^-5"),
+    }
+)
+"""Of the models of measured position: what their strength is, the power of T of the first entry of
+Q in units of it (a deviation counts with its square), and its unit."""
 _INDEX = (r"\Lambda", r"\lambda", r"\Gamma")
 _INTERVALS = ("T", "dt", r"\Delta t", r"\Delta T", "T_s", "t_s", r"\tau")
 _MEASUREMENT_DEVIATIONS = tuple(rf"\sigma_{x}" for x in ("v", "n", "m", "z", "o", "x", "r"))
@@ -59,6 +73,33 @@ _COVARIANCES = {
     "X": ("updated_covariance", "updated covariance"),
     r"\hatP": ("updated_covariance", "updated covariance"),
 }
+SAMPLE_WORDS = "number of the sample, the first being 0"
+_LETTERS = (
+    *_GAIN_LETTERS,
+    *(f"K_{n}" for n in (1, 2, 3)),
+    *(f"{letter}_{k}" for letter in _GAIN_LETTERS for k in _SAMPLES),
+    *_SAMPLES,
+    *_INDEX,
+    *_INTERVALS,
+    *_MEASUREMENT_DEVIATIONS,
+    *_PROCESS_DEVIATIONS,
+    *("q", r"\tilde{q}", "q_c", "R", "S"),
+    *(
+        f"{letter}_{{{i}{j}}}"
+        for letter in ("P", "M", r"\tilde{P}", "X", r"\hat{P}")
+        for i in (1, 2, 3)
+        for j in (1, 2, 3)
+    ),
+)
+"""All letters with a meaning of their own, as the reader writes them."""
+_NOT_IN: Mapping[str, frozenset[str]] = MappingProxyType(
+    {
+        "steady_state": frozenset(),
+        "growing_memory": frozenset(("tracking_index",)),
+        "fixed_gain": frozenset(("tracking_index",)),
+    }
+)
+"""The kinds of settings with a filter, and quantities that it does not have."""
 _ENTRIES = ("covariance.", "predicted_covariance.", "updated_covariance.")
 _ENTRY = re.compile(r"(.+)_([123])([123])")
 _GAIN = re.compile(r"K_([123])")
@@ -89,7 +130,7 @@ def filter_meanings(tokens: Sequence[str]) -> Mapping[str, Meaning]:
     numbers = {match[2] for name in plain.values() if (match := _NUMBERED.fullmatch(name))}
     for token in tokens:
         if token in numbers or (token in _SAMPLES and numbers):
-            found[token] = quantity("sample_number", "number of the sample, the first being 0")
+            found[token] = quantity("sample_number", SAMPLE_WORDS)
     return MappingProxyType(found)
 
 
@@ -109,6 +150,30 @@ def is_sound(meanings: Collection[Meaning]) -> bool:
 def is_numbered(token: str) -> bool:
     """Whether it is a gain of sample k: alpha_k."""
     return _NUMBERED.fullmatch(bare(token)) is not None
+
+
+@lru_cache(maxsize=64)
+def usual_letters(kind: str, model: str | None) -> Mapping[str, Meaning]:
+    """What each letter of the table means in a setting of this kind with this model of the
+    catalogue, whatever formulas there are: none of a kind without a filter, the strength of a
+    process noise only where the model says what that is.
+    """
+    if kind not in _NOT_IN:
+        return MappingProxyType({})
+    strength = NOISE_ORDERS.get(model or "", ("", 0, ""))[0]
+    found = {}
+    for token in _LETTERS:
+        meaning = _meaning(bare(token))
+        if token in _SAMPLES:
+            meaning = quantity("sample_number", SAMPLE_WORDS)
+        assert meaning is not None
+        is_noise = meaning.role in ("deviation", "density")
+        numbered = is_numbered(token) or token in _SAMPLES
+        if (is_noise and meaning.role != strength) or (numbered and kind != "growing_memory"):
+            continue
+        if meaning.quantity not in _NOT_IN[kind]:
+            found[token] = meaning
+    return MappingProxyType(found)
 
 
 def _gain(order: int) -> Meaning:

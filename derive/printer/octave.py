@@ -1,0 +1,179 @@
+"""A module of kernels as a package of functions for MATLAB and Octave."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+from gainproof.derive.printer.bound import Bounds, KernelBound
+from gainproof.derive.printer.docstring import described, wanted_text
+from gainproof.derive.printer.emitter import Language, body, named, required, unlike
+from gainproof.derive.printer.formats import FLOAT64, FORMATS, Format
+from gainproof.derive.printer.kernel import Input, Kernel, Module
+from gainproof.derive.printer.near_cbrt import added_bits
+from gainproof.derive.printer.program import FUNCTIONS
+from gainproof.derive.printer.trial import points
+
+# fmt: off
+TAKEN = frozenset((
+    "break", "case", "catch", "classdef", "continue", "else", "elseif", "end", "for", "function",
+    "global", "if", "otherwise", "parfor", "persistent", "return", "spmd", "switch", "try", "while",
+    "do", "until", "endif", "unwind_protect", "pi", "i", "j", "e", "Inf", "NaN", "eps", "ans",
+    "sqrt", "abs", "floor", "single", "double", "size", "ones", "all", "find", "isa", "isreal",
+    "error", "numel", "repmat", "choose", "near_cbrt", "require", "of_double", "of_single", "shape",
+    "typecast", "bitshift", "idivide", "uint32", "uint64", *FUNCTIONS,
+))
+# fmt: on
+"""What no variable is called: words of MATLAB and Octave, and what the functions call."""
+NAMES = {"float64": "double", "float32": "single"}
+CHOOSE = """\
+function r = choose(mask, yes, no)
+    r = no;
+    if isscalar(r), r = repmat(r, size(mask)); end
+    if isscalar(yes), yes = repmat(yes, size(mask)); end
+    r(mask) = yes(mask);
+end
+"""
+REQUIRE = """\
+function require(fine, name, value, wanted)
+    if ~all(fine(:))
+        place = find(~fine(:), 1);
+        error('gainproof:domain', '%s must be %s, got %.17g at element %d', name, wanted, ...
+              double(value(min(place, numel(value)))), place);
+    end
+end
+"""
+NEAR_CBRT = """\
+function x = near_cbrt(x)
+    shape = size(x);
+    if isa(x, 'single')
+        q = idivide(typecast(x(:).', 'uint32'), uint32(3), 'floor') + uint32({single});
+        x = reshape(typecast(q, 'single'), shape);
+    else
+        b = typecast(x(:).', 'uint64');
+        q = bitshift(b, -2) + bitshift(b, -4);
+        for k = [4, 8, 16, 32], q = q + bitshift(q, -k); end
+        b = b - (q + bitshift(q, 1));
+        q = q + bitshift(b + bitshift(b, 1) + bitshift(b, 3), -5) + uint64({double});
+        x = reshape(typecast(q, 'double'), shape);
+    end
+end
+"""
+
+
+@dataclass(frozen=True)
+class _Octave(Language):
+    def number(self, value: float) -> str:
+        text = super().number(value)
+        return text if self.form is FLOAT64 else f"single({text})"
+
+    def operation(self, sign: str, first: str, second: str) -> str:
+        return super().operation(f".{sign}" if sign in "*/" else sign, first, second)
+
+    def choice(self, less: str, more: str, yes: str, no: str) -> str:
+        return f"choose({less} < {more}, {yes}, {no})"
+
+    def statement(self, name: str, text: str) -> str:
+        return f"{name} = {text};"
+
+    def remark(self, label: str) -> str:
+        return f"  % {label}"
+
+
+def octave_files(
+    module: Module, bounds: Sequence[Bounds], values: Mapping[str, Any]
+) -> dict[str, str]:
+    """A file for each kernel in a package folder, and a test script, by file name."""
+    texts = {
+        f"+{module.name}/{kernel.name}.m": _function(module, kernel, pair)
+        for kernel, pair in zip(module.kernels, bounds, strict=True)
+    }
+    texts[f"test_{module.name}.m"] = _trial(module, values)
+    return {name: "\n".join(lines) + "\n" for name, lines in texts.items()}
+
+
+def _function(module: Module, kernel: Kernel, pair: Sequence[KernelBound]) -> Iterator[str]:
+    inputs = unlike([each.name for each in kernel.inputs], TAKEN)
+    outputs = unlike([each.name for each in kernel.outputs], {*TAKEN, *inputs})
+    heads = f"[{', '.join(outputs)}]", ", ".join(inputs)
+    yield f"function {heads[0]} = {kernel.name}({heads[1]})"
+    yield from (f"% {line}".rstrip() for line in described(kernel, pair))
+    yield from ("%", f"% Made by: {module.command} --target octave", f"% From: {module.derivation}")
+    yield "% Arrays have one size or are scalars; all inputs are double, or all are single."
+    for kind in ("single", "double"):
+        fine = " && ".join(f"isa({name}, '{kind}') && isreal({name})" for name in inputs)
+        yield f"    {'if' if kind == 'single' else 'elseif'} {fine}"
+        yield f"        {heads[0]} = of_{kind}({heads[1]});"
+    yield "    else\n        error('gainproof:type', 'all inputs must be double, or all single');"
+    yield "    end\nend"
+    operations: set[str] = set()
+    for bound in pair:
+        kind, language = NAMES[bound.format.name], _Octave(bound.format)
+        texts = named(dict(zip([each.name for each in kernel.inputs], inputs, strict=True)))
+        made = body(kernel, language, texts)
+        wanted = required(kernel, language, texts)
+        yield from ("", f"function {heads[0]} = of_{kind}({heads[1]})")
+        if len(inputs) > 1:
+            yield f"    shape = ones(size({' + '.join(inputs)}), '{kind}');"
+            yield from (f"    {name} = {name} .* shape;" for name in inputs)
+        for given, name, ends in zip(kernel.inputs, inputs, bound.inputs, strict=True):
+            told = wanted_text(given).replace("'", "''")
+            text = f"{_within(given, name, language, ends)}, '{given.name}', {name}"
+            yield f"    require({text}, '{told}');"
+        for each, (before, least) in zip(kernel.requirements, wanted, strict=True):
+            yield from (f"    {line}" for line in before.lines)
+            value = before.outputs[0]
+            yield f"    require({value} >= {least}, '{each.name}', {value}, 'at least {least}');"
+        yield from (f"    {line}" for line in made.lines)
+        for name, text in zip(outputs, made.outputs, strict=True):
+            constant = not text.startswith("t") and text not in inputs
+            yield f"    {name} = {text}{f' + 0 .* {inputs[0]}' if constant else ''};"
+        yield "end"
+        operations |= made.operations.union(*(before.operations for before, _ in wanted))
+    yield from ("", REQUIRE.rstrip())
+    yield from ("", CHOOSE.rstrip()) if "select" in operations else ()
+    if "near_cbrt" in operations:
+        added = {NAMES[b.format.name]: added_bits(b.format) for b in pair}
+        yield from ("", NEAR_CBRT.rstrip().format(**added))
+
+
+def _within(given: Input, name: str, language: _Octave, ends: tuple[float, float]) -> str:
+    """Whether an input lies in its domain; comparisons with NaN are false."""
+    size = f"abs({name})" if given.signed else name
+    text = f"{size} >= {language.number(ends[0])} & {size} <= {language.number(ends[1])}"
+    text += f" & {name} == floor({name})" if given.integer else ""
+    return f"{name} == 0 | ({text})" if given.zero else text
+
+
+def _trial(module: Module, values: Mapping[str, Any]) -> Iterator[str]:
+    """A script that says how many values are not as proved, with status 1 if one is not."""
+    yield f"% Made by: {module.command} --target octave"
+    yield f"% octave-cli test_{module.name}.m"
+    yield "numbers = 0; wrong = 0;"
+    for kernel in module.kernels:
+        for form in FORMATS:
+            yield from _tries(module.name, kernel, form, values[kernel.name])
+    yield "printf('%d of %d values are not as proved\\n', wrong, numbers);"
+    yield "if wrong, exit(1); end"
+
+
+def _tries(module: str, kernel: Kernel, form: Format, known: Mapping[str, Any]) -> Iterator[str]:
+    kind, found = NAMES[form.name], list(points(known, form))
+    for name, rows in (("at", [at for at, _ in found]), ("ends", [ends for _, ends in found])):
+        yield f"{name} = {kind}(["
+        yield from (f"    {', '.join(map(_number, row))};" for row in rows)
+        yield "]);"
+    inputs = ", ".join(f"at(:, {i + 1})" for i in range(len(kernel.inputs)))
+    outputs = ", ".join(f"found{i}" for i in range(len(kernel.outputs)))
+    yield f"[{outputs}] = {module}.{kernel.name}({inputs});"
+    for i in range(len(kernel.outputs)):
+        fine = f"found{i} >= ends(:, {2 * i + 1}) & found{i} <= ends(:, {2 * i + 2})"
+        yield f"fine = isa(found{i}, '{kind}') & {fine};"
+        yield "numbers = numbers + numel(fine); wrong = wrong + sum(~fine);"
+        told = f"{kernel.name}, {kind}, output {i + 1}: points"
+        yield f"if ~all(fine), printf('{told} %s\\n', mat2str(find(~fine)')); end"
+
+
+def _number(value: float) -> str:
+    return {float("inf"): "Inf", -float("inf"): "-Inf"}.get(value) or repr(value)
