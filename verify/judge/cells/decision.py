@@ -16,7 +16,7 @@ from gainproof.verify.judge.cells.witness import counterexample, simple_points
 from gainproof.verify.judge.exact.box import Box
 from gainproof.verify.judge.exact.calculus import roots_made_prime, substituted
 from gainproof.verify.judge.exact.expression import number
-from gainproof.verify.judge.exact.limits import DEFAULT_LIMITS, Limits, Undecided
+from gainproof.verify.judge.exact.limits import DEFAULT_LIMITS, NOWHERE, Limits, Undecided
 from gainproof.verify.judge.exact.points import failure_at
 from gainproof.verify.judge.exact.statement import Outcome, Statement, Witness, unstated
 from gainproof.verify.judge.exact.truth import SKIPPED, TRUE
@@ -132,7 +132,7 @@ def _outcome(
     if not relevant:
         if present:
             raise Undecided("the formula has no value anywhere on its domain")
-        raise Undecided("the conditions hold nowhere on the domain")
+        raise Undecided(NOWHERE)
     size = max(p.dimension for p in present)
     wide = [p for p in relevant if p.truth == TRUE and p.dimension == size]
     method = METHOD + (BORDERS if len(found) > 1 else "")

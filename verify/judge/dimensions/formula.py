@@ -35,14 +35,14 @@ from gainproof.verify.judge.exact.limits import Malformed
 from gainproof.verify.judge.exact.tree import read_tree
 from gainproof.verify.judge.formula import Graph, Reading, Relation
 from gainproof.verify.judge.reader.latex import graph_to_latex
-from gainproof.verify.judge.reader.words import BASED
+from gainproof.verify.judge.reader.words import BASED, OF_CASES
 
 MOST_CHARACTERS = 60
 """Terms of so many characters are named."""
 OF_NUMBERS = frozenset(
     (
         *("asin", "acos", "atan"),
-        *("sinh", "cosh", "tanh", "exp", "log", "ln", "arctan", "erf", "erfinv"),
+        *("sinh", "cosh", "tanh", "exp", "log", "ln", "arctan", "erf", "erfinv", "floor", "ceil"),
     )
 )
 """Functions of numbers: a series of powers of a length adds lengths to areas."""
@@ -50,7 +50,7 @@ OF_ANGLES = frozenset(("sin", "cos", "tan", "cot", "sec", "csc"))
 """Functions of angles, in radians, which are numbers, or in degrees."""
 DEGREE = Unit(degree=Fraction(1))
 ONE_OVER_DEGREE = ONE / DEGREE
-ALIKE = frozenset(("max", "min", "atan2"))
+ALIKE = frozenset(("max", "min", "atan2", "mod"))
 """Functions whose arguments are compared with one another."""
 NUMBERS = frozenset(("sign", "rank"))
 """Functions of anything whose value is a number."""
@@ -261,10 +261,23 @@ def _call(name: str, parts: list[Dimensions], names: Names) -> Dimensions:
     if name in OF_NUMBERS | OF_ANGLES or name.startswith(BASED):
         without_dimension(parts[0], f"the argument of {name}")
         return ONE
+    if name.startswith(OF_CASES):
+        return _cases(name, parts)
     if name in ALIKE:
         common = agreed(parts, f"the arguments of {name}")
         return ONE if name == "atan2" else common
     return ONE if name in NUMBERS else ANY
+
+
+def _cases(name: str, parts: list[Dimensions]) -> Dimensions:
+    """Of cases: their values are alike, and the sides of each condition are."""
+    rest = iter(parts)
+    values = []
+    for operators in name.split(" ")[1:]:
+        values.append(next(rest))
+        for _ in [] if operators == "-" else operators.split(","):
+            agreed([next(rest), next(rest)], "the sides of a condition")
+    return agreed(values, "the values of cases")
 
 
 def _bound(

@@ -7,10 +7,13 @@ from fractions import Fraction
 
 import flint
 
+from gainproof.verify.judge.exact.calculus import rebuilt
 from gainproof.verify.judge.exact.expression import Expr, walk
-from gainproof.verify.judge.exact.functions import ball_of
+from gainproof.verify.judge.exact.functions import ball_of, first_case, is_cases
 from gainproof.verify.judge.exact.poly import Ball, rational
 from gainproof.verify.judge.exact.statement import ALLOWED
+
+NONE = "none of the cases"
 
 
 class NoValue(ArithmeticError):
@@ -32,11 +35,45 @@ class Balls:
 
     def round(self, expr: Expr) -> Ball:
         """A ball round the value. Raises NoValue, Unresolved."""
+        try:
+            return self._round(expr)
+        except (NoValue, Unresolved):
+            if not any(n.kind == "call" and is_cases(n.name, len(n.parts)) for n in walk(expr)):
+                raise
+        # of cases that do not apply no value is asked
+        return self._round(rebuilt(expr, self._chosen))
+
+    def _round(self, expr: Expr) -> Ball:
         known = self._known
         with flint.ctx.workprec(self.precision):
             for node in walk(expr, known=known):
                 known[node.key] = _node(node, [known[p.key] for p in node.parts], self.values)
         return known[expr.key]
+
+    def _chosen(self, node: Expr, parts: tuple[Expr, ...]) -> Expr | None:
+        """The first value whose conditions hold, none before it being open to doubt."""
+        if node.kind != "call" or not is_cases(node.name, len(parts)):
+            return None
+        rest: Expr | None = Expr(node.kind, node.value, parts)
+        while rest is not None:
+            comparisons, value, rest = first_case(rest)
+            try:
+                known = [self._compared(*each) for each in comparisons]
+            except NoValue:
+                break
+            except Unresolved:
+                known = [None]
+            if all(known):
+                return value
+            if False not in known:
+                return Expr("call", "a condition of which balls do not tell", ())
+        return Expr("call", NONE, ())
+
+    def _compared(self, operator: str, left: Expr, right: Expr) -> bool | None:
+        a, b = self._round(left), self._round(right)
+        if a.is_exact() and b.is_exact():
+            return (1 if a > b else -1 if a < b else 0) in ALLOWED[operator]
+        return compared(operator, a, b)
 
 
 def enclosed(expr: Expr, values: Mapping[str, Fraction], precision: int) -> Ball:
@@ -90,10 +127,21 @@ def _node(node: Expr, parts: list[Ball], values: Mapping[str, Fraction | Ball]) 
             raise NoValue("a logarithm of a number that is not positive")
         case "call" if node.name == "power" and parts[0] < 0 and _is_broken(parts[1]):
             raise NoValue("a power of a negative number whose exponent is not whole")
+        case "call" if node.name == "atan2" and all(part.is_zero() for part in parts):
+            raise NoValue("the angle of the origin")
+        case "call" if node.name == "no jump" and _jumps(*parts):
+            raise NoValue("an angle jumps by a whole turn")
+        case "call" if node.name == NONE:
+            raise NoValue(NONE)
         case "call" if (known := ball_of(node.name, parts)) is not None:
             return known
         case _:
             raise Unresolved(str(node.value))
+
+
+def _jumps(y: Ball, x: Ball, rise: Ball) -> bool:
+    """Whether y is seen to pass through 0 where x is not positive."""
+    return bool(y.is_zero() and x <= 0 and not rise.contains(0))
 
 
 def _is_root_of_square(node: Expr) -> bool:

@@ -8,6 +8,8 @@ from collections.abc import Mapping
 from gainproof.verify.judge.exact.calculus import substituted
 from gainproof.verify.judge.exact.expression import Expr, symbol, symbols_of, walk
 from gainproof.verify.judge.exact.free_names import token_of
+from gainproof.verify.judge.reader.printed import case_texts
+from gainproof.verify.judge.reader.words import CASES, OF_CASES
 
 LONG = 60
 TERM = "term "
@@ -88,4 +90,6 @@ def _call(name: str, inner: list[str]) -> str:
         (index,) = inner
         plain = index.isalnum()
         return name.removeprefix(TERM).replace(HOLE, index if plain else "{" + index + "}")
+    if name.startswith(OF_CASES):
+        return f"{CASES}({'; '.join(case_texts(name, inner, ', ', ' and ', {}))})"
     return f"{name}({', '.join(inner)})" if inner else name

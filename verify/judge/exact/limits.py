@@ -13,6 +13,10 @@ class Malformed(ValueError):
     """Data that are no expression graph; the text says what was wanted and what came."""
 
 
+NOWHERE = "the conditions hold nowhere on the domain"
+"""Why nothing is said of a statement whose conditions contradict each other."""
+
+
 @dataclass(frozen=True)
 class Limits:
     """Bounds on size. `precision` is in bits, `tower_degree` the product of the orders of all

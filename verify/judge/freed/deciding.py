@@ -7,6 +7,7 @@ from dataclasses import replace
 from functools import partial
 
 from gainproof.verify.judge.exact.box import Box
+from gainproof.verify.judge.exact.expression import Expr, number
 from gainproof.verify.judge.exact.free_names import with_tokens
 from gainproof.verify.judge.exact.limits import Undecided
 from gainproof.verify.judge.exact.points import (
@@ -16,9 +17,11 @@ from gainproof.verify.judge.exact.points import (
     with_values,
     without_value,
 )
-from gainproof.verify.judge.exact.statement import Outcome, Statement
+from gainproof.verify.judge.exact.statement import Outcome, Rel, Statement
 from gainproof.verify.judge.exact.total import is_total
 from gainproof.verify.judge.freed import sign_changes, special_points
+from gainproof.verify.judge.freed.angles import by_points, without_angles
+from gainproof.verify.judge.freed.by_parts import by_parts, jumps
 from gainproof.verify.judge.freed.certificate import certificate_of
 from gainproof.verify.judge.freed.domain_words import domain_text
 from gainproof.verify.judge.freed.freely import VALUED, freely, refuse_without_value, where_valued
@@ -62,6 +65,8 @@ def decided(
         certificate = certificate_of(statement, {}, parameter, labels)
         reason = "both sides are numbers, which balls tell apart"
         return Outcome("proved", "everywhere", reason, "balls round both sides", None, certificate)
+    if jumps(statement):
+        return _without_jumps(statement, boxes, parameter, labels)
     statement = statement.mapped(lambda e: without_whole_turns(e, boxes))
     narrowed, where, more = valued(statement, boxes)
     found = _with_functions(narrowed, where, parameter, labels, as_others)
@@ -70,6 +75,28 @@ def decided(
     if more and found.verdict in ("proved", "conditional"):
         return replace(found, domain=where_valued(found.domain))
     return found
+
+
+def _without_jumps(
+    statement: Statement, boxes: Mapping[str, Box], parameter: str | None, labels: Mapping[str, str]
+) -> Outcome:
+    """Angles of points by these, and all else part by part. Raises Undecided."""
+
+    def is_positive(expr: Expr) -> bool:
+        try:
+            rel = Rel(">", expr, number(0))
+            return settle(Statement((rel,)), boxes, parameter, labels).verdict == "proved"
+        except Undecided:
+            return False
+
+    plainer = statement.mapped(lambda e: without_angles(e, is_positive))
+    if plainer != statement:
+        found = decided(plainer, boxes, parameter, labels)
+        return replace(found, certificate=certificate_of(statement, boxes, parameter, labels))
+    try:
+        return by_points(statement, boxes, parameter, labels, decided)
+    except Undecided:
+        return by_parts(statement, boxes, parameter, labels, decided)
 
 
 def _with_functions(

@@ -9,6 +9,7 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, replace
 from fractions import Fraction
+from types import MappingProxyType
 
 import flint
 
@@ -26,6 +27,9 @@ EULER = symbol("e")
 """Base of exponentials; no base variable is called like that."""
 QUARTER, HALF = Fraction(157, 100), Fraction(314, 100)
 """A little less than a quarter of a turn and half a turn."""
+
+MOST = MappingProxyType({"erf": Fraction(1), "atan": Fraction(11, 7)})
+"""Function values lie below these numbers, and above their opposites."""
 
 BITS = 64
 """Of what encloses a function of numbers."""
@@ -101,21 +105,21 @@ class Ranges:
         return self.is_positive(most - angle) and self.is_positive(most + angle)
 
     def value(self, node: Expr) -> Box:
-        """A logarithm is positive above 1, the angle of a tangent above 0; the error function too,
-        which lies between -1 and 1.
+        """A logarithm is positive above 1, the angle of a tangent above 0, and so is the error
+        function; both of these have bounds.
         """
         if (near := _of_numbers(node)) is not None:
             return near
         box = Box(stated=False) if self._is_open(node) else self._any(node)
-        most = Fraction(1) if node.name == "erf" else None
+        most = MOST.get(node.name)
         least = None if most is None else -most
-        if node.name == "sum" or not box.stated:
+        if node.name == "sum" or (not box.stated and node.name != "atan"):
             return replace(box, lower=least, upper=most)
         over = node.parts[0] - (1 if node.name == "log" else 0)
         if self.is_positive(over):
-            return Box(lower=Fraction(0), upper=most)
+            return Box(lower=Fraction(0), upper=most, stated=box.stated)
         if self.is_positive(neg(over)):
-            return Box(lower=least, upper=Fraction(0))
+            return Box(lower=least, upper=Fraction(0), stated=box.stated)
         return replace(box, lower=least, upper=most)
 
     def _any(self, *exprs: Expr) -> Box:

@@ -93,7 +93,7 @@ def without_value(statement: Statement, boxes: Boxes, labels: Mapping[str, str])
             left, right = (_told(side, point) for side in (rel.left, rel.right))
             if {left.undefined, right.undefined} <= {None, NOT_EVALUATED}:
                 continue
-            found = Witness(_text(point, labels), rel.operator, left, right, note=LACKS_VALUE)
+            found = Witness(point_text(point, labels), rel.operator, left, right, note=LACKS_VALUE)
             return refuted(found, "no value at an exact point")
     return None
 
@@ -113,7 +113,7 @@ def equal_sides(statement: Statement, boxes: Boxes, labels: Mapping[str, str]) -
             if any(each.undefined for each in (left, right, *needed)):
                 continue
             found = Witness(
-                _text(point, labels), rel.operator, left, left, exact=True, note=BOTH_EQUAL
+                point_text(point, labels), rel.operator, left, left, exact=True, note=BOTH_EQUAL
             )
             return refuted(found, "both sides at an exact point")
     return None
@@ -149,6 +149,10 @@ def _candidates(
     box = boxes.get(name, Box())
     ends = [end for end in (box.lower, box.upper, inside(box, 1)) if end is not None]
     yield from (number(each) for each in (*ends, *SIMPLE, *numbers))
+    for rel in statement.domain:
+        sides = (rel.left, rel.right)
+        if symbol(name) in sides and symbols_of(*sides) == {name}:
+            yield from (side for side in sides if not symbols_of(side))
     for node in walk(*statement.exprs()):
         if node.kind != "call" or name not in symbols_of(node) or not node.parts:
             continue
@@ -282,7 +286,7 @@ def _told(side: Expr, point: Point) -> Enclosure:
     return value_shown(here, Balls({}, PRECISION))
 
 
-def _text(point: Point, labels: Mapping[str, str]) -> dict[str, str]:
+def point_text(point: Point, labels: Mapping[str, str]) -> dict[str, str]:
     """Multiples of pi as those of the symbol over pi."""
     found: dict[str, str] = {}
     for name, value in sorted(point.items()):

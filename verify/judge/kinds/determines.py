@@ -7,6 +7,7 @@ from dataclasses import replace
 from gainproof.verify.judge.claim.record import Claim
 from gainproof.verify.judge.exact.calculus import differentiated
 from gainproof.verify.judge.exact.expression import number
+from gainproof.verify.judge.exact.functions import refuse_jumps
 from gainproof.verify.judge.exact.limits import Undecided
 from gainproof.verify.judge.exact.statement import Rel, Statement
 from gainproof.verify.judge.formula import Reading
@@ -26,6 +27,7 @@ def judge_determines(claim: Claim, reading: Reading, scope: Scope) -> Finding:  
     found: list[Finding] = []
     for token in claim.about:
         value = number_of(scope.symbol(token))
+        refuse_jumps(value)
         slope = differentiated(value, parameter)
         frame = framed(claim, scope)
         if frame.conditions:

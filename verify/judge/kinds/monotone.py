@@ -8,6 +8,7 @@ from gainproof.verify.judge.claim.record import Claim
 from gainproof.verify.judge.exact.box import Box
 from gainproof.verify.judge.exact.calculus import substituted
 from gainproof.verify.judge.exact.expression import Expr, number, symbol, symbols_of, walk
+from gainproof.verify.judge.exact.functions import refuse_jumps
 from gainproof.verify.judge.exact.limits import Undecided
 from gainproof.verify.judge.exact.statement import Rel, Statement
 from gainproof.verify.judge.exact.tidy import tidied
@@ -44,6 +45,7 @@ def judge_monotone(claim: Claim, reading: Reading, scope: Scope) -> Finding:
     operator = SIGNS[claim.trend]
     if variable.kind == "symbol" and scope.boxes().get(variable.name, Box()).integer:
         return _from_sample_to_sample(claim, subject, variable, operator, scope, stated)
+    refuse_jumps(subject, variable)
     slope = number_of(scope.derivative(subject, claim.about[1], scope.root))
     # where the rules give no slope is looked at here: the subject has a value there
     frame = replace(framed(claim, scope, stated), slopes=())

@@ -33,6 +33,7 @@ from gainproof.verify.judge.exact.expression import (
     walk,
     whole_power,
 )
+from gainproof.verify.judge.exact.functions import has_jumps
 from gainproof.verify.judge.exact.limits import DEFAULT_LIMITS, Undecided
 from gainproof.verify.judge.exact.statement import (
     NOT_EVALUATED,
@@ -427,8 +428,9 @@ def _needs_no_more(found: Outcome, statement: Statement, slopes: list[Slope]) ->
     if found.verdict in ("refuted", "conditional"):
         witness = found.witness
         return witness is not None and not (witness.left.undefined or witness.right.undefined)
-    # where equations and weak orders hold next to a place, they hold there
+    # where equations and weak orders hold next to a place, they hold there, unless something jumps
     strict = any(rel.operator in STRICT for rel in statement.relations)
+    strict = strict or any(map(has_jumps, walk(*statement.exprs())))
     beside = any(_holds(statement.domain, s) for s in slopes)
     return found.verdict != "proved" or not (strict or statement.connective != "if" or beside)
 
@@ -446,7 +448,9 @@ def _may_lack(slope: Slope) -> bool:
 def _divisors(expr: Expr) -> set[Expr]:
     """The factors that must not be zero, at a glance; numbers are left out."""
     logarithms = (n.parts[0] for n in walk(expr) if n.kind == "call" and n.name == "log")
-    pending = [*divisors(expr), *logarithms]
+    angles = (n.parts for n in walk(expr) if n.kind == "call" and n.name == "atan2")
+    points = (add(power(x, 2), power(y, 2)) for y, x in angles)
+    pending = [*divisors(expr), *logarithms, *points]
     found = set()
     while pending:
         node = pending.pop()

@@ -20,6 +20,7 @@ _PAIRS = {
     "EMPTY_OPEN": "BAR_CLOSE",
     "ROOT_OPEN": "ROOT_CLOSE",
     "MATRIX_OPEN": "MATRIX_CLOSE",
+    "CASES_OPEN": "CASES_CLOSE",
     "CONDITION_OPEN": "CONDITION_CLOSE",
 }
 _CLOSES = frozenset(_PAIRS.values())

@@ -16,6 +16,7 @@ _OPENING = {
     "EMPTY_OPEN": ("BAR_CLOSE",),
     "ROOT_OPEN": ("ROOT_CLOSE",),
     "MATRIX_OPEN": ("MATRIX_CLOSE",),
+    "CASES_OPEN": ("CASES_CLOSE",),
 }
 _CLOSING = frozenset(kind for kinds in _OPENING.values() for kind in kinds)
 _PARTNER = {"(": ")", "[": "]", "{": "}", "|": "|", ".": "|"}

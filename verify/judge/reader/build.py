@@ -17,6 +17,7 @@ from gainproof.verify.judge.reader.build_calculus import (
     long_sum,
 )
 from gainproof.verify.judge.reader.build_calls import call, named, named_raised
+from gainproof.verify.judge.reader.build_cases import cases
 from gainproof.verify.judge.reader.build_dots import dotted_product, dotted_sum, has_dots
 from gainproof.verify.judge.reader.build_matrix import kronecker, matrix, transposed
 from gainproof.verify.judge.reader.constant import constant_value
@@ -71,14 +72,17 @@ class Builder:
             case "infinity":
                 number = add("symbol", "infinity")
                 return add("neg", number) if tokens(tree, "MINUS") else number
-            case "absolute" if str(tokens(tree, "BAR_OPEN")[0]) == NORM:
-                return add("call", "norm", self.value(children(tree)[0]))
-            case "absolute" | "expectation" | "order_of" | "euler":
+            case "absolute":
+                name = _BARS[str(tokens(tree, "BAR_OPEN")[0])]
+                return add("call", name, self.value(children(tree)[0]))
+            case "expectation" | "order_of" | "euler":
                 return add("call", _CALLS[tree.data], self.value(children(tree)[0]))
             case "sum" | "minus_sum" | "plus_sum":
                 return self._sum(tree)
             case "product":
                 return self._product(tree)
+            case "modulo":
+                return add("call", "mod", *map(self.value, children(tree)))
             case "times_big":
                 return self.many("mul", [self.value(child) for child in children(tree)])
             case "fraction" | "over":
@@ -100,6 +104,8 @@ class Builder:
                 return named_raised(self, tree)
             case "matrix":
                 return matrix(self, tree)
+            case "cases":
+                return cases(self, tree)
             case "transposed":
                 base = children(tree)[0]
                 return transposed(self, self.value(base), tokens(tree, "TRANSPOSE")[0])
@@ -144,6 +150,8 @@ class Builder:
         for child in tree.children:
             if isinstance(child, Token):
                 negative = child.type == "MINUS"
+            elif child.data == "modulo" and child is not tree.children[0]:
+                raise self.error("what the modulus is of is not clear: write brackets", child)
             else:
                 number = self.value(child)
                 numbers.append(self.nodes.add("neg", number) if negative else number)
@@ -222,4 +230,5 @@ class Builder:
         return self.nodes.add("pow", base, str(exponent))
 
 
-_CALLS = {"absolute": "abs", "expectation": "expectation", "order_of": "order", "euler": "exp"}
+_BARS = {"|": "abs", NORM: "norm", "floor": "floor", "ceil": "ceil"}
+_CALLS = {"expectation": "expectation", "order_of": "order", "euler": "exp"}

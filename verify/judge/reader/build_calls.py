@@ -14,7 +14,7 @@ from gainproof.verify.judge.reader.words import PLAIN_FORMS
 if TYPE_CHECKING:
     from gainproof.verify.judge.reader.build import Builder
 
-_COUNTS = {"atan2": (2, 2), "max": (1, 8), "min": (1, 8), "diag": (1, 16)} | {
+_COUNTS = {"atan2": (2, 2), "mod": (2, 2), "max": (1, 8), "min": (1, 8), "diag": (1, 16)} | {
     "block_diagonal": (1, 16),
     "covariance": (1, 2),
 }

@@ -6,7 +6,7 @@ from gainproof.verify.judge.reader.alphabet import DIGITS, is_letter, skip_space
 from gainproof.verify.judge.reader.errors import ReaderError, nearest_names
 from gainproof.verify.judge.reader.line_end import skip_idle
 from gainproof.verify.judge.reader.scan import Scanned
-from gainproof.verify.judge.reader.words import LINE_ENVIRONMENTS, MATRIX_ENVIRONMENTS
+from gainproof.verify.judge.reader.words import CASES, LINE_ENVIRONMENTS, MATRIX_ENVIRONMENTS
 
 _MOST_CHARACTERS = 40
 
@@ -35,8 +35,11 @@ class Environments:
                 after = _after_columns(text, after)
             self.matrices += 1 if begins else -1
             return Scanned("MATRIX_OPEN" if begins else "MATRIX_CLOSE", name, after)
+        if name == CASES:
+            self.matrices += 1 if begins else -1
+            return Scanned("CASES_OPEN" if begins else "CASES_CLOSE", name, after)
         if name not in LINE_ENVIRONMENTS:
-            near = nearest_names(name, MATRIX_ENVIRONMENTS | LINE_ENVIRONMENTS)
+            near = nearest_names(name, MATRIX_ENVIRONMENTS | LINE_ENVIRONMENTS | {CASES})
             problem = f"{word}{{{name}}} is not known"
             raise ReaderError(problem, text, start, word, near)
         if begins:

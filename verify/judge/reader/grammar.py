@@ -33,6 +33,7 @@ expression: term ((PLUS | MINUS) term)* -> sum
           | MINUS term ((PLUS | MINUS) term)* -> minus_sum
           | PLUS term ((PLUS | MINUS) term)* -> plus_sum
 ?term: product | product big -> times_big | product DOT_BEFORE_BIG big -> times_big | big
+     | product MOD product -> modulo
 ?big: PARTIAL_OPERATOR LEFT_BRACE PARTIAL order? RIGHT_BRACE below term -> derivative_operator
     | SUM UNDER index_range POWER bound term -> big_sum
     | SUM POWER bound UNDER index_range term -> big_sum_from_above
@@ -78,6 +79,8 @@ evaluated: AT LEFT_BRACE statements RIGHT_BRACE
      | EULER POWER argument -> euler
      | MATRIX_OPEN row (ROW row)* MATRIX_CLOSE -> matrix
      | ROW_OPEN row ROW_CLOSE -> matrix
+     | CASES_OPEN case (ROW case)* CASES_CLOSE -> cases
+case: expression (CELL (statements | OTHERWISE)?)?
 row: expression (CELL expression)*
 places: OPEN expression (COMMA expression)* CLOSE
 arguments: OPEN listed (COMMA listed)* CLOSE | ARGUMENT_OPEN product ARGUMENT_CLOSE
@@ -95,6 +98,7 @@ arguments: OPEN listed (COMMA listed)* CLOSE | ARGUMENT_OPEN product ARGUMENT_CL
 %declare PLUS MINUS DOT DOT_BEFORE_BIG KRON SLASH POWER COMMA AND IF CONNECTIVE EQUAL RELATION
 %declare INFINITY OPEN CLOSE CONDITION_OPEN CONDITION_CLOSE LEFT_BRACE RIGHT_BRACE BAR_OPEN
 %declare BAR_CLOSE EMPTY_OPEN OVER_OPEN OVER_CLOSE ROW_OPEN ROW_CLOSE MATRIX_OPEN MATRIX_CLOSE
+%declare MOD CASES_OPEN CASES_CLOSE OTHERWISE
 %declare CELL ROW ARGUMENT_OPEN ARGUMENT_CLOSE
 """
 

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from gainproof.verify.judge.reader.printed import ATOM, POWER, PRODUCT, Printed
-from gainproof.verify.judge.reader.words import BASED, FUNCTION_WORDS, TRANSPOSE_MARKS
+from gainproof.verify.judge.reader.printed import ATOM, POWER, PRODUCT, Printed, case_texts
+from gainproof.verify.judge.reader.words import BASED, FUNCTION_WORDS, OF_CASES, TRANSPOSE_MARKS
 
 _COMMANDS = {
     "asin": "\\arcsin",
@@ -20,8 +20,12 @@ _COMMANDS = {
     "variance": "\\operatorname{var}",
     "sign": "\\operatorname{sgn}",
     **{name: f"\\operatorname{{{name}}}" for name in ("atan2", "rank", "diag", "erf", "erfinv")},
+    **{name: f"\\operatorname{{{name}}}" for name in ("floor", "ceil", "mod")},
 }
 assert _COMMANDS.keys() == set(FUNCTION_WORDS.values())
+
+
+_OPERATORS = {"!=": "\\ne", "<=": "\\le", ">=": "\\ge"}
 
 
 def call_text(name: str, arguments: Sequence[Printed]) -> Printed:
@@ -53,6 +57,13 @@ def call_text(name: str, arguments: Sequence[Printed]) -> Printed:
             base = texts[0] if arguments[0].level >= ATOM else f"\\left( {texts[0]} \\right)"
             above = f"\\left( {texts[1]} \\right)" if texts[1] in TRANSPOSE_MARKS else texts[1]
             return Printed(f"{base}^{{{above}}}", POWER, digit=arguments[0].digit)
+    if name.startswith(OF_CASES):
+        lines = case_texts(name, texts, " & ", ", \\ ", _OPERATORS)
+        lines[-1] += "" if " & " in lines[-1] else " & \\text{otherwise}"
+        inner = " \\\\ ".join(lines)
+        return Printed(f"\\begin{{cases}} {inner} \\end{{cases}}", ATOM)
+    if name in ("floor", "ceil"):
+        return Printed(f"\\left\\l{name} {texts[0]} \\right\\r{name}", ATOM)
     inner = ", ".join(texts)
     if name.startswith(BASED):
         base = name.removeprefix(BASED)

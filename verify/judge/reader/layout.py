@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import replace
-from itertools import groupby
+from itertools import groupby, pairwise
 
 from gainproof.verify.judge.reader.brackets import Pairing
 from gainproof.verify.judge.reader.errors import ReaderError
@@ -34,6 +34,9 @@ def settle_brackets(
         )
         if kind == "MATRIX_OPEN":
             _settle_matrix(result, inner, closing)
+        elif kind == "CASES_OPEN":
+            _settle_matrix(result, inner, closing)
+            _settle_cases(result, opening, closing)
         elif kind == "OPEN" and held & _RELATIONS:
             _rename(result, opening, closing, "CONDITION")
         elif kind == "OPEN" and opening not in arguments and _is_row(held):
@@ -83,6 +86,17 @@ def _settle_matrix(tokens: list[FormulaToken], inner: Sequence[int], closing: in
             last = number + 1 == closing
             tokens[number] = replace(tokens[number], kind="NOTHING" if last else "ROW")
         elif tokens[number].kind in ("WIDE", "GAP"):
+            tokens[number] = replace(tokens[number], kind="NOTHING")
+
+
+def _settle_cases(tokens: list[FormulaToken], opening: int, closing: int) -> None:
+    """Commas behind a value or a condition and the `if` before one say nothing."""
+    said = [n for n in range(opening, closing + 1) if tokens[n].kind != "NOTHING"]
+    for before, number in pairwise(said):
+        kinds = tokens[before].kind, tokens[number].kind
+        if kinds[0] == "COMMA" and kinds[1] in ("CELL", "ROW", "CASES_CLOSE", "OTHERWISE"):
+            tokens[before] = replace(tokens[before], kind="NOTHING")
+        if kinds == ("CELL", "IF"):
             tokens[number] = replace(tokens[number], kind="NOTHING")
 
 

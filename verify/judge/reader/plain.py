@@ -13,11 +13,12 @@ from gainproof.verify.judge.reader.printed import (
     PRODUCT,
     SUM,
     Printed,
+    case_texts,
     decimal,
     print_graph,
     relation_texts,
 )
-from gainproof.verify.judge.reader.words import BASED
+from gainproof.verify.judge.reader.words import BASED, CASES, OF_CASES
 
 _OPERATORS = {"approx": "~=", "sim": "~"}
 _CONNECTIVES = {"iff": "<=>", "implies": "=>"}
@@ -129,6 +130,8 @@ def _call(name: str, arguments: Sequence[Printed]) -> Printed:
             return Printed(f"O({texts[0]})", ATOM)
         case "power":
             return Printed(f"{_at_least(arguments[0], ATOM)}^({texts[1]})", POWER)
+    if name.startswith(OF_CASES):
+        return Printed(f"{CASES}({'; '.join(case_texts(name, texts, ', ', ' and ', {}))})", ATOM)
     if name.startswith(BASED):
         return _called(name.replace(" ", ""), texts)
     return _called(_WORDS.get(name, plain_name(name)), texts)

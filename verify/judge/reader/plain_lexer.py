@@ -25,6 +25,7 @@ from gainproof.verify.judge.reader.special import (
 from gainproof.verify.judge.reader.tokens import MARKS, FormulaToken
 from gainproof.verify.judge.reader.vocabulary import Vocabulary
 from gainproof.verify.judge.reader.words import (
+    CASES,
     FUNCTION_WORDS,
     JOINING_WORDS,
     PLAIN_FORMS,
@@ -46,6 +47,8 @@ _MARKS = {mark: token for mark, token in MARKS.items() if mark not in ("{", "}",
     "&&": ("AND", "and"),
     ";": ("LINE", ";"),
 }
+_REMAINDERS = ("fmod", "fmodf", "rem", "remainder")
+_OPERANDS = ("SYMBOL", "NUMBER", "CONSTANT", "CLOSE", "RIGHT_BRACE", "BAR_CLOSE")
 _INFINITY = ("infinity", "inf", "oo")
 _RELATION_WORDS = {"propto": ("RELATION", "propto"), "approx": ("RELATION", "approx")}
 
@@ -118,6 +121,11 @@ class _PlainLexer:
         elif of_library and not (calls and is_of_library(word)):
             shown = text[self.position : end][:MOST_SHOWN]
             raise self._error(f"{shown} is no function that is read", shown)
+        elif calls and word == CASES:
+            self.stack.append((len(self.tokens), []))
+            self._add("CASES_OPEN", CASES, skip_space(text, end) + 1)
+        elif word == "mod" and self.tokens and self.tokens[-1].kind in _OPERANDS:
+            self._add("MOD", "mod", end)
         elif word in JOINING_WORDS:
             self._add(*JOINING_WORDS[word], end)
         elif word in _RELATION_WORDS:
@@ -147,6 +155,9 @@ class _PlainLexer:
     def _undeclared(self, word: str) -> ReaderError:
         """The error for a word that nobody declared."""
         shown = word[:MOST_SHOWN]
+        if word in _REMAINDERS:
+            problem = f"{word} has not the sign of its divisor: write mod(x, y), x - y floor(x/y)"
+            return self._error(problem, word)
         known = [*self.vocabulary.plain_names, *PLAIN_FORMS, *FUNCTION_WORDS]
         problem = f"the symbol {shown} is not declared"
         return self._error(problem, shown, nearest_names(word, known))
@@ -199,6 +210,8 @@ class _PlainLexer:
     def _mark(self) -> None:
         text, start = self.text, self.position
         mark = next((m for n in (3, 2, 1) if (m := text[start : start + n]) in _MARKS), "")
+        if text[start] == "%":
+            raise self._error("% may be one of two remainders: write mod(x, y)", "%")
         if not mark:
             problem = f"the character {text[start]!r} has no meaning in plain text"
             raise self._error(problem, text[start])
@@ -220,6 +233,13 @@ class _PlainLexer:
 
     def _closed(self, opening: int, separators: list[int], value: str) -> tuple[str, str]:
         """What closes the bracket `opening`: square brackets with a semicolon hold a matrix."""
+        if self.tokens[opening].kind == "CASES_OPEN" and value == ")":
+            only_commas = all(self.tokens[number].kind == "COMMA" for number in separators)
+            for place, number in enumerate(separators):
+                if self.tokens[number].kind == "COMMA":
+                    kind = "LINE" if only_commas and place % 2 else "CELL"
+                    self.tokens[number] = replace(self.tokens[number], kind=kind)
+            return "CASES_CLOSE", CASES
         if self.tokens[opening].kind == "LEFT_BRACE" and value == ")":
             return "RIGHT_BRACE", "}"
         if value != "]" or all(self.tokens[number].kind == "COMMA" for number in separators):

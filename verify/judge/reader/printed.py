@@ -43,6 +43,20 @@ def print_graph(graph: Graph, output: str, node_text: PrintNode) -> Printed:
     return printed[value]
 
 
+def case_texts(
+    name: str, texts: Sequence[str], behind: str, joint: str, operators: Mapping[str, str]
+) -> list[str]:
+    """The cases of a call, each with what stands `behind` its value before the conditions."""
+    rest = iter(texts)
+    found = []
+    for signs in name.split(" ")[1:]:
+        value = next(rest)
+        each = [] if signs == "-" else signs.split(",")
+        rels = [f"{next(rest)} {operators.get(sign, sign)} {next(rest)}" for sign in each]
+        found.append(f"{value}{behind}{joint.join(rels)}" if rels else value)
+    return found
+
+
 def decimal(value: Fraction) -> str | None:
     """A number that is not negative with a decimal point, or None where it does not end."""
     twos = fives = 0

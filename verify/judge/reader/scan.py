@@ -120,7 +120,7 @@ def scan_bar(text: str, start: int, command: str) -> Scanned:
 def joining_word(text: str, start: int) -> Scanned | None:
     """What joins statements in `{and}` at `start`, or None if something else stands there."""
     closing = text.find("}", start, start + 20)
-    word = text[start + 1 : max(closing, start + 1)].strip(" ~,")
+    word = text[start + 1 : max(closing, start + 1)].strip(" ~,.")
     if text[start : start + 1] != "{" or word not in JOINING_WORDS:
         return None
     return Scanned(*JOINING_WORDS[word], closing + 1)

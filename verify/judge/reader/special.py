@@ -73,9 +73,13 @@ def function_named(base: str, end: int) -> Scanned | None:
 
 
 def with_base(text: str, function: Scanned, vocabulary: Vocabulary) -> Scanned:
-    """A logarithm with the base under it, if there is one: `\\log_{10}`, `\\log_2`, `\\log_e`.
+    """A logarithm with the base under it, if there is one: `\\log_{10}`, `\\log_2`, `\\log_e`; and
+    `\\arctan2(y, x)`.
     ReaderError for a base that is neither Euler's number nor a whole number from 2 on.
     """
+    if function.value == "atan" and text.startswith("2", function.end):
+        after = function.end + 1
+        return Scanned("NAMED", "atan2", after) if _bracket_after(text, after) == "(" else function
     under = skip_space(text, function.end)
     if function.value != "log":
         return function

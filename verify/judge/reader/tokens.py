@@ -94,6 +94,11 @@ COMMANDS = {
     "\\rvert": ("BAR_CLOSE", "|"),
     "\\lVert": ("BAR_OPEN", NORM),
     "\\rVert": ("BAR_CLOSE", NORM),
+    "\\lfloor": ("BAR_OPEN", "floor"),
+    "\\rfloor": ("BAR_CLOSE", "floor"),
+    "\\lceil": ("BAR_OPEN", "ceil"),
+    "\\rceil": ("BAR_CLOSE", "ceil"),
+    "\\bmod": ("MOD", "mod"),
 }
 MARKS = {
     "<=": ("RELATION", "<="),

@@ -18,7 +18,8 @@ FUNCTION_WORDS = {
     "exp": "exp", "ln": "log", "log": "log", "det": "det", "max": "max", "min": "min",
     "tr": "trace", "trace": "trace", "rank": "rank", "diag": "diag",
     "blkdiag": "block_diagonal", "cov": "covariance", "var": "variance", "sgn": "sign",
-    "sign": "sign", "erf": "erf", "erfinv": "erfinv",
+    "sign": "sign", "erf": "erf", "erfinv": "erfinv", "arctan2": "atan2", "floor": "floor",
+    "ceil": "ceil", "mod": "mod",
 }
 # fmt: on
 """Names of functions by the word printed: `\\ln` and `\\log` are both the natural logarithm,
@@ -81,10 +82,20 @@ PLAIN_FORMS = {
 }
 """Words of plain text for what LaTeX prints with signs, with the number of their arguments."""
 
-JOINING_WORDS = {"and": ("AND", "and")} | dict.fromkeys(
-    ("if", "as", "for", "when", "where", "with"), ("IF", "if")
+JOINING_WORDS = (
+    {"and": ("AND", "and")}
+    | dict.fromkeys(("if", "as", "for", "when", "where", "with"), ("IF", "if"))
+    | dict.fromkeys(("otherwise", "else"), ("OTHERWISE", "otherwise"))
 )
-"""Words between statements: what they join, or that a condition follows."""
+"""Words between statements: what they join, or that a condition follows; and what is said of all
+else in cases.
+"""
+CASES = "cases"
+"""Of the environment, and of its form in plain text: `cases(x, x > 0; -x)`."""
+OF_CASES = f"{CASES} "
+"""What the names of cases begin with, whose conditions follow: no declared function has a blank in
+its name.
+"""
 
 LINE_ENVIRONMENTS = frozenset(
     (

@@ -44,7 +44,6 @@ setting = "algebra"
         ("inequality", r"A \geq 0"),
         ("identity", r"A^x = A"),
         ("identity", r"\operatorname{rank} A = 2"),
-        ("identity", r"\operatorname{sgn}(x) = \operatorname{sgn}(x + 1)"),
         ("identity", r"\operatorname{diag}(x, x) = A"),
         ("identity", r"\prod_{k=1}^{x} k = x"),
         ("identity", r"\left. u(x) \right|_{x=\infty} = 0"),

@@ -29,11 +29,13 @@ SYMBOLS: Mapping[str, Declared] = (
 )
 PLAIN_SYMBOLS = tuple(name for name, entry in SYMBOLS.items() if entry == Declared())
 MANY = ("max", "min")
+TWO = ("atan2", "mod")
+CASES = ("cases > -", "cases <,!=", "cases >=,<= = -")
 OF_MATRIX = ("det", "trace", "rank")
 ONE = tuple(
     sorted(
         set(FUNCTION_WORDS.values())
-        - {"atan2", *MANY, *OF_MATRIX, "diag", "block_diagonal", "covariance"}
+        - {*TWO, *MANY, *OF_MATRIX, "diag", "block_diagonal", "covariance"}
     )
 )
 
@@ -76,6 +78,7 @@ INFINITY: Tree = ("symbol", "infinity")
 NODES = (
     *("add", "mul", "div", "neg", "pow", "power", "power T", "at", "derivative", "sum", "product"),
     *("integral", "abs", "norm", "order", "expectation", "one", "two", "many", "of matrix", "S"),
+    "cases",
 )
 MATRIX_NODES = (
     *("matrix", "stacked", "add", "transpose", "inverse", "inverse transpose", "kronecker", "mul"),
@@ -110,8 +113,14 @@ def larger_number(draw: st.DrawFn, inner: st.SearchStrategy[Tree]) -> Tree:
             return ("call", kind, a, draw(symbols()), draw(inner), upper)
         case "one":
             return ("call", draw(st.sampled_from(ONE)), a)
-        case "two" | "S":
-            return ("call", "atan2" if kind == "two" else "S", a, draw(inner))
+        case "two":
+            return ("call", draw(st.sampled_from(TWO)), a, draw(inner))
+        case "S":
+            return ("call", "S", a, draw(inner))
+        case "cases":
+            name = draw(st.sampled_from(CASES))
+            count = sum(1 if each == "-" else 3 + 2 * each.count(",") for each in name.split()[1:])
+            return ("call", name, a, *[draw(inner) for _ in range(count - 1)])
         case "many":
             return ("call", draw(st.sampled_from(MANY)), a, draw(inner))
         case "of matrix":
