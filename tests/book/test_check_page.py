@@ -170,7 +170,7 @@ WORKER = """\
 self.onmessage = ({ data }) => {
   for (const key of ["short", "long"]) {
     if (key in data.lost || key in data.texts) continue;
-    self.postMessage({ begins: key, seconds: 0.2 });
+    self.postMessage({ begins: key, seconds: data.breaks ? 60 : 0.2 });
     if (key === "long") {
       if (data.breaks) throw new Error("broken");
       return;

@@ -106,9 +106,8 @@ function takeLink() {
     list.selectedIndex = Math.max(0, list.selectedIndex);
   }
   clear();
-  at("set").hidden = at("filter").hidden = true;
-  showProblem("");
-  showSymbols([]);
+  at("symbols").replaceChildren();
+  showUnderstood({});
   tell("Taken from the link; nothing is judged until you press Check.");
 }
 
@@ -129,10 +128,11 @@ function showSymbols(symbols) {
     }
   }
   const focused = document.activeElement?.dataset?.symbol;
+  const typed = new Map([...at("symbols").querySelectorAll("input")].map((field) => [field.dataset.symbol, field.value]));
   at("symbols").replaceChildren(
     ...[...known.values()].map(({ name, set, means }) => {
       const field = element("input");
-      field.value = corrections.get(name) ?? "";
+      field.value = typed.get(name) ?? corrections.get(name) ?? "";
       field.dataset.symbol = name;
       field.maxLength = 1000;
       field.setAttribute("list", "quantities");
@@ -143,35 +143,33 @@ function showSymbols(symbols) {
       return element("tr", head, element("td", means), element("td", field));
     })
   );
-  if (focused !== undefined) {
-    [...at("symbols").querySelectorAll("input")].find((field) => field.dataset.symbol === focused)?.focus();
-  }
+  [...at("symbols").querySelectorAll("input")].find((field) => field.dataset.symbol === focused)?.focus();
   at("letters").hidden = false;
 }
 
-function showProblem(text) {
-  at("problem").textContent = text;
-  at("problem").hidden = !text;
-}
-
-function showUnderstood({ set, symbols, filters }) {
+// What cannot be read has an error, and neither a set form nor symbols.
+function showUnderstood({ error = "", set = "", symbols = [], filters = [] }) {
+  at("problem").textContent = error;
+  at("problem").hidden = !error;
   at("set").replaceChildren(mathematics(set));
   at("set").hidden = !set;
   at("filter").textContent = `Filter: ${filters.join("; or ")}`;
-  at("filter").hidden = false;
+  at("filter").hidden = Boolean(error);
   showSymbols(symbols);
+}
+
+function long(formula) {
+  const made = element("span", mathematics(formula));
+  made.className = "long";
+  made.tabIndex = 0;
+  return made;
 }
 
 function showAnswer(asked, answer, seconds) {
   at("verdict").textContent = answer.headline;
   at("verdict").className = `mark ${answer.verdict}`;
-  const facts = [...answer.facts];
-  for (const { set, words } of answer.repairs) {
-    const formula = element("span", mathematics(set));
-    formula.className = "long";
-    formula.tabIndex = 0;
-    facts.push(["nearest true", element("span", formula, ` (${words})`)]);
-  }
+  const repairs = answer.repairs.map(({ set, words }) => ["nearest true", element("span", long(set), ` (${words})`)]);
+  const facts = [["formula", long(answer.set)], ...answer.facts, ...repairs];
   at("facts").replaceChildren(
     ...facts.map(([label, words]) => element("div", element("dt", label), element("dd", words)))
   );
@@ -197,7 +195,12 @@ function inTurn(what, show) {
   turn = turn.then(async () => {
     waiting = waiting && what !== "understand";
     const asked = request(what);
-    if (mine !== round || !asked.formula.trim()) {
+    const empty = !asked.formula.trim();
+    if (empty) {
+      showUnderstood({});
+      tell("A formula is wanted.");
+    }
+    if (empty || mine !== round) {
       return;
     }
     const begun = Date.now();
@@ -212,12 +215,9 @@ function inTurn(what, show) {
     if (said.failed) {
       tell(`The judge does not run here: ${said.failed}`);
     } else if (said.answer) {
-      tell("Ready.");
-      showProblem(said.answer.error ?? "");
-      if (said.answer.error) {
-        showSymbols([]);
-      } else {
-        showUnderstood(said.answer);
+      tell(said.answer.error ? "This is not read." : "Ready.");
+      showUnderstood(said.answer);
+      if (!said.answer.error) {
         show(asked, said.answer, seconds());
       }
     }

@@ -1,5 +1,6 @@
 // A judge in a worker that is ended where a task takes too long, and what its tasks came to so far.
 const MOST_MEMORY = 2 ** 30;
+const PAUSE = 200;
 
 export class Judge {
   // `make` returns a new worker.
@@ -57,16 +58,20 @@ export class Judge {
   }
 
   ask(request) {
+    const worker = this.worker;
     let task;
     let timer;
     return new Promise((settle) => {
       const lose = (why) => {
-        this.end();
-        settle(task === undefined ? { failed: why } : { task, why });
+        if (this.worker === worker) {
+          this.end();
+          settle(task === undefined ? { failed: why } : { task, why });
+        }
       };
       this.settle = settle;
-      this.worker.onerror = (event) => lose(event.message || "its process ended");
-      this.worker.onmessage = ({ data }) => {
+      // an error may overtake what was said before it
+      worker.onerror = (event) => setTimeout(lose, PAUSE, event.message || "its process ended");
+      worker.onmessage = ({ data }) => {
         clearTimeout(timer);
         if (data.begins) {
           task = data.begins;
@@ -85,7 +90,7 @@ export class Judge {
           settle({ answer: data.answer });
         }
       };
-      this.worker.postMessage(request);
+      worker.postMessage(request);
     }).finally(() => clearTimeout(timer));
   }
 }
