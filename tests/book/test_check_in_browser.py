@@ -184,7 +184,10 @@ def test_options_are_heard_and_errors_are_text(shown: Shown) -> None:
     tab.fill("#domain", "c > 0")
     tab.fill("#given", "a >= b")
     assert shown.judged().startswith("proved")
+    assert "domain: c > 0; given: a" in tab.text_content("#facts")
+    # no verdict stands beside another question
     tab.fill("#given", "a >= <img src=x onerror=alert(1)>")
+    assert tab.text_content("#verdict") == ""
     tab.locator("#problem", has_text="given: not read").wait_for()
     assert "<img" in tab.text_content("#problem")
     assert tab.locator("main img").count() == 0

@@ -106,6 +106,8 @@ function takeLink() {
     list.selectedIndex = Math.max(0, list.selectedIndex);
   }
   clear();
+  // what a link says of it shall be seen
+  at("model").closest("details").open = ["model", "domain", "given"].some((name) => parts.get(name));
   at("symbols").replaceChildren();
   showUnderstood({});
   tell("Taken from the link; nothing is judged until you press Check.");
@@ -165,7 +167,7 @@ function long(formula) {
   return made;
 }
 
-function showAnswer(asked, answer, seconds) {
+function showAnswer(asked, answer, took) {
   at("verdict").textContent = answer.headline;
   at("verdict").className = `mark ${answer.verdict}`;
   const repairs = answer.repairs.map(({ set, words }) => ["nearest true", element("span", long(set), ` (${words})`)]);
@@ -177,7 +179,7 @@ function showAnswer(asked, answer, seconds) {
   at("file").textContent = answer.file;
   at("link").href = linkOf(asked);
   at("answer").hidden = false;
-  tell(`Judged in ${seconds.toFixed(1)} s.`);
+  tell(took);
 }
 
 function clear() {
@@ -189,7 +191,8 @@ function tell(words) {
   at("told").textContent = words;
 }
 
-// One request after the other: `show` gets what is asked when its turn comes, and the answer.
+// One request after the other: `show` gets what is asked when its turn comes, the answer, and in
+// words how long it took.
 function inTurn(what, show) {
   const mine = round;
   turn = turn.then(async () => {
@@ -203,10 +206,11 @@ function inTurn(what, show) {
     if (empty || mine !== round) {
       return;
     }
+    const loading = judge.worker === null;
     const begun = Date.now();
     const seconds = () => (Date.now() - begun) / 1000;
     const clock = setInterval(() => (at("clock").textContent = `${Math.round(seconds())} s`), 1000);
-    tell(judge.worker === null ? "Loading the judge …" : what === "ask" ? "Judging …" : at("told").textContent);
+    tell(loading ? "Loading the judge …" : what === "ask" ? "Judging …" : at("told").textContent);
     at("stop").disabled = false;
     const said = await judge.answer(asked);
     clearInterval(clock);
@@ -218,14 +222,16 @@ function inTurn(what, show) {
       tell(said.answer.error ? "This is not read." : "Ready.");
       showUnderstood(said.answer);
       if (!said.answer.error) {
-        show(asked, said.answer, seconds());
+        show(asked, said.answer, `${loading ? "Loaded and judged" : "Judged"} in ${seconds().toFixed(1)} s.`);
       }
     }
   });
   return turn;
 }
 
+// After a change: no verdict stands beside a question that it does not answer.
 function soon() {
+  clear();
   clearTimeout(pause);
   pause = setTimeout(() => {
     if (!waiting) {
@@ -240,8 +246,8 @@ at("ask").addEventListener("submit", async (event) => {
   clearTimeout(pause);
   clear();
   at("check").disabled = true;
-  await inTurn("ask", (asked, answer, seconds) => {
-    showAnswer(asked, answer, seconds);
+  await inTurn("ask", (asked, answer, took) => {
+    showAnswer(asked, answer, took);
     history.replaceState(null, "", linkOf(asked));
   });
   at("check").disabled = false;
