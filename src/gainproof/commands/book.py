@@ -33,7 +33,7 @@ MOST_SHEETS = 200
 
 
 def configure(parser: argparse.ArgumentParser) -> None:
-    parser.add_argument("--out", metavar="DIR", default="book", help="default: book")
+    parser.add_argument("--out", metavar="DIR", help="default: book, or check for that page alone")
     parser.add_argument("--page", choices=["check"], help="the page that checks formulas, alone")
     parser.add_argument("--runtime", action="store_true", help="with what that page runs on")
     parser.add_argument("--open", action="store_true", help="show it in the browser")
@@ -73,7 +73,7 @@ def run(options: argparse.Namespace) -> int:
             raise BadInputError(f"{name} is missing: pip install 'gainproof[book]'")
     from gainproof.book import check_page, check_runtime, contents, making, site
 
-    folder = Path(options.out)
+    folder = Path(options.out or options.page or "book")
     site.require_own(folder)
     places.require_writable(folder)
     runtime = check_runtime.runtime() if options.page or options.runtime else {}
