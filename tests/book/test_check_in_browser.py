@@ -37,7 +37,7 @@ LAW = r"\beta = \frac{\alpha^2}{2 - \alpha}"
 
 @cache
 def fetched() -> dict[str, bytes]:
-    """What the page runs on, from the user's cache."""
+    """What the page runs on; it is fetched where the cache of the tests does not have it."""
     try:
         return check_runtime.runtime()
     except BadInputError as error:
