@@ -16,6 +16,7 @@ _WORDS: Mapping[str, tuple[str, str]] = {
     "sources": ("Sources", "文献"),
     "kernels": ("Kernels", "カーネル"),
     "documents": ("Documentation", "解説"),
+    "check": ("Check a formula", "数式の判定"),
     "bibliography": ("Bibliography", "参考文献"),
     "names": ("Index", "索引"),
     "search": ("Search", "検索"),

@@ -33,7 +33,7 @@ def serve(pipe: Connection, models: Models, seconds: float) -> None:
         while True:
             task: Task = pipe.recv()
             limit_time(min(seconds, task.most))
-            answer = answer_bytes(_trial(task, models, solved))
+            answer = answer_bytes(trial_of(task, models, solved))
             limit_time(None)
             # memory that was given back may be in pieces
             ends = most_memory() > usual
@@ -44,7 +44,8 @@ def serve(pipe: Connection, models: Models, seconds: float) -> None:
         return  # nobody asks or listens any more
 
 
-def _trial(task: Task, models: Models, solved: Solved) -> Trial:
+def trial_of(task: Task, models: Models, solved: Solved) -> Trial:
+    """What the task came to in this process; what it raises costs its claim, no other."""
     try:
         return task.run(models, solved)
     except Exception as error:  # noqa: BLE001 - whatever it is costs this claim, no other

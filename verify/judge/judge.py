@@ -30,7 +30,7 @@ from gainproof.verify.judge.trial import Trial
 from gainproof.verify.judge.undefined.choice import Fixed, fixed_symbols
 from gainproof.verify.judge.undefined.told import used_up_verdict, with_symbols
 from gainproof.verify.judge.verdict import ClaimVerdict, Finding
-from gainproof.verify.judge.worker import OnTrial, Workers
+from gainproof.verify.judge.worker import Judges, OnTrial, Workers
 
 Progress = Callable[[int, int], None]
 """Called with the number of trials so far, and of the claims of which each needs one; what comes
@@ -50,7 +50,7 @@ def judge_file(
     progress: Progress | None = None,
     seconds: float | None = None,
     processes: int = 1,
-    workers: Workers | None = None,
+    workers: Judges | None = None,
     only: str | None = None,
     solved: dict[Any, Environment] | None = None,
 ) -> tuple[ClaimVerdict, ...]:

@@ -20,7 +20,7 @@ import signal
 import sys
 import threading
 import time
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass, field
 from multiprocessing.connection import Connection
@@ -47,6 +47,17 @@ _HIDING = threading.Lock()
 
 OnTrial = Callable[[Trial], None]
 _End = Callable[[Task, Trial], None]
+
+
+class Judges(Protocol):
+    """Whoever runs tasks: `Workers`, or a process that can start no others."""
+
+    taken: int
+    judged: int
+
+    def run(self, tasks: Sequence[Task], on_trial: OnTrial | None = None) -> Mapping[str, Trial]:
+        """What the tasks came to, by id of the claim; `on_trial` hears of each as it ends."""
+        ...
 
 
 class _Lose(Protocol):

@@ -102,19 +102,22 @@ class Answer:
         """Some lines for a terminal: formula, verdict with what it rests on, reasons, guesses."""
         lines = filled(self.formula, "", "  ", columns)
         lines += filled(self.headline(), "  ", "    ", columns)
+        last = ""
+        for label, value in self.facts():
+            head = "" if label == last else f"{label}:"
+            lines += filled(value, f"  {head:<{_LABEL}} ", " " * (_LABEL + 3), columns)
+            last = label
+        return "\n".join(lines) + "\n"
+
+    def facts(self) -> list[tuple[str, str]]:
+        """Where it holds, reasons, guesses, what was tried: labels, some twice, with words."""
         facts = [("where", self.domain)] if self.verdict == "proved" and self.domain else []
         facts += [("why", why) for why in reasons(self.claim)]
         facts += [("why", ONLY_DEFINES)] if self.verdict == DEFINITION else []
         for label, guessed in (("guessed", True), ("as said", False)):
             said = [f"{a.of}: {a.meaning}" for a in self.assumed if a.guessed == guessed]
             facts += [(label, "; ".join(said))] if said else []
-        facts += [("tried too", f"{filter_}: {verdict}") for filter_, verdict in self.others]
-        last = ""
-        for label, value in facts:
-            head = "" if label == last else f"{label}:"
-            lines += filled(value, f"  {head:<{_LABEL}} ", " " * (_LABEL + 3), columns)
-            last = label
-        return "\n".join(lines) + "\n"
+        return facts + [("tried too", f"{filter_}: {verdict}") for filter_, verdict in self.others]
 
     def headline(self) -> str:
         """The verdict with the conventions and guesses that it rests on."""

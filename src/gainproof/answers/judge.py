@@ -15,7 +15,7 @@ from gainproof.claims.judging import KeptTrials, judge_text
 from gainproof.claims.time_limit import DEFAULT, MOST
 from gainproof.jobs.cache import Cache, default_folder
 from gainproof.jobs.worker_state import WorkerState
-from gainproof.verify.judge.worker import Workers
+from gainproof.verify.judge.worker import Judges, Workers
 
 
 class Judge:
@@ -32,6 +32,8 @@ class Judge:
         Take nothing of what was found before.
     models : sequence of mapping
         Models beside those that are shipped, as `generated/catalogue.json` has them.
+    judges : Judges
+        Who judges in place of a process of its own, without what was found before.
     """
 
     def __init__(
@@ -40,6 +42,7 @@ class Judge:
         seconds: float = DEFAULT,
         fresh: bool = False,
         models: Sequence[Mapping[str, Any]] = (),
+        judges: Judges | None = None,
     ) -> None:
         if not (isinstance(seconds, int | float) and 0 < seconds <= MOST):
             raise BadInputError(f"seconds: a number above 0 and up to {MOST:g}, got {seconds!r}")
@@ -47,7 +50,7 @@ class Judge:
         # the process answers one formula after the other
         self._one_by_one = threading.Lock()
         known = KeptTrials(Cache(default_folder(), fresh))
-        self._workers = Workers(self._models, seconds, 1, known)
+        self._workers = judges or Workers(self._models, seconds, 1, known)
 
     def __enter__(self) -> Judge:
         return self
@@ -58,7 +61,8 @@ class Judge:
         error: BaseException | None,
         trace: TracebackType | None,
     ) -> None:
-        self._workers.__exit__(kind, error, trace)
+        if isinstance(self._workers, Workers):
+            self._workers.__exit__(kind, error, trace)
 
     def question(self, formula: str, options: Options) -> Question:
         """How a formula is understood, without a verdict. Raises BadInputError."""

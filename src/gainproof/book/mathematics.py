@@ -6,8 +6,9 @@ import functools
 import re
 import xml.etree.ElementTree as ET
 
-from latex2mathml.converter import convert
 from markupsafe import Markup
+
+from gainproof.formulas.mathml import mathml
 
 LONG = 24
 """Signs of a formula in a sentence from which on it may be wider than a phone has room for, which
@@ -16,22 +17,6 @@ an operator as much.
 """
 _SPACED = frozenset("=+-\N{MINUS SIGN}<>\N{LESS-THAN OR EQUAL TO}\N{GREATER-THAN OR EQUAL TO}")
 _TAG = re.compile(r"<[^>]*>")
-_SPACE = "http://www.w3.org/1998/Math/MathML"
-_ELEMENTS = frozenset(
-    {
-        *("math", "semantics", "annotation", "mrow", "mi", "mo", "mn", "mtext", "mspace"),
-        *("mfrac", "msqrt", "mroot", "msub", "msup", "msubsup", "munder", "mover", "munderover"),
-        *("mtable", "mtr", "mtd", "mpadded", "mphantom", "mstyle", "menclose", "merror"),
-    }
-)
-_ATTRIBUTES = frozenset(
-    {
-        *("display", "mathvariant", "stretchy", "fence", "form", "separator", "accent"),
-        *("minsize", "maxsize", "lspace", "rspace", "width", "linebreak", "columnalign"),
-        *("columnspacing", "rowspacing", "linethickness", "movablelimits", "symmetric", "notation"),
-        *("displaystyle", "scriptlevel", "largeop", "accentunder", "columnlines", "rowlines"),
-    }
-)
 
 
 def displayed(latex: str) -> Markup:
@@ -52,20 +37,10 @@ def inline(latex: str) -> Markup:
 
 @functools.lru_cache(maxsize=4096)
 def _set(latex: str, display: str) -> str:
-    """The element `math`, or `code` with the LaTeX where the setter does not know what to do.
-
-    A claim file of others may hold any LaTeX: an element or attribute that is not of plain
-    presentation (a link, a style, an event) is taken for something unknown. The setter knows rows
-    at their equals signs under one of their two names only.
-    """
-    try:
-        root = ET.fromstring(convert(latex.replace("{aligned}", "{align*}"), display=display))
-    except Exception:  # noqa: BLE001 (the setter raises errors of many types on what it cannot read)
+    """The element `math` with its LaTeX, or `code` with that where the setter does not know it."""
+    root = mathml(latex, display)
+    if root is None:
         return str(Markup('<code class="latex">{}</code>').format(latex))
-    for element in root.iter():
-        element.tag = element.tag.removeprefix(f"{{{_SPACE}}}")
-        if element.tag not in _ELEMENTS or not _ATTRIBUTES.issuperset(element.attrib):
-            return str(Markup('<code class="latex">{}</code>').format(latex))
     inner = ET.Element("mrow")
     inner.extend(list(root))
     for child in list(root):

@@ -15,7 +15,7 @@ from gainproof.jobs.worker_state import WorkerState
 from gainproof.verify.judge import child
 from gainproof.verify.judge.claim.file import ClaimFileError, read_claim_text
 from gainproof.verify.judge.judge import judge_file
-from gainproof.verify.judge.worker import Workers
+from gainproof.verify.judge.worker import Judges, Workers
 
 PACKAGES = ("python", "python-flint", "lark", "mpmath")
 """What the judge is made with."""
@@ -75,7 +75,7 @@ def judge_text(
     path: str,
     text: str,
     models: Sequence[Mapping[str, Any]],
-    judges: Workers,
+    judges: Judges,
     tell: Callable[[str], None],
     only: str | None = None,
     *,

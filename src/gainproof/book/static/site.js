@@ -32,7 +32,12 @@ function setUpDepth() {
 
 // A place inside folded details is opened when somebody is led to it.
 function openTarget() {
-  const target = location.hash && document.getElementById(decodeURIComponent(location.hash.slice(1)));
+  let target = null;
+  try {
+    target = location.hash && document.getElementById(decodeURIComponent(location.hash.slice(1)));
+  } catch (error) {
+    // a link of others may end in anything
+  }
   const folded = target && target.closest("details");
   if (folded && !folded.open) {
     folded.open = true;
