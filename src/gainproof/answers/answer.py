@@ -12,6 +12,7 @@ from gainproof.notebook.markup import html_escaped
 from gainproof.terminal_text import WIDTH, filled
 from gainproof.verdicts.explanation import explanation
 from gainproof.verdicts.verdict_reason import is_contradicted, reasons
+from gainproof.verify.judge.answer_certificate import NoCertificateError, answer_certificate
 
 FORMAT = "gainproof answers 1"
 BEST = ("proved", DEFINITION, "conditional")
@@ -79,8 +80,13 @@ class Answer:
 
     @property
     def certificate(self) -> Mapping[str, Any]:
-        """What the proof or the refutation can be checked by."""
-        return dict(self.claim["evidence"]["certificate"] or {})
+        """Data that one file without the judge decides, `gainproof/verify/check_answer.py`; found
+        anew at each use. Empty where there is none.
+        """
+        try:
+            return answer_certificate(self.claim)
+        except NoCertificateError:
+            return {}
 
     def explain(self, columns: int = WIDTH) -> str:
         """The whole proof or witness, as `gainproof explain` prints it."""

@@ -10,6 +10,7 @@ from gainproof.verify.judge.claim.record import Claim
 from gainproof.verify.judge.domain import bounded
 from gainproof.verify.judge.exact.box import Box
 from gainproof.verify.judge.exact.calculus import substituted
+from gainproof.verify.judge.exact.certificate import statement_data
 from gainproof.verify.judge.exact.constant_value import constant_value
 from gainproof.verify.judge.exact.expression import number, symbols_of
 from gainproof.verify.judge.exact.free_names import free_name
@@ -48,9 +49,16 @@ class Frame:
     slopes: tuple[Slope, ...] = ()
 
     def decide(self, statement: Statement) -> Outcome:
-        """The statement under the conditions of the frame. Raises Undecided."""
+        """The statement under the conditions of the frame, kept as asked where the certificate is
+        of another one, in other variables. Raises Undecided.
+        """
         whole = replace(statement, conditions=(*statement.conditions, *self.conditions))
-        return self.decide_alone(whole)
+        found = self.decide_alone(whole)
+        own = {name: box for name, box in self.boxes.items() if name in whole.symbols()}
+        asked = statement_data(whole, own, self.parameter, self.labels)
+        if not found.certificate or found.certificate.get("statement") == asked:
+            return found
+        return replace(found, certificate={**found.certificate, "asked": asked})
 
     def decide_alone(self, statement: Statement) -> Outcome:
         """The statement without the conditions of the frame, its equations solved and put in."""

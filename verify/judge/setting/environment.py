@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
 from fractions import Fraction
 from typing import Any
@@ -58,7 +58,8 @@ class Environment:
     other base variables, in which more is decided: there `decide` is what decides, `charted` are
     the coordinates, whatever a source calls them, and `squares` those of these.
 
-    With free gains `region` is where the filter is stable.
+    With free gains `region` is where the filter is stable. `model` holds the matrices F, H, Q, R of
+    a steady state with its covariance P and gain K, in the source's units.
     """
 
     name: str
@@ -78,6 +79,7 @@ class Environment:
     charted: Mapping[str, Expr] = field(default_factory=dict)
     squares: Mapping[str, Expr] = field(default_factory=dict)
     region: StableRegion | None = None
+    model: Mapping[str, Sequence[Sequence[Expr]]] = field(default_factory=dict)
 
     def own_variables(self) -> frozenset[str]:
         """The base variables that stand for the tracking index and other parameters of a model."""
