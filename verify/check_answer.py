@@ -25,8 +25,9 @@ from typing import Any
 
 FORMAT = "gainproof answer certificate 1"
 MOST_BYTES, MOST_NODES, MOST_DIGITS, MOST_LETTERS = 4_000_000, 40_000, 400, 250
-MOST_POWER, MOST_DEGREE, MOST_WORK, MOST_BITS = 64, 1000, 2_000_000, 20_000
+MOST_POWER, MOST_DEGREE, MOST_WORK, MOST_BITS = 64, 1000, 3_000_000, 20_000
 FIELD = 16  # bits of an exponent; a monomial is a number, whose lowest field is the degree
+NO_VALUES = "that every part has a value is not shown"
 HOLDS = {"=": (0,), "!=": (1, -1), "<": (-1,), "<=": (-1, 0), ">": (1,), ">=": (1, 0)}
 
 Poly = dict[int, Any]  # monomial -> whole number or fraction, not 0
@@ -145,7 +146,7 @@ class Algebra:
             if len(text) > 240:
                 self.long.append(f"#{len(self.long) + 1} = {text}")
                 text = f"#{len(self.long)}"
-                require(len(self.long) <= 500, "too long to be printed")
+                require(len(self.long) <= 3000, "too long to be printed")
             read.append((value, text))
         return read[-1]
 
@@ -439,7 +440,10 @@ class Algebra:
         for k, (kind, name, _) in enumerate(self.letters):
             low, low_open, high, high_open = boxes[name] if kind == "variable" else POSITIVE
             unsaid = low is None and high is None
-            if kind != "variable" or boxes[name] == POSITIVE or unsaid or not self.has(p, k):
+            alone = halvings > 0 and self.below(p) == {k}
+            if kind != "variable" or unsaid or not self.has(p, k):
+                continue
+            if boxes[name] == POSITIVE and not alone:
                 continue
             signs = set()
             for end, left_out in ((low, low_open), (high, high_open)):
@@ -448,7 +452,7 @@ class Algebra:
             if low is None or high is None or low < high:
                 inner = self.moved(p, k, low, high)
                 signs.add(self.by_coefficients(inner, {**boxes, name: POSITIVE}, strict, 0))
-            if 0 in signs and halvings and self.below(p) == {k} and low != high:
+            if 0 in signs and alone and low != high:
                 middle = self.middle(low, high)
                 halves = (low, low_open, middle, False), (middle, False, high, high_open)
                 signs = {
@@ -583,7 +587,7 @@ class Certificate:
             require(self.shown(p, operator), f"not shown: {text}")
         require(algebra.has_a_value(), "no point was found at which every part has a value")
         everywhere = self.data.get("everywhere") is True
-        require(not everywhere or algebra.valued(), "that every part has a value is not shown")
+        require(not everywhere or algebra.valued(), NO_VALUES)
         all_of_it = "every part has a value there, as is shown too"
         say(f"{'values:':<22}{all_of_it if everywhere else 'said where every part has a value'}")
 

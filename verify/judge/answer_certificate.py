@@ -32,6 +32,10 @@ OF_MODEL = re.compile(r"[PKSX]\[\d,\d\]")
 """Entries of a filter's matrices, as the file names them."""
 
 
+KINDS = ("identity", "inequality", "recursion", "value", "monotone")
+"""Claims whose statement is what they say, a slope's sign for `monotone`."""
+
+
 class NoCertificateError(ValueError):
     """Why there is no certificate."""
 
@@ -40,6 +44,8 @@ def answer_certificate(claim: Mapping[str, Any]) -> Data:
     """The certificate of a claim of `check --json`. Raises NoCertificateError."""
     if claim["verdict"] not in ("proved", "refuted", "conditional"):
         raise NoCertificateError(f"the verdict is {claim['verdict']}")
+    if claim["kind"] not in KINDS:
+        raise NoCertificateError(f"the claim is of kind {claim['kind']}")
     evidence = claim["evidence"]["certificate"] or {}
     statement = evidence.get("asked", evidence.get("statement"))
     if statement is None:
@@ -48,6 +54,9 @@ def answer_certificate(claim: Mapping[str, Any]) -> Data:
     reason = "no point was found at which it fails"
     try:
         for candidate in _candidates(claim, evidence, statement):
+            weaker = candidate["verdict"] == "proved" and not candidate["everywhere"]
+            if weaker and reason != check_answer.NO_VALUES:
+                continue  # it failed for another reason, and would again
             said = rejected(candidate)
             if said is None:
                 return candidate

@@ -74,7 +74,9 @@ def steady_state(model: Mapping[str, Any], squared_index: Fraction | None = None
 
 
 def _model(model: Mapping[str, Any], quantities: Mapping[str, Expr]) -> dict[str, Exprs]:
-    """The matrices of the model and its steady state in the source's units."""
+    """The matrices of the model and its steady state in the source's units; `units` of the gains,
+    by which K has to be multiplied.
+    """
     f, q, h, _ = model_matrices(model)
     states = range(len(f))
     strength = power(quantities[INDEX], 2) * power(SIGMA, 2)
@@ -100,6 +102,7 @@ def _model(model: Mapping[str, Any], quantities: Mapping[str, Expr]) -> dict[str
             else (quantities["filter_gain.1"],)
             for i in states
         ),
+        "units": (tuple(whole_power(T, i) for i in states),),
     }
 
 
@@ -113,7 +116,8 @@ def model_data(environment: Environment, meanings: Mapping[str, Expr]) -> dict[s
     known = {quantities["innovation_variance"].key: symbol("S[1,1]")}
     for i in range(size):
         column = symbol(f"K[{i + 1},1]")
-        gain = mul(column, whole_power(T, i)) if i else column
+        unit = environment.model["units"][0][i]
+        gain = mul(column, unit) if i else column
         known[quantities[f"filter_gain.{i + 1}"].key] = gain
         for j in range(size):
             for name, which in (("P", "predicted"), ("X", "updated")):
@@ -125,12 +129,13 @@ def model_data(environment: Environment, meanings: Mapping[str, Expr]) -> dict[s
     }
     if all(letters[token] == expr for token, expr in meanings.items()):
         return {}
+    model = {name: rows for name, rows in environment.model.items() if name != "units"}
     entries = [entry for rows in environment.model.values() for row in rows for entry in row]
     boxes = {name: environment.boxes[name] for name in symbols_of(*entries)}
     return {
         "model": {
             name: [[graph_of(entry) for entry in row] for row in rows]
-            for name, rows in environment.model.items()
+            for name, rows in model.items()
         },
         "domain of the model": statement_data(Statement(()), boxes, None, {})["domain"],
         "letters": {token: graph_of(expr) for token, expr in letters.items()},
