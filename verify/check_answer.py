@@ -144,9 +144,10 @@ class Algebra:
             if len(value) > 30 and not self.variables(value):
                 value = self.letter("short", None, value)
             if len(text) > 240:
-                self.long.append(f"#{len(self.long) + 1} = {text}")
-                text = f"#{len(self.long)}"
-                require(len(self.long) <= 3000, "too long to be printed")
+                if text not in self.long:
+                    self.long.append(text)
+                    require(len(self.long) <= 1500, "too long to be printed")
+                text = f"#{self.long.index(text) + 1}"
             read.append((value, text))
         return read[-1]
 
@@ -572,7 +573,7 @@ class Certificate:
             ("letters", letters),
             ("where", domain),
             ("has a value too", [] if self.refutes else needed),
-            ("with", algebra.long),
+            ("with", [f"#{n} = {text}" for n, text in enumerate(algebra.long, 1)]),
         ):
             for line in lines:
                 say(f"{title + ':':<22}{line}")

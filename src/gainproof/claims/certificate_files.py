@@ -7,6 +7,7 @@ from collections import Counter
 from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import Any
+from urllib.parse import quote
 
 from gainproof.bad_input import BadInputError
 from gainproof.files import atomic_file, places
@@ -14,18 +15,12 @@ from gainproof.verify.judge.answer_certificate import NoCertificateError, answer
 
 WITHOUT = "without.txt"
 """In a folder of certificates: claims that have none, and why."""
+DECIDED = "decided by `python -m gainproof.verify.check_answer`, or a copy of it"
 
 
 def certificate_text(claim: Mapping[str, Any]) -> str:
     """The certificate of a claim as the text of a file. Raises NoCertificateError."""
     return json.dumps(answer_certificate(claim), indent=1, ensure_ascii=False) + "\n"
-
-
-def checker() -> Path:
-    """The file that decides certificates, to be run or copied."""
-    from gainproof.verify import check_answer
-
-    return Path(check_answer.__file__)
 
 
 def write(path: Path, text: str) -> None:
@@ -38,7 +33,7 @@ def write(path: Path, text: str) -> None:
 
 
 def write_folder(folder: Path, judged: Sequence[Mapping[str, Any]]) -> str:
-    """FOLDER/SOURCE/CLAIM.json for each claim that has a certificate, and a list of the settled
+    """FOLDER/SOURCE-claims/CLAIM.json for each claim that has a certificate, and a list of settled
     ones that have none; what to tell, by verdict and kind. Raises BadInputError.
     """
     settled, written = Counter[tuple[str, str]](), Counter[tuple[str, str]]()
@@ -56,14 +51,15 @@ def write_folder(folder: Path, judged: Sequence[Mapping[str, Any]]) -> str:
                 without.append(f"{key} {claim['id']} ({', '.join(sort)}): {reason}"[:300])
                 continue
             written[sort] += 1
-            write(folder / key / f"{claim['id'].replace(':', '_')}.json", text)
+            source, name = (quote(word, safe="") for word in (key, claim["id"]))
+            write(folder / f"{source}-claims" / f"{name}.json", text)
     write(folder / WITHOUT, "".join(f"{line}\n" for line in without))
     lines = [
         f"  {' '.join(sort):<25}{written[sort]:>5} of {count}"
         for sort, count in sorted(settled.items(), key=lambda item: (-item[1], item[0]))
     ]
     total = f"certificates: {sum(written.values())} of {sum(settled.values())} settled claims"
-    return "\n".join([f"{total}, in {places.shown(folder)}; by verdict and kind:", *lines, _how()])
+    return "\n".join([f"{total}, in {places.shown(folder)}; by verdict and kind:", *lines, DECIDED])
 
 
 def write_one(name: str, claim: Mapping[str, Any]) -> str:
@@ -73,8 +69,4 @@ def write_one(name: str, claim: Mapping[str, Any]) -> str:
         write(path, certificate_text(claim))
     except NoCertificateError as reason:
         raise BadInputError(f"no certificate: {reason}") from None
-    return f"certificate: {places.shown(path)}; {_how()}"
-
-
-def _how() -> str:
-    return f"one is decided by: python {places.shown(checker())} FILE.json"
+    return f"certificate: {places.shown(path)}, {DECIDED}"
