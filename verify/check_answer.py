@@ -129,6 +129,8 @@ class Algebra:
         self.meaning: dict[str, Poly] = {}
         self.signs: dict[Any, int] = {}
         self.long: list[str] = []
+        self.numbers: dict[tuple[int, int], Ball] = {}
+        self.fixed: set[int] = set()
 
     def read(self, graph: Any) -> tuple[Poly, str]:
         """A list of nodes, each made of nodes before it: value and text of the last one."""
@@ -197,6 +199,8 @@ class Algebra:
             require(len(self.letters) < MOST_LETTERS, f"more than {MOST_LETTERS} letters")
             self.places[key] = len(self.letters)
             self.letters.append((kind, detail, p))
+            if kind != "variable" and not self.variables(p):
+                self.fixed.add(self.places[key])
         return {power_of(self.places[key]): 1}
 
     def over(self, p: Poly) -> Poly:
@@ -376,7 +380,7 @@ class Algebra:
     def value(self, p: Poly, point: dict[str, Fraction], bits: int, known: dict[int, Ball]) -> Ball:
         """An interval round the value at a point. Raises ArithmeticError where there is none."""
         low = high = 0
-        self.spend(len(p) * (1 + degree(p)) * bits // 256)
+        self.spend(len(p) * (1 + degree(p)) * (1 + bits // 512) // 4)
         for m, c in p.items():
             term = enclosed(c, bits)
             for k in range(m.bit_length() // FIELD):
@@ -389,6 +393,15 @@ class Algebra:
         return low, high
 
     def letter_value(
+        self, k: int, point: dict[str, Fraction], bits: int, known: dict[int, Ball]
+    ) -> Ball:
+        if k in self.fixed:
+            if (k, bits) not in self.numbers:
+                self.numbers[k, bits] = self.own_value(k, point, bits, known)
+            return self.numbers[k, bits]
+        return self.own_value(k, point, bits, known)
+
+    def own_value(
         self, k: int, point: dict[str, Fraction], bits: int, known: dict[int, Ball]
     ) -> Ball:
         kind, n, inner = self.letters[k]

@@ -14,10 +14,12 @@ import subprocess
 import sys
 import time
 from collections.abc import Iterator, Mapping
+from fractions import Fraction
 from pathlib import Path
 from typing import Any
 
 import mpmath
+import numpy as np
 import pytest
 
 from gainproof.answers.judge import Judge
@@ -172,6 +174,40 @@ def test_a_condition_with_a_factor_that_may_vanish_says_nothing() -> None:
     stated = certificate([[[Y], "=", ONE]], {"x": ANY, "y": ANY})
     stated["given"] = [[[X, Y, ["mul", 0, 1]], "=", [X]]]  # x = 0, y = 2 too
     assert rejected(stated) is not None
+
+
+@pytest.mark.parametrize(
+    ("covariance", "gain", "accepted"), [("3", "3/4", True), ("0", "0", False)]
+)
+def test_of_two_solutions_only_the_stable_one_is_the_filter(
+    covariance: str, gain: str, accepted: bool
+) -> None:
+    # F = 2, H = 1, Q = 0, R = 1: P = 4 P/(P + 1) for P = 0 too, but there F - F K H = 2
+    numbers = {"F": "2", "H": "1", "Q": "0", "R": "1", "P": covariance, "K": gain}
+    model = {name: [[[["number", text]]]] for name, text in numbers.items()}
+    stated = certificate([[[["symbol", "K[1,1]"]], "=", [["number", gain]]]], {}, model=model)
+    assert (rejected(stated) is None) == accepted
+    for wrong in ({"K": "1/2"}, {"Q": "1"}, {"F": "3"}, {"R": "2"}, {"P": "2"}):
+        other = {name: [[[["number", text]]]] for name, text in (numbers | wrong).items()}
+        assert rejected({**stated, "model": other}) is not None
+
+
+@pytest.mark.parametrize("size", [1, 2, 3])
+def test_stability_is_that_of_the_eigenvalues(size: int) -> None:
+    source, met = random.Random(size), set[bool]()
+    for _ in range(150):
+        rows = [
+            [Fraction(source.randint(-9, 9), source.choice((4, 7, 11))) for _ in range(size)]
+            for _ in range(size)
+        ]
+        entries = [[{0: x} if x else {} for x in row] for row in rows]
+        whole = check_answer.Certificate(certificate([], {}))
+        positive = all(e.get(0, 0) > 0 for e in whole.stability(entries))
+        radius = max(abs(np.linalg.eigvals(np.array(rows, dtype=float))))
+        if abs(radius - 1) > 1e-6:
+            assert positive == (radius < 1), rows
+            met.add(positive)
+    assert met == {True, False}
 
 
 def test_each_certificate_says_what_it_shows(
@@ -339,7 +375,7 @@ def altered(data: Data, source: random.Random) -> Data:
         box[place] = not box[place] if place % 2 else source.choice([None, "-1", "0", "1/2", "7"])
     elif choice < 0.35:
         flag = source.choice(["everywhere", "verdict", "unit"])
-        new = {"everywhere": not data["everywhere"], "unit": source.randint(1, 4)}
+        new: Data = {"everywhere": not data["everywhere"], "unit": source.randint(1, 4)}
         new["verdict"] = "refuted" if data["verdict"] == "proved" else "proved"
         data[flag] = new[flag]
         if data["verdict"] == "refuted":
