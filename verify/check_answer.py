@@ -651,7 +651,7 @@ class Certificate:
                 self.put_in(*given[-1][:2])
         return given, told
 
-    def put_in(self, p: Poly, operator: str) -> None:
+    def put_in(self, p: Poly, operator: str) -> tuple[int, Poly] | None:
         """Uses `p operator 0` where it is of degree 1 in a variable: puts in for it what it equals,
         or what lies between its bound and its other end. What is not used is not supposed.
         """
@@ -671,7 +671,8 @@ class Certificate:
                 value = self.between(name, less, operator in "<>", value)
             for other, meaning in [*algebra.meaning.items()]:
                 algebra.meaning[other] = algebra.replaced(meaning, own, value)
-            return
+            return own, value
+        return None
 
     def between(self, name: str, less: bool, strict: bool, bound: Poly) -> Poly:
         """bound -/+ s for a new s > 0 (>= 0), or what lies between the bound and the other end."""
@@ -683,6 +684,9 @@ class Certificate:
         s = algebra.letter("variable", slack, {})
         if end is None or not strict:
             return plus(bound, s, -1 if less else 1)
+        # what lies between is there only where the bound lies on its side of the other end
+        between = self.put_in(plus(bound, algebra.constant(end), -1), ">" if less else "<")
+        bound = bound if between is None else algebra.replaced(bound, *between)
         top = plus(algebra.constant(end), algebra.times(bound, s))
         return algebra.times(top, algebra.over(plus(ONE, s)))
 

@@ -170,6 +170,33 @@ def test_conditions_are_used_as_far_as_they_go(
     assert (rejected(stated) is None) == proved
 
 
+SUM_OF_BOTH = [X, Y, ["add", 0, 1]]
+LEFT_OVER = [["number", "1"], X, Y, ["add", 1, 2], ["neg", 3], ["add", 0, 4], ["mul", 1, 5]]
+
+
+@pytest.mark.parametrize(
+    ("relation", "proved"),
+    [
+        ([[X], "<", ONE], True),
+        ([[Y], "<", ONE], True),
+        ([LEFT_OVER, ">", ZERO], True),  # x (1 - x - y)
+        ([SUM_OF_BOTH, "<", ONE], True),
+        ([SUM_OF_BOTH, "<", [["number", "1/2"]]], False),
+        ([[X], "<", [Y]], False),
+        ([[X, Y, ["mul", 0, 1]], "<", [["number", "1/5"]]], False),  # 1/4 is nearly reached
+    ],
+)
+def test_a_condition_on_two_numbers_bounds_each(relation: list[Any], proved: bool) -> None:
+    stated = certificate([relation], {"x": PLUS, "y": PLUS}, given=[[SUM_OF_BOTH, "<", ONE]])
+    assert (rejected(stated) is None) == proved
+
+
+@pytest.mark.parametrize(("low", "proved"), [("0", True), ("-1", False), (None, False)])
+def test_what_is_above_a_positive_number_is_positive(low: str | None, proved: bool) -> None:
+    stated = certificate([[[Y], ">", ZERO]], {"x": (low, None), "y": ANY})
+    assert (rejected({**stated, "given": [[[X], "<", [Y]]]}) is None) == proved
+
+
 def test_a_condition_with_a_factor_that_may_vanish_says_nothing() -> None:
     stated = certificate([[[Y], "=", ONE]], {"x": ANY, "y": ANY})
     stated["given"] = [[[X, Y, ["mul", 0, 1]], "=", [X]]]  # x = 0, y = 2 too
