@@ -12,7 +12,6 @@ from gainproof.notebook.markup import html_escaped
 from gainproof.terminal_text import WIDTH, filled
 from gainproof.verdicts.explanation import explanation
 from gainproof.verdicts.verdict_reason import is_contradicted, reasons
-from gainproof.verify.judge.answer_certificate import NoCertificateError, answer_certificate
 
 FORMAT = "gainproof answers 1"
 BEST = ("proved", DEFINITION, "conditional")
@@ -83,6 +82,9 @@ class Answer:
         """Data that one file without the judge decides, `gainproof/verify/check_answer.py`; found
         anew at each use. Empty where there is none.
         """
+        # the exact arithmetic is not loaded for answers of which no certificate is wanted
+        from gainproof.verify.judge.answer_certificate import NoCertificateError, answer_certificate
+
         try:
             return answer_certificate(self.claim)
         except NoCertificateError:
