@@ -462,7 +462,7 @@ NESTED: list[Any] = [X, *[["pow", k, "1/2"] for k in range(240)]]
 LONG: list[Any] = [["number", "9" * 400], *[["mul", k, k] for k in range(40)]]
 ANGLES: list[Any] = [["number", "39"], *[["call", "exp", 0], ["call", "exp", 1]]]
 BOTH = {"x": PLUS, "y": PLUS}
-MANY = {name: PLUS for name in "abcdef"}
+MANY = dict.fromkeys("abcdef", PLUS)
 WIDE = [*[["symbol", name] for name in MANY], ["add", 0, 1, 2, 3, 4, 5], ["pow", 6, "60"]]
 HOSTILE: list[Any] = [
     certificate([[WIDE, ">", ZERO]], MANY),
