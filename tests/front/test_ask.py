@@ -22,6 +22,7 @@ from gainproof.answers.question import Options
 from gainproof.bad_input import BadInputError
 from gainproof.claims.judgements import shipped_models
 from gainproof.cli import main
+from gainproof.verify import check_answer
 from gainproof.verify.judge.claim.notation import is_plain
 
 SCHEMA = Path(gainproof.answers.__file__).with_name("answers.schema.json")
@@ -312,6 +313,33 @@ def test_a_model_of_ones_own(tmp_path: Path, capsys: pytest.CaptureFixture[str])
     ):
         assert main(["ask", formula, "--model", file, *also]) == 2
         assert told in capsys.readouterr().err
+
+
+def test_certificates_are_written_and_decided_by_their_file(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    file = tmp_path / "certificate.json"
+    assert main(["ask", "x + 1/x >= 2", "--domain", "x > 0", "--certificate", str(file)]) == 0
+    assert "check_answer" in capsys.readouterr().err
+    assert check_answer.main([str(file)]) == 0
+    assert capsys.readouterr().out.endswith("\nproved\n")
+    file.unlink()
+    assert main(["ask", "D = a + b", "--certificate", str(file)]) == 2  # it can only define D
+    assert "no certificate: the verdict is definition" in capsys.readouterr().err
+    assert not file.exists()
+    assert main(["ask", "x = x", "y = y", "--certificate", str(file)]) == 2
+    assert "--certificate writes one formula, got 2" in capsys.readouterr().err
+
+
+def test_a_claim_file_has_certificates(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    claims, folder = tmp_path / "claims.toml", tmp_path / "certificates"
+    assert main(["ask", r"\sqrt{x^2 + y^2} = x + y", "--save", str(claims)]) == 0
+    assert main(["check", str(claims), "--certificates", str(folder)]) == 0
+    assert "certificates: 1 of 1 settled claims" in capsys.readouterr().err
+    (written,) = folder.glob("*/*.json")
+    assert check_answer.main([str(written)]) == 0
+    assert capsys.readouterr().out.endswith("\nrefuted\n")
+    assert (folder / "without.txt").read_text() == ""
 
 
 def test_a_script_without_a_guard_is_not_executed_again(tmp_path: Path) -> None:

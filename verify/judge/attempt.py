@@ -108,8 +108,11 @@ def _of_dimensions(claim: Claim, fault: str, setting: Setting, environment: Envi
     """
     readings = () if claim.formula is None else likeliest_first(claim.formula)
     failing = [seen_to_fail(claim, r, setting, environment) for r in readings]
-    witness = failing[0].witness if failing and failing[0] and all(failing) else None
-    return Finding("refuted", fault, method="dimensions", witness=witness)
+    if not failing or failing[0] is None or not all(failing):
+        return Finding("refuted", fault, method="dimensions")
+    first = failing[0]
+    certificate = first.certificate
+    return Finding("refuted", fault, None, "dimensions", first.witness, certificate)
 
 
 def _attempt(work: Callable[[], Finding]) -> Finding:

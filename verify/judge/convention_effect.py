@@ -117,6 +117,7 @@ def with_conventions(environment: Environment, chosen: Chosen) -> Environment:
         if name.startswith(f"{chosen.covariance}_covariance."):
             quantities[name.removeprefix(f"{chosen.covariance}_")] = value
     boxes, continued = dict(environment.boxes), dict(environment.continued)
+    model = environment.model
     if chosen.index_origin == "1" and SAMPLE in boxes:
         boxes[SAMPLE] = _later(boxes[SAMPLE])
         before = {SAMPLE: symbol(SAMPLE) - 1}
@@ -124,6 +125,10 @@ def with_conventions(environment: Environment, chosen: Chosen) -> Environment:
         continued = _replaced(continued, before)
     if chosen.noise == "ratio":
         quantities = _replaced(quantities, {DEVIATION: number(1)})
+        model = {
+            name: tuple(tuple(substituted(e, {DEVIATION: number(1)}) for e in row) for row in rows)
+            for name, rows in model.items()
+        }
     if chosen.noise != "deviation":
         for name in (INDEX, DEVIATION):
             if name in quantities:
@@ -139,6 +144,7 @@ def with_conventions(environment: Environment, chosen: Chosen) -> Environment:
         continued=continued,
         chart=chart,
         region=region,
+        model=model,
     )
 
 

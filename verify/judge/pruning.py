@@ -4,9 +4,12 @@ points, shown at a simple one.
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 from gainproof.verify.judge.claim.record import Claim, Setting
 from gainproof.verify.judge.convention import Convention
 from gainproof.verify.judge.dimensions.claim import claim_readings
+from gainproof.verify.judge.exact.certificate import statement_data
 from gainproof.verify.judge.exact.limits import Malformed, Undecided
 from gainproof.verify.judge.exact.points import try_points
 from gainproof.verify.judge.exact.statement import ALLOWED, Statement
@@ -68,5 +71,10 @@ def _refuted(
         stated = (*stated, *environment.region.relations)
     domains = [r for token in scope.used for r in setting.symbols[token].domain]
     conditions = (*stated, *[scope.relation(r) for r in domains])
-    outcome = try_points(Statement(relations, conditions), scope.boxes(), scope.labels())
-    return finding_of(outcome) if outcome and outcome.verdict == "refuted" else None
+    statement, boxes, labels = Statement(relations, conditions), scope.boxes(), scope.labels()
+    outcome = try_points(statement, boxes, labels)
+    if outcome is None or outcome.verdict != "refuted":
+        return None
+    own = {name: box for name, box in boxes.items() if name in statement.symbols()}
+    asked = statement_data(statement, own, environment.parameter, labels)
+    return replace(finding_of(outcome), certificate={"asked": asked})

@@ -1,8 +1,8 @@
 """Proofs and refutations of the judge, gone through again from their certificates alone.
 
 A certificate names the statement as plain data. Replaying builds the tower anew, forms norms and
-candidates anew, and must come to the same verdict on the same places. It shares the judge's code:
-an independent checker does not exist for these proofs yet, which is why they are marked `replayed`.
+candidates anew, and must come to the same verdict on the same places. It shares the judge's code,
+which is why these proofs are marked `replayed`; of many `check_answer` decides the statement apart.
 """
 
 from __future__ import annotations

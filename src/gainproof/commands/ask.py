@@ -61,6 +61,11 @@ def configure(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("--json", action="store_true", help="answers as data")
     parser.add_argument("--explain", action="store_true", help="the whole proof or witness too")
     parser.add_argument("--save", metavar="NEW.toml", help="write the formula as a claim file")
+    parser.add_argument(
+        "--certificate",
+        metavar="NEW.json",
+        help="write the proof or counterexample as data that one file without gainproof decides",
+    )
     time_limit.configure(parser)
     parser.add_argument("--fresh", action="store_true", help="take nothing from the cache")
 
@@ -82,8 +87,9 @@ def run(options: argparse.Namespace) -> int:
             raise BadInputError("--save: a claim file cannot name a model in Python")
     asked = _options(options)
     formulas = list(_formulas(options.formulas))
-    if options.save is not None and len(formulas) != 1:
-        raise BadInputError(f"--save writes one formula, got {len(formulas)}")
+    for option in ("save", "certificate"):
+        if getattr(options, option) is not None and len(formulas) != 1:
+            raise BadInputError(f"--{option} writes one formula, got {len(formulas)}")
     answers: list[Answer] = []
     errors: list[str] = []
     with Judge(seconds=options.seconds, fresh=options.fresh, models=models) as judge:
@@ -101,6 +107,16 @@ def run(options: argparse.Namespace) -> int:
             if not options.json:
                 _print(answer, explain=options.explain, first=not answers)
             answers.append(answer)
+    if options.certificate is not None and answers:
+        from gainproof.claims import certificate_files
+
+        try:
+            told = certificate_files.write_one(options.certificate, answers[0].claim)
+        except BadInputError as error:
+            errors.append(f"{answers[0].formula}: {error}")
+            told = str(error)
+        sys.stdout.flush()
+        print(f"gainproof: {harmless(told)}", file=sys.stderr)
     if options.json:
         data = {"format": FORMAT, "answers": [a.plain() for a in answers], "errors": errors}
         print(json.dumps(data, indent=2))

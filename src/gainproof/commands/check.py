@@ -35,6 +35,11 @@ def configure(parser: argparse.ArgumentParser) -> None:
         action="store_true",
         help="judge what a file with errors has beside them; the exit status is 2 all the same",
     )
+    parser.add_argument(
+        "--certificates",
+        metavar="FOLDER",
+        help="write what can be decided by one file without gainproof, and how much that is",
+    )
     time_limit.configure(parser)
     parser.add_argument("--fresh", action="store_true", help="take nothing from the cache")
     begin = parser.add_argument_group("to begin a claim file, instead of judging one")
@@ -94,6 +99,14 @@ def _check(options: argparse.Namespace) -> int:
         print(_shown(options, judged, words), end="")
     if sheet is not None and not options.json:
         print(f"\nerrata: {places.shown(sheet)}")
+    if options.certificates is not None:
+        from pathlib import Path
+
+        from gainproof.claims import certificate_files
+
+        told = certificate_files.write_folder(Path(options.certificates), judged)
+        sys.stdout.flush()
+        print(f"gainproof: {told}", file=sys.stderr)
     _say_accidents(judged)
     errors = [error for judgement in judged for error in judgement.get("errors", ())]
     if errors and not options.json:

@@ -109,8 +109,13 @@ def statement_from(
         tuple(read_graph(e) for e in data["needed"]),
         relations(data["given"]),
     )
-    boxes = {name: _box(entry) for name, entry in data["domain"].items()}
+    boxes = boxes_from(data["domain"])
     return statement, boxes, data["parameter"], dict(data["labels"])
+
+
+def boxes_from(data: Mapping[str, Any]) -> dict[str, Box]:
+    """Domains by name. Raises Malformed, KeyError, TypeError."""
+    return {name: _box(entry) for name, entry in data.items()}
 
 
 def _box(entry: Mapping[str, Any]) -> Box:

@@ -26,6 +26,7 @@ from gainproof.verify.judge.kinds.stability import judge_stability
 from gainproof.verify.judge.kinds.steady_state import judge_steady_state
 from gainproof.verify.judge.kinds.value import judge_value
 from gainproof.verify.judge.scope import Scope
+from gainproof.verify.judge.setting.quantities import model_data
 from gainproof.verify.judge.verdict import Finding
 
 Judge = Callable[[Claim, Reading, Scope], Finding]
@@ -76,7 +77,8 @@ def judge_reading(claim: Claim, reading: Reading | None, scope: Scope) -> Findin
     }
     if meanings and finding.certificate:
         graphs = {token: graph_of(expr) for token, expr in meanings.items()}
-        finding = replace(finding, certificate={**finding.certificate, "quantities": graphs})
+        more = {"quantities": graphs, **model_data(scope.environment, meanings)}
+        finding = replace(finding, certificate={**finding.certificate, **more})
     if meanings and finding.witness is not None:
         finding = replace(finding, witness=with_values(finding.witness, meanings, scope.labels()))
     return finding

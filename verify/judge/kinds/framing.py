@@ -10,6 +10,7 @@ from gainproof.verify.judge.claim.record import Claim
 from gainproof.verify.judge.domain import bounded
 from gainproof.verify.judge.exact.box import Box
 from gainproof.verify.judge.exact.calculus import substituted
+from gainproof.verify.judge.exact.certificate import statement_data
 from gainproof.verify.judge.exact.constant_value import constant_value
 from gainproof.verify.judge.exact.expression import number, symbols_of
 from gainproof.verify.judge.exact.expression_text import labelled
@@ -55,9 +56,15 @@ class Frame:
     natural: tuple[Rel, ...] = ()
 
     def decide(self, statement: Statement) -> Outcome:
-        """The statement under the conditions of the frame. Raises Undecided."""
-        conditions = (*statement.conditions, *self.conditions)
-        found = self.decide_alone(replace(statement, conditions=conditions))
+        """The statement under the conditions of the frame, kept as asked where the certificate is
+        of another one, in other variables. Raises Undecided.
+        """
+        whole = replace(statement, conditions=(*statement.conditions, *self.conditions))
+        found = self.decide_alone(whole)
+        own = {name: box for name, box in self.boxes.items() if name in whole.symbols()}
+        asked = statement_data(whole, own, self.parameter, self.labels)
+        if found.certificate and found.certificate.get("statement") != asked:
+            found = replace(found, certificate={**found.certificate, "asked": asked})
         if not self.natural or not found.domain or found.region:
             return found  # a region is told with its conditions
         labels = with_tokens(self.labels, statement.symbols())

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
 from fractions import Fraction
 from typing import Any
@@ -62,6 +62,9 @@ class Environment:
 
     Where the model has free numbers or several strengths, gains are the base variables, `hidden`
     ones: everything else that the model holds changes them, in a way that no formula shows.
+
+    `model` holds the matrices F, H, Q, R of a steady state with its covariance P and gain K, in the
+    source's units.
     """
 
     name: str
@@ -82,6 +85,7 @@ class Environment:
     squares: Mapping[str, Expr] = field(default_factory=dict)
     region: StableRegion | None = None
     hidden: frozenset[str] = frozenset()
+    model: Mapping[str, Sequence[Sequence[Expr]]] = field(default_factory=dict)
 
     def own_variables(self) -> frozenset[str]:
         """The base variables that stand for the tracking index and other parameters of a model."""

@@ -71,7 +71,17 @@ def own_environment(setting: Setting) -> Environment:
     known = placed(model.known, put_in)
     assigned = placed(placed(model.assigned, known), put_in)
     quantities = placed(solved.quantities, known)
-    return replace(solved, assigned=assigned, quantities=quantities, intensity=model.intensity)
+    matrices = {
+        name: tuple(tuple(substituted(e, known) for e in row) for row in rows)
+        for name, rows in solved.model.items()
+    }
+    return replace(
+        solved,
+        assigned=assigned,
+        quantities=quantities,
+        intensity=model.intensity,
+        model=matrices,
+    )
 
 
 def scaled_model(setting: Setting) -> Scaled:

@@ -5,20 +5,26 @@ units.
 from __future__ import annotations
 
 from collections.abc import Mapping
+from dataclasses import replace
 from fractions import Fraction
 from typing import Any
 
 from gainproof.verify.judge.exact.box import Box
-from gainproof.verify.judge.exact.calculus import substituted
+from gainproof.verify.judge.exact.calculus import rebuilt, substituted
+from gainproof.verify.judge.exact.certificate import statement_data
 from gainproof.verify.judge.exact.expression import (
     Expr,
     add,
+    mul,
     number,
     power,
     symbol,
+    symbols_of,
     whole_power,
 )
+from gainproof.verify.judge.exact.graph_writing import graph_of
 from gainproof.verify.judge.exact.limits import Undecided
+from gainproof.verify.judge.exact.statement import Statement
 from gainproof.verify.judge.setting.environment import (
     ANY_REAL,
     DEVIATION,
@@ -29,7 +35,7 @@ from gainproof.verify.judge.setting.environment import (
     Environment,
 )
 from gainproof.verify.judge.setting.growing_memory import GrowingMemory, growing_memory
-from gainproof.verify.judge.setting.matrix import Exprs, times, transposed
+from gainproof.verify.judge.setting.matrix import Exprs, model_matrices, times, transposed
 from gainproof.verify.judge.setting.steady_state import SteadyState, solve
 
 T, SIGMA = symbol(INTERVAL), symbol(DEVIATION)
@@ -41,7 +47,8 @@ def steady_state(model: Mapping[str, Any], squared_index: Fraction | None = None
         raise Undecided(
             "model data must be in units of the measurement noise, with measurement_noise [['1']]"
         )
-    return environment_of(solve(model, squared_index), str(model.get("name", "model")))
+    found = environment_of(solve(model, squared_index), str(model.get("name", "model")))
+    return replace(found, model=_model(model, found.quantities))
 
 
 def environment_of(state: SteadyState, name: str) -> Environment:
@@ -68,6 +75,75 @@ def environment_of(state: SteadyState, name: str) -> Environment:
         state.facts,
         conditions=factor.conditions,
     )
+
+
+def _model(model: Mapping[str, Any], quantities: Mapping[str, Expr]) -> dict[str, Exprs]:
+    """The matrices of the model and its steady state in the source's units; `units` of the gains,
+    by which K has to be multiplied.
+    """
+    f, q, h, _ = model_matrices(model)
+    states = range(len(f))
+    strength = power(quantities[INDEX], 2) * power(SIGMA, 2)
+
+    def entry(value: Fraction, interval: int, strength: Expr | None = None) -> Expr:
+        factors = [] if value == 1 else [number(value)]
+        factors += [] if strength is None else [strength]
+        factors += [whole_power(T, interval)] if interval else []
+        return mul(*factors or [number(1)]) if value else number(0)
+
+    return {
+        "F": tuple(tuple(entry(f[i][j], j - i) for j in states) for i in states),
+        "H": tuple(tuple(entry(row[j], j) for j in states) for row in h),
+        "Q": tuple(tuple(entry(q[i][j], -i - j, strength) for j in states) for i in states),
+        "R": ((power(SIGMA, 2),),),
+        "P": tuple(
+            tuple(quantities[f"predicted_covariance.{i + 1}.{j + 1}"] for j in states)
+            for i in states
+        ),
+        "K": tuple(
+            (mul(quantities[f"filter_gain.{i + 1}"], power(T, -i)),)
+            if i
+            else (quantities["filter_gain.1"],)
+            for i in states
+        ),
+        "units": (tuple(whole_power(T, i) for i in states),),
+    }
+
+
+def model_data(environment: Environment, meanings: Mapping[str, Expr]) -> dict[str, Any]:
+    """The matrices of a steady state as graphs, and what symbols of the source stand for in terms
+    of gain K, covariances P and X = P - K H P, and innovation variance S; empty without a model.
+    """
+    if not environment.model:
+        return {}
+    quantities, size = environment.quantities, len(environment.model["F"])
+    known = {quantities["innovation_variance"].key: symbol("S[1,1]")}
+    for i in range(size):
+        column = symbol(f"K[{i + 1},1]")
+        unit = environment.model["units"][0][i]
+        gain = mul(column, unit) if i else column
+        known[quantities[f"filter_gain.{i + 1}"].key] = gain
+        for j in range(size):
+            for name, which in (("P", "predicted"), ("X", "updated")):
+                entry = quantities[f"{which}_covariance.{i + 1}.{j + 1}"]
+                known.setdefault(entry.key, symbol(f"{name}[{i + 1},{j + 1}]"))
+    letters = {
+        token: rebuilt(expr, lambda node, _: known.get(node.key))
+        for token, expr in meanings.items()
+    }
+    if all(letters[token] == expr for token, expr in meanings.items()):
+        return {}
+    model = {name: rows for name, rows in environment.model.items() if name != "units"}
+    entries = [entry for rows in environment.model.values() for row in rows for entry in row]
+    boxes = {name: environment.boxes[name] for name in symbols_of(*entries)}
+    return {
+        "model": {
+            name: [[graph_of(entry) for entry in row] for row in rows]
+            for name, rows in model.items()
+        },
+        "domain of the model": statement_data(Statement(()), boxes, None, {})["domain"],
+        "letters": {token: graph_of(expr) for token, expr in letters.items()},
+    }
 
 
 def memory(degree: int) -> Environment:
