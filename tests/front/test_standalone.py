@@ -17,7 +17,7 @@ from gainproof.bad_input import BadInputError
 from gainproof.derive.printer.package import CODE
 from gainproof.files import named_files
 from gainproof.standalone import making, record, testing
-from gainproof.standalone.files import SHIPPED
+from gainproof.standalone.files import SHIPPED, TARGETS
 from gainproof.standalone.licence import LICENCE
 
 Capture = pytest.CaptureFixture[str]
@@ -49,7 +49,8 @@ def again(folder: Path, *options: str, subject: str = SUBJECT) -> int:
 
 def test_a_package_is_complete(written: Path) -> None:
     names = {p.relative_to(written).as_posix() for p in written.rglob("*") if p.is_file()}
-    tests = {f"tests/{path.name}" for path in SHIPPED.glob("*.py")} - {"tests/test_c.py"}
+    tests = {f"tests/{path.name}" for path in SHIPPED.glob("*.py")}
+    tests -= {f"tests/test_{target}.py" for target in TARGETS}
     read = {f"tests/values_{MODULE}.json", f"tests/formulas_{MODULE}.py"}
     module = {f"{MODULE}.py", f"{MODULE}.json", f"{MODULE}.md", *read}
     others = {"__init__.py", "py.typed", "README.md", "LICENSE", record.RECORD}

@@ -85,7 +85,8 @@ def test_words_of_claims_without_a_formula() -> None:
         "4": "kind = 'identity'\nlatex = 'a = b'\ntext = 'not shown'",
         "5": "kind = 'identity'\nplain = 'a = b'",
     }
-    text = "".join(f"[[claims]]\nid = '{name}'\n{rest}\n" for name, rest in entries.items())
+    text = "[settings.s]\nkind = 'algebra'\n"
+    text += "".join(f"[[claims]]\nid = '{name}'\n{rest}\n" for name, rest in entries.items())
     assert claim_words(text) == {
         "1": "one\\ntwo",
         "2": "a is increasing in r",

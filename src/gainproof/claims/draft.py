@@ -23,8 +23,6 @@ MOST_SETTLED = 6
 """Functions of one equation whose argument is taken, and brackets that are tried."""
 _INVERSE = re.compile(r"\\(sin|cos|tan)\s*\^\s*\{\s*-\s*1\s*\}")
 _UNCLEAR = re.compile(r"what \S+ acts on is not clear: write (.+)", re.DOTALL)
-_CASES = re.compile(r"(.+?=)\s*\\begin\{cases\}(.+)\\end\{cases\}[\s.,;]*", re.DOTALL)
-_WORDS = re.compile(r"\\(?:text|mathrm|textrm|mbox)\s*\{\s*(?:if|for|when|where)\s*\}~?")
 
 
 @dataclass(frozen=True)
@@ -45,7 +43,7 @@ def draft(tex: str, name: str, key: str) -> Draft:
     text = without_comments(tex)
     macros = macros_in(text)
     printed = islice(equations(with_displays(text, macros)), MOST_EQUATIONS)
-    readings = [one for equation in printed for one in _readings(equation, macros)]
+    readings = [_reading(equation, macros) for equation in printed]
     found = [one.equation for one in readings]
     met = [one.met for one in readings]
     claims = [
@@ -87,32 +85,15 @@ class _Read:
     taken: tuple[str, ...] = ()
 
 
-def _readings(equation: Equation, macros: Mapping[str, Macro]) -> list[_Read]:
-    """How an equation was read: by its cases, if it has some and is not read as a whole."""
+def _reading(equation: Equation, macros: Mapping[str, Macro]) -> _Read:
+    """How an equation was read."""
     if len(equation.latex) > MOST_FORMULA:
-        return [
-            _Read(equation, Met((), None, f"more than {MOST_FORMULA} characters: leave it out"))
-        ]
+        return _Read(equation, Met((), None, f"more than {MOST_FORMULA} characters: leave it out"))
     try:
         equation = replace(equation, latex=expanded(equation.latex, macros))
     except ValueError as error:
-        return [_Read(equation, Met((), None, f"the macro {error}: write it out"))]
-    whole = _read(equation)
-    cases = None if whole.met.formula else _CASES.fullmatch(equation.latex)
-    if cases is None:
-        return [whole]
-    found = []
-    for row in cases[2].split("\\\\"):
-        value, _, where = row.partition("&")
-        where = _WORDS.sub("", where).strip(" .,;")
-        if value.strip():
-            case = rf"{cases[1]} {value.strip(' ,;')}" + (rf" \quad ({where})" if where else "")
-            one = _read(replace(equation, latex=case))
-            if "otherwise" in where or "else" in where:
-                problem = "what holds otherwise: write the condition of this case"
-                one = replace(one, met=replace(one.met, formula=None, problem=problem))
-            found.append(one)
-    return found
+        return _Read(equation, Met((), None, f"the macro {error}: write it out"))
+    return _read(equation)
 
 
 def _read(equation: Equation) -> _Read:
