@@ -148,6 +148,11 @@ def test_a_formula_without_a_filter_says_where_its_parts_have_values(judge: Judg
     [
         *("D = a + b", "a + b = D", "x_k = x_p + alpha (z - x_p)", r"\sigma^2 = p (1 - p)"),
         *(r"g = 1 - \theta^2, h = (1 - \theta)^2", r"K_2 = \frac{\beta}{T}"),
+        *(
+            r"VRR = \frac{\alpha}{2 - \alpha}",
+            r"-2\ln L = \frac{d^2}{C} + \ln C",
+            r"e = \frac{a T^2}{b}",
+        ),
     ],
 )
 def test_what_can_only_define_is_not_refuted(judge: Judge, formula: str) -> None:
@@ -210,6 +215,10 @@ def test_which_text_is_latex(formula: str, plain: bool) -> None:
         ("x = " + "y + " * 8000 + "1", {}, "at most 4000 are read"),
         (r"\frac{d}{dx} atan(y/x) = 1", {}, r"(?s)product a t a n: write \\arctan\n.*\^"),
         (r"\beta = sqrt(\alpha)", {}, r"write \\sqrt\{"),
+        (r"\frac{log x}{log y} = \frac{x}{y}", {}, r"(?s)product l o g: write \\log\n.*\^"),
+        (r"tan x = \frac{\sin x}{\cos x}", {}, r"write \\tan"),
+        (r"\frac{e^{-x} sin x}{2} = xlog y", {}, r"write \\sin"),
+        (r"\sqrt{x^2} = abs x", {}, r"write \\left\|"),
         ("d/dx tan(x) = 1 + tan(x)^2", {}, r"a derivative is written diff\(f, x\)"),
         ("(K H)^T = H^T K^T", {}, "in a claim file, whose settings may be of kind matrices"),
     ],

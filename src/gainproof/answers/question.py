@@ -222,7 +222,7 @@ def _candidates(
     whole = _counted(formula)
     free = {
         token: EULER
-        if token == "e"
+        if token == "e" and not _alone(formula, token)
         else Meaning("free", WHOLE, integer=True)
         if token in whole
         else Meaning("free", REAL)
@@ -295,6 +295,16 @@ def _searched(meant: Mapping[str, Meaning]) -> str:
     parts = (part for each in meant.values() for part in each.quantity.split(".") if part.isdigit())
     states = max(map(int, parts), default=0)
     return f" among models of {states} states" if states > 1 else ""
+
+
+def _alone(formula: Formula, token: str) -> bool:
+    """Whether a symbol is a whole side."""
+    sides = (
+        graph
+        for relation in formula.readings[0].relations
+        for graph in (relation.left, relation.right)
+    )
+    return any(each["nodes"][each["outputs"]["value"]][:2] == ["symbol", token] for each in sides)
 
 
 def _rows(model: Mapping[str, object], name: str) -> list[list[str]]:
@@ -393,8 +403,8 @@ def _text(
 
 
 def _only_defines(formula: Formula, candidate: Candidate, stated: Collection[str]) -> bool:
-    """Whether each relation has a number alone on one side, or a variance such as `\\sigma^2`, of
-    which nothing is known and which stands nowhere else: it can say what that is, and no more.
+    """Whether each relation has something on one side of which nothing is known and which stands
+    nowhere else, as `_named` has it: it can say what that is, and no more.
     `stated` are the symbols of which conditions say something.
     """
     reading = formula.readings[0]
@@ -404,26 +414,39 @@ def _only_defines(formula: Formula, candidate: Candidate, stated: Collection[str
     places = [token for pair in sides for side in pair for token in {*_symbols(side)}]
 
     def defines(one: Graph, other: Graph) -> bool:
-        token = _alone(one)
-        if token is None or other["nodes"][other["outputs"]["value"]][0] == "matrix":
+        tokens = _named(one)
+        if not tokens or other["nodes"][other["outputs"]["value"]][0] == "matrix":
             return False
-        meaning = candidate.symbols[token]
-        free = meaning.role == "free" and meaning.meaning == REAL and token not in stated
-        return free and places.count(token) == 1
+        meanings = [candidate.symbols[token] for token in tokens]
+        free = all(each.role == "free" and each.meaning == REAL for each in meanings)
+        return free and all(t not in stated and places.count(t) == 1 for t in tokens)
 
     return all(defines(left, right) or defines(right, left) for left, right in sides)
 
 
-def _alone(graph: Graph) -> str | None:
-    """The symbol that a side of an equation is, or the deviation whose square it is."""
+def _named(graph: Graph) -> set[str]:
+    """The symbols of a side that can be any number whatever the other side is: a symbol, a product
+    of symbols such as VRR, a multiple of a logarithm, the deviation whose square it is; else none.
+    """
     nodes = graph["nodes"]
-    node = nodes[graph["outputs"]["value"]]
-    if node[0] == "symbol":
-        return str(node[1])
-    if node[0] == "pow" and node[2] == "2" and nodes[node[1]][0] == "symbol":
-        token = str(nodes[node[1]][1])
-        return token if token.startswith("\\sigma") else None
-    return None
+
+    def factors(number: int) -> list[Sequence[Any]]:
+        node = nodes[number]
+        if node[0] in ("mul", "neg"):
+            return [each for part in _parts(node) for each in factors(part)]
+        return [] if node[0] == "number" else [node]
+
+    found = factors(graph["outputs"]["value"])
+    if len(found) == 1 and found[0][:2] == ["call", "log"]:
+        found = factors(found[0][2])
+    powers = [each for each in found if each[0] == "pow" and nodes[each[1]][0] == "symbol"]
+    named = [str(nodes[each[1]][1]) for each in powers]
+    if found == powers and len(powers) == 1 and powers[0][2] == "2":
+        return {token for token in named if token.startswith("\\sigma")}
+    names = [str(each[1]) for each in found if each[0] == "symbol"]
+    # a letter that stands there once takes any sign and size
+    once = any(names.count(name) == 1 and name not in named for name in names)
+    return {*names, *named} if once and len(names) + len(powers) == len(found) else set()
 
 
 def _parts(node: Sequence[Any]) -> list[int]:

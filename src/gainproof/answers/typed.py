@@ -27,8 +27,12 @@ STEP = "dt"
 """The same, but where it is a differential."""
 _RELATION = re.compile(r"[=<>]|\\(?:leq?|geq?|approx|neq?|to|simeq|sim)\b")
 _BEGINS_WITH_RELATION = re.compile(rf"\s*&?\s*(?:{_RELATION.pattern})")
-_WORD = re.compile(r"(?<![\\A-Za-z_^{])[a-z]{2,}2?(?=\s*[({\\])")
-"""Letters in front of an argument."""
+_NOT_BARE = re.compile(
+    r"\\(?:text|mathrm|mbox|textrm|operatorname\*?|label|tag)\s*\{[^{}]*\}|\\[A-Za-z]+|[_^]\{[^{}]*\}"
+)
+"""What is no product of letters in LaTeX: words in upright print, commands, indices."""
+_SURE = ("sinh", "cosh", "tanh", "sin", "cos", "tan", "sqrt", "exp", "log", "abs")
+"""Functions that are meant at the end of a run of letters too, as in `xlog y`."""
 _POWER = re.compile(r"\^\{([^{}]*)\}")
 _MARKED = re.compile(
     r"(?<![A-Za-z\\])(?:\\(?:hat|tilde|bar|mathbf)\{?)?\\?[A-Za-z]{1,40}\}?(?:_(?:\{[^{}]{0,40}\}|\w))?"
@@ -213,18 +217,25 @@ def _refuse_words(text: str, said: Collection[str]) -> None:
     """Raises BadInputError for a function without its backslash in LaTeX, where its letters would
     be a product.
     """
-    for found in _WORD.finditer(text):
+    # commands, upright words and indices are what they say
+    bare = _NOT_BARE.sub(lambda found: "." * len(found[0]), text)
+    for found in re.finditer("[A-Za-z]{2,}2?", bare):
         word = found[0]
-        name = FUNCTION_WORDS.get(word, "")
-        if (name or word == "sqrt") and word not in said:
-            commands = [each for each, of in FUNCTION_COMMANDS.items() if of == name]
-            other = r"\sqrt{...}" if word == "sqrt" else rf"\operatorname{{{word}}}"
-            wanted = commands[0] if commands else other
-            mark = " " * found.start() + "^"
-            raise BadInputError(
-                f"{word} in LaTeX would be the product {' '.join(word)}: write {wanted}\n"
-                f"    {text}\n    {mark}"
-            )
+        name = next((each for each in _SURE if word.endswith(each)), word)
+        if name not in FUNCTION_WORDS and name not in _SURE:
+            continue
+        if word in said:
+            continue
+        of = FUNCTION_WORDS.get(name, name)
+        commands = [each for each, meant in FUNCTION_COMMANDS.items() if meant == of]
+        commands.sort(key=lambda each: each != f"\\{name}")
+        other = {"sqrt": r"\sqrt{...}", "abs": r"\left|...\right|"}
+        wanted = commands[0] if commands else other.get(name, rf"\operatorname{{{name}}}")
+        mark = " " * found.start() + "^"
+        raise BadInputError(
+            f"{word} in LaTeX would be the product {' '.join(word)}: write {wanted}\n"
+            f"    {text}\n    {mark}"
+        )
 
 
 def _refuse_several(text: str) -> None:
