@@ -221,7 +221,8 @@ def _refuse_words(text: str, said: Collection[str]) -> None:
     bare = _NOT_BARE.sub(lambda found: "." * len(found[0]), text)
     for found in re.finditer("[A-Za-z]{2,}2?", bare):
         word = found[0]
-        name = next((each for each in _SURE if word.endswith(each)), word)
+        ends = [each for each in _SURE if word.endswith(each)]
+        name = word if word in FUNCTION_WORDS or not ends else ends[0]
         if name not in FUNCTION_WORDS and name not in _SURE:
             continue
         if word in said:
