@@ -274,6 +274,47 @@ def test_a_time_constant_is_not_the_interval() -> None:
     check(judged("identity", true, SYMBOLS, model), "proved")
 
 
+DRIFT = ("[['1', 'T'], ['0', 'a']]", *TWO[1:])
+LAGGED = (r"[['1', 'T'], ['0', '1 - \frac{T}{u}']]", *TWO[1:])
+SEEN = ("[['a']]", "[['d']]", "[['b']]", "[['R']]")
+TURNED = (r"[['a', 'b T'], ['-\frac{b}{T}', 'a']]", *TWO[1:])
+
+
+@pytest.mark.parametrize(
+    ("model", "token", "domain", "latex", "wanted"),
+    [
+        # b = 0 sees nothing: P = d/(1 - a^2) and no gain
+        (SEEN, "b", r"b \geq 0", r"P < \frac{d}{1 - a^2}", "undecided"),
+        (SEEN, "b", r"b \geq 0", r"\alpha > 0", "undecided"),
+        (SEEN, "b", "b < 1", r"b > 0", "undecided"),
+        (SEEN, "b", r"b \neq 0", r"P < \frac{d}{1 - a^2}", "proved"),
+        (SEEN, "b", "b < 0", r"\alpha < 0", "proved"),
+        # a = 0 forgets the velocity: its prediction varies by q alone, and its gain is 0
+        (DRIFT, "a", r"0 \leq a < 1", r"\beta \neq 0", "undecided"),
+        (DRIFT, "a", "a < 1", r"V > q", "undecided"),
+        (DRIFT, "a", "0 < a < 1", r"V > q", "proved"),
+        (DRIFT, "a", r"a \neq 0", r"V > q", "proved"),
+        # with one strength nothing is divided by a
+        (FADING, "a", r"0 \leq a < 1", r"\beta \geq 0", "proved"),
+        (FADING, "a", r"0 \leq a < 1", r"\beta > 0", "conditional"),
+        (LAGGED, "u", "u > 0", r"u \neq T", "undecided"),
+        (LAGGED, "u", "u > T", r"u \neq T", "proved"),
+        # a quarter of a turn, a = 0, measures the first state anew each time
+        (TURNED, "a", "a^2 + b^2 = 1", r"\beta \neq 0", "undecided"),
+    ],
+)
+def test_a_filter_at_which_the_solution_divides_by_zero_counts(
+    model: tuple[str, ...], token: str, domain: str, latex: str, wanted: str
+) -> None:
+    unit = "s" if token == "u" else "1"
+    said = SYMBOLS | {token: f"{{ unit = '{unit}', domain = '{domain}', meaning = 'said' }}"}
+    said |= {"V": "{ quantity = 'predicted_covariance.2.2', meaning = 'of the velocity' }"}
+    found = judged("inequality", f"latex = '{latex}'", said, setting(model))
+    check(found, wanted)
+    if wanted == "undecided":
+        assert "is 0, which no domain excludes" in found.reason
+
+
 Sides = Callable[..., tuple[float, float]]
 SLOTS: list[tuple[tuple[str, ...], str, tuple[int, ...], Sides]] = [
     (
