@@ -44,7 +44,15 @@ from gainproof.verify.judge.setting.environment import (
 from gainproof.verify.judge.setting.established import UNIQUENESS, characteristic
 from gainproof.verify.judge.setting.factor import Factor, number_root
 from gainproof.verify.judge.setting.matrix import Exprs, minus, plus, times, transposed
-from gainproof.verify.judge.setting.own_matrices import SIGMA, Own, Rows, T, not_symmetric, read_own
+from gainproof.verify.judge.setting.own_matrices import (
+    SIGMA,
+    Own,
+    Rows,
+    T,
+    not_symmetric,
+    read_own,
+    require_sign,
+)
 from gainproof.verify.judge.setting.quantities import environment_of
 from gainproof.verify.judge.setting.stability import circle_moved, left_half_plane
 from gainproof.verify.judge.setting.steady_state import SteadyState
@@ -100,6 +108,9 @@ def over_gains(setting: Setting) -> Environment | None:
     model = _scaled(own)
     if set(model.free) <= {INTERVAL} and len(model.strengths) < 2:
         return None
+    for strength in model.strengths:
+        if strength.exponent == 2 and is_free(strength.base):
+            require_sign(token_of(strength.base.name), own.scope, ">=")
     if len(model.f) > MOST_STATES:
         raise Undecided(f"a steady state with {len(model.f)} states and free numbers")
     said = _said(setting, own, model)
@@ -393,9 +404,9 @@ def _state(
         Rel(rel.operator, substituted(rel.left, numbers), substituted(rel.right, numbers))
         for rel in said
     ]
-    # a deviation is a root of its number
+    # a deviation is a root of its number; that of the measurement, and the index, are positive
     stated += [
-        Rel(">", x, ZERO)
+        Rel(">=" if is_free(strength.base) else ">", x, ZERO)
         for x, strength in zip(found.numbers, model.strengths, strict=True)
         if strength.exponent != 1
     ]
