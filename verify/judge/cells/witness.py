@@ -9,7 +9,7 @@ from itertools import chain, islice
 
 from gainproof.verify.judge.cells.piece import Piece
 from gainproof.verify.judge.cells.task import Task
-from gainproof.verify.judge.exact.calculus import substituted
+from gainproof.verify.judge.exact.calculus import rebuilt, substituted
 from gainproof.verify.judge.exact.connected import Sample
 from gainproof.verify.judge.exact.constant_value import constant_value
 from gainproof.verify.judge.exact.enclose import compared
@@ -21,6 +21,7 @@ from gainproof.verify.judge.exact.points import failure_at
 from gainproof.verify.judge.exact.statement import NOT_EVALUATED, STRICT, Enclosure, Rel, Witness
 from gainproof.verify.judge.exact.truth import FALSE
 from gainproof.verify.judge.exact.witness import sides_witness, value_ball
+from gainproof.verify.judge.readable import readable
 from gainproof.verify.judge.verdict_words import BOTH_EQUAL, LACKS_VALUE
 
 PRECISIONS = (64, 256, 1024, 4096)
@@ -150,11 +151,16 @@ def _point(piece: Piece, sample: Sample | None, labels: Mapping[str, str]) -> di
     found |= {labels.get(name, name): str(value) for name, value in values.items()}
     known: dict[str, Expr] = {name: number(value) for name, value in values.items()}
     for name, expr in reversed(piece.task.solved):
-        here = substituted(expr, known)
+        here = readable(rebuilt(substituted(expr, known), _rational))
         exact = constant_value(here)
         known[name] = here if exact is None else number(exact)
         found[labels.get(name, name)] = str(exact) if exact is not None else labelled(here, labels)
     return dict(sorted(found.items()))
+
+
+def _rational(node: Expr, _: tuple[Expr, ...]) -> Expr | None:
+    value = constant_value(node)
+    return None if value is None else number(value)
 
 
 def _with_solved(witness: Witness, task: Task, labels: Mapping[str, str]) -> Witness:

@@ -58,7 +58,8 @@ NUMBERS = frozenset(("sign", "rank"))
 
 def reading_fault(reading: Reading, setting: Setting) -> str | None:
     """What is wrong with the dimensions of a reading, or None."""
-    names = names_of(in_said_units(reading.conditions, setting))
+    both = reading.relations if reading.connective != "if" else ()
+    names = names_of(in_said_units((*both, *reading.conditions), setting))
     for relation in (*reading.relations, *reading.conditions):
         fault = relation_fault(relation, names)
         if fault is not None:

@@ -23,7 +23,8 @@ from gainproof.verify.judge.exact.box import Box
 from gainproof.verify.judge.exact.calculus import substituted
 from gainproof.verify.judge.exact.constant_value import constant_value
 from gainproof.verify.judge.exact.expression import Expr, mul, number, power, symbol, symbols_of
-from gainproof.verify.judge.exact.free_names import free_name, is_free, token_of
+from gainproof.verify.judge.exact.expression_text import labelled
+from gainproof.verify.judge.exact.free_names import free_name, is_free, token_of, with_tokens
 from gainproof.verify.judge.exact.limits import Undecided
 from gainproof.verify.judge.exact.poly import Poly, coefficients_in, degree
 from gainproof.verify.judge.exact.statement import Rel, Statement
@@ -43,7 +44,15 @@ from gainproof.verify.judge.setting.environment import (
 from gainproof.verify.judge.setting.established import UNIQUENESS, characteristic
 from gainproof.verify.judge.setting.factor import Factor, number_root
 from gainproof.verify.judge.setting.matrix import Exprs, minus, plus, times, transposed
-from gainproof.verify.judge.setting.own_matrices import SIGMA, Own, Rows, T, not_symmetric, read_own
+from gainproof.verify.judge.setting.own_matrices import (
+    SIGMA,
+    Own,
+    Rows,
+    T,
+    not_symmetric,
+    read_own,
+    require_sign,
+)
 from gainproof.verify.judge.setting.quantities import environment_of
 from gainproof.verify.judge.setting.stability import circle_moved, left_half_plane
 from gainproof.verify.judge.setting.steady_state import SteadyState
@@ -82,14 +91,13 @@ class Model:
 
 @dataclass(frozen=True)
 class Solution:
-    """The covariance of the prediction and the numbers of the strengths over the gains, `gains`
-    themselves, and what must not be zero.
+    """The covariance of the prediction and the numbers of the strengths over the gains, and `gains`
+    themselves.
     """
 
     gains: tuple[Expr, ...]
     predicted: Exprs
     numbers: tuple[Expr, ...]
-    nonzero: tuple[Expr, ...]
 
 
 def over_gains(setting: Setting) -> Environment | None:
@@ -100,12 +108,14 @@ def over_gains(setting: Setting) -> Environment | None:
     model = _scaled(own)
     if set(model.free) <= {INTERVAL} and len(model.strengths) < 2:
         return None
+    for strength in model.strengths:
+        if strength.exponent == 2 and is_free(strength.base):
+            require_sign(token_of(strength.base.name), own.scope, ">=")
     if len(model.f) > MOST_STATES:
         raise Undecided(f"a steady state with {len(model.f)} states and free numbers")
     said = _said(setting, own, model)
     found = _solved(model, tuple(rel for rel in said if _names(rel) <= set(model.free)))
     state, conditions = _state(model, found, said)
-    _require(found.nonzero, conditions)
     solved = environment_of(state, setting.name)
     numbers = zip(model.strengths, found.numbers, strict=True)
     values = {strength.base: strength.symbol_at(x) for strength, x in numbers}
@@ -244,9 +254,7 @@ def _solved(model: Model, said: tuple[Rel, ...]) -> Solution:
     unknown = [e.name for e in dict.fromkeys(x for row in whole for x in row)]
     unknown += [x.name for x in numbers]
     stable = (Rel(">", share, ZERO), *_stable(model, column), *said)
-    values, nonzero = _eliminated(
-        equations, unknown, [g.name for g in reversed(gains)], model.free, stable
-    )
+    values = _eliminated(equations, unknown, [g.name for g in reversed(gains)], model.free, stable)
     if any(name not in values for name in unknown):
         raise Undecided("the noise of the model has more strengths than the gains tell")
     names = (*[g.name for g in gains], *model.free)
@@ -258,7 +266,6 @@ def _solved(model: Model, said: tuple[Rel, ...]) -> Solution:
         tuple(over(g) for g in gains),
         tuple(tuple(over(x / share) for x in row) for row in whole),
         tuple(over(x / share) for x in numbers),
-        tuple(over(e) for e in nonzero),
     )
 
 
@@ -268,13 +275,13 @@ def _eliminated(
     gains: Sequence[str],
     free: Sequence[str],
     conditions: tuple[Rel, ...],
-) -> tuple[dict[str, Expr], list[Expr]]:
-    """What equations tell of the unknowns, and of the gains where these hold them linearly; and by
-    what was divided. Raises Undecided.
+) -> dict[str, Expr]:
+    """What equations tell of the unknowns, and of the gains where these hold them linearly. Raises
+    Undecided, also where a divisor may be zero under `conditions`. These hold of every filter; what
+    follows from the solution says nothing of filters at which it divides by zero.
     """
     names = (*unknown, *gains, *free)
     values: dict[str, Expr] = {}
-    nonzero: list[Expr] = []
     left = list(equations)
     while left:
         rows = [numerator_and_denominator(substituted(e, values), names)[0] for e in left]
@@ -291,12 +298,14 @@ def _eliminated(
         if chosen is None:
             raise Undecided("the gains of the model are no rational functions of one another")
         put_in = {chosen.name: lowest(chosen.value, names)}
-        if chosen.cost:
-            nonzero.append(chosen.divisor)
+        if chosen.cost and not _is_nonzero(chosen.divisor, conditions):
+            raise Undecided(
+                "the gains do not tell the covariance of the model where "
+                f"{_in_words(chosen.divisor)} is 0, which no domain excludes"
+            )
         values = {name: substituted(e, put_in) for name, e in values.items()} | put_in
-        nonzero = [substituted(e, put_in) for e in nonzero]
         left = [expression_of(p, names) for p in rows]
-    return values, nonzero
+    return values
 
 
 @dataclass(frozen=True)
@@ -327,6 +336,11 @@ def _one_factor(p: Poly, names: Sequence[str], conditions: tuple[Rel, ...]) -> P
     if len(factors) != 1:
         raise Undecided("the gains of the model are no rational functions of one another")
     return factors[0]
+
+
+def _in_words(expr: Expr) -> str:
+    """The text of an expression of gains, free numbers and T."""
+    return labelled(expr, with_tokens({INTERVAL: "T"}, symbols_of(expr)))
 
 
 def _is_nonzero(expr: Expr, conditions: tuple[Rel, ...]) -> bool:
@@ -390,9 +404,9 @@ def _state(
         Rel(rel.operator, substituted(rel.left, numbers), substituted(rel.right, numbers))
         for rel in said
     ]
-    # a deviation is a root of its number
+    # a deviation is a root of its number; that of the measurement, and the index, are positive
     stated += [
-        Rel(">", x, ZERO)
+        Rel(">=" if is_free(strength.base) else ">", x, ZERO)
         for x, strength in zip(found.numbers, model.strengths, strict=True)
         if strength.exponent != 1
     ]
@@ -438,13 +452,3 @@ def _covariance(noise: Exprs) -> list[Expr]:
             for chosen in combinations(size, count)
         ]
     return [e for e in minors if e != ZERO]
-
-
-def _require(nonzero: Sequence[Expr], conditions: tuple[Rel, ...]) -> None:
-    """Raises Undecided unless nothing that was divided by can be zero."""
-    for expr in nonzero:
-        if not _is_nonzero(expr, conditions):
-            raise Undecided(
-                "the covariance of the model is not told by its gains for some values of its free "
-                "numbers"
-            )

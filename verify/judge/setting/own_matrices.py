@@ -9,6 +9,7 @@ from dataclasses import dataclass, field, replace
 from fractions import Fraction
 
 from gainproof.verify.judge.claim.record import Setting, Unit
+from gainproof.verify.judge.exact.box import Box
 from gainproof.verify.judge.exact.calculus import substituted
 from gainproof.verify.judge.exact.constant_value import constant_value
 from gainproof.verify.judge.exact.expression import (
@@ -21,12 +22,20 @@ from gainproof.verify.judge.exact.expression import (
 )
 from gainproof.verify.judge.exact.free_names import free_name, is_free, token_of
 from gainproof.verify.judge.exact.limits import Undecided
+from gainproof.verify.judge.exact.statement import Rel, Statement
 from gainproof.verify.judge.exact.tree import read_tree
 from gainproof.verify.judge.formula import Graph
 from gainproof.verify.judge.freed.monomials import UNIT, Monomial, monomials
+from gainproof.verify.judge.hypothesis import settle
 from gainproof.verify.judge.meaning.reach import Reach, names_in
 from gainproof.verify.judge.scope import Scope
-from gainproof.verify.judge.setting.environment import DEVIATION, INDEX, INTERVAL, Environment
+from gainproof.verify.judge.setting.environment import (
+    DEVIATION,
+    INDEX,
+    INTERVAL,
+    POSITIVE,
+    Environment,
+)
 from gainproof.verify.judge.setting.factor import number_root
 
 T, SIGMA = symbol(INTERVAL), symbol(DEVIATION)
@@ -104,13 +113,38 @@ def read_own(setting: Setting) -> Own:
     scope, (f, q, h, r) = read_matrices(setting)
     if len(r) != 1:
         raise Undecided(f"a steady state with {len(r)} measurements is not covered")
-    assigned = {**interval_symbol(setting, scope), **measurement_noise(r[0][0])}
+    noise = measurement_noise(r[0][0])
+    for token, value in noise.items():
+        # a variance of which nothing is said is positive, as the quantity of that name
+        if setting.symbols[token].domain or substituted(value, {DEVIATION: -SIGMA}) != value:
+            require_sign(token, scope, ">")
+    assigned = {**interval_symbol(setting, scope), **noise}
     put_in = {free_name(token): expr for token, expr in assigned.items()}
     f, q, h = ([[substituted(x, put_in) for x in row] for row in matrix] for matrix in (f, q, h))
     names = symbols_of(*[x for matrix in (f, q, h) for row in matrix for x in row])
     # a model without the sampling interval is in units of it
     interval = T if INTERVAL in names else number(1)
     return Own(f, q, h, interval, variance_in(r[0][0]), assigned, scope)
+
+
+def require_sign(token: str, scope: Scope, operator: str) -> None:
+    """Raises Undecided unless a symbol of the noises is > or >= 0, whichever is asked, by what the
+    domains say of the symbols of the model.
+
+    The model holds its square, or its filters leave out where it is 0: what is found of them is
+    true of a positive symbol.
+    """
+    said = [scope.relation(r) for t in tuple(scope.used) for r in scope.setting.symbols[t].domain]
+    asked = Rel(operator, symbol(free_name(token)), number(0))
+    statement = Statement((asked,), tuple(said))
+    boxes = {name: Box() for name in statement.symbols()}
+    boxes |= {name: POSITIVE for name in (INTERVAL, DEVIATION, INDEX) if name in boxes}
+    try:
+        shown = settle(statement, boxes, None, {}).verdict == "proved"
+    except Undecided:
+        shown = False
+    if not shown:
+        raise Undecided(f"the model is solved for {token} > 0 only: say {token} > 0 in its domain")
 
 
 def variance_in(r: Expr) -> Fraction | None:
@@ -201,13 +235,15 @@ class Driven:
     """The process noise over the variance of the measurement: index^2 times `rows`.
 
     `squared_index` is known where both are numbers. Otherwise `intensity` is what the source's
-    symbol of the strength is, or `deviation` that of the measurement, in terms of the index.
+    symbol of the strength is, or `deviation` that of the measurement, in terms of the index;
+    `is_root` says that the strength is that symbol's square.
     """
 
     rows: list[list[str]]
     squared_index: Fraction | None = None
     intensity: Mapping[str, Expr] = field(default_factory=dict)
     deviation: Expr | None = None
+    is_root: bool = False
 
 
 def noise_in_units(q: Rows, interval: Expr, variance: Expr) -> Driven:
@@ -252,9 +288,10 @@ def _strength(shared: Monomial) -> Driven:
     if len(unknown) == 1 and powers[unknown[0]] in (1, 2):
         rest = [power(base, -n) for base, n in powers.items() if base != unknown[0]]
         value = mul(power(symbol(INDEX), 2), *rest)
-        if powers[unknown[0]] == 2:
+        is_root = powers[unknown[0]] == 2
+        if is_root:
             value = _root(powers, unknown[0])
-        return Driven([], intensity={source_token(unknown[0]): value})
+        return Driven([], intensity={source_token(unknown[0]): value}, is_root=is_root)
     if not unknown and powers.get(SIGMA) == -2 and symbol(INDEX) not in powers:
         return Driven([], deviation=1 / _root(powers, SIGMA))
     raise Undecided(

@@ -20,9 +20,11 @@ from typing import Any
 from gainproof.verify.judge.claim.models import positive_semidefinite
 from gainproof.verify.judge.claim.record import Setting
 from gainproof.verify.judge.exact.calculus import substituted
-from gainproof.verify.judge.exact.expression import Expr
+from gainproof.verify.judge.exact.constant_value import constant_value
+from gainproof.verify.judge.exact.expression import Expr, number
 from gainproof.verify.judge.exact.limits import Undecided
 from gainproof.verify.judge.freed.monomials import monomials
+from gainproof.verify.judge.meaning.square import determinant
 from gainproof.verify.judge.setting.environment import DEVIATION, INDEX, INTERVAL, Environment
 from gainproof.verify.judge.setting.factor import number_root
 from gainproof.verify.judge.setting.free_numbers import over_gains
@@ -32,6 +34,7 @@ from gainproof.verify.judge.setting.own_matrices import (
     noise_in_units,
     not_symmetric,
     read_own,
+    require_sign,
 )
 from gainproof.verify.judge.setting.own_pair import both_measured
 from gainproof.verify.judge.setting.quantities import steady_state
@@ -90,9 +93,16 @@ def scaled_model(setting: Setting) -> Scaled:
     f, q, h, interval, variance = own.f, own.q, own.h, own.interval, own.variance
     driven = noise_in_units(q, interval, own.scale)
     _require_covariance([[Fraction(x) for x in row] for row in driven.rows])
+    transition = in_units(f, (1, -1), interval, "transition")
+    for token in driven.intensity:
+        # a transition that keeps a state as it is has no steady state without process noise
+        if not _keeps_a_state(transition):
+            require_sign(token, own.scope, ">")
+        elif driven.is_root:
+            require_sign(token, own.scope, ">=")
     data = {
         "name": setting.name,
-        "transition": in_units(f, (1, -1), interval, "transition"),
+        "transition": transition,
         "process_noise": driven.rows,
         "measurement": _measured(h, interval),
         "measurement_noise": [["1"]],
@@ -113,6 +123,13 @@ def scaled_model(setting: Setting) -> Scaled:
         driven.squared_index,
         known,
     )
+
+
+def _keeps_a_state(transition: list[list[str]]) -> bool:
+    """Whether 1 is an eigenvalue."""
+    size = range(len(transition))
+    moved = tuple(tuple(number(Fraction(transition[i][j]) - (i == j)) for j in size) for i in size)
+    return constant_value(determinant(moved)) == 0
 
 
 def _measured(h: Rows, interval: Expr) -> list[list[str]]:

@@ -19,6 +19,7 @@ from gainproof.verify.judge.setting.own_matrices import (
     interval_symbol,
     noise_in_units,
     read_matrices,
+    require_sign,
     source_token,
 )
 from gainproof.verify.judge.setting.position_velocity import position_velocity, with_assigned
@@ -30,7 +31,9 @@ def both_measured(setting: Setting) -> Environment:
     of the measured velocity. Raises Undecided, Malformed, NotEstablished.
     """
     scope, (f, q, h, r) = read_matrices(setting)
-    velocity = {_velocity_noise(r): mul(symbol(RATIO), SIGMA, power(T, -1))}
+    deviation = _velocity_noise(r)
+    require_sign(deviation, scope, ">")
+    velocity = {deviation: mul(symbol(RATIO), SIGMA, power(T, -1))}
     assigned = {**interval_symbol(setting, scope), **velocity}
     # the process noise may hold the deviation of the measured velocity too
     put_in = {free_name(token): expr for token, expr in assigned.items()}
@@ -42,6 +45,8 @@ def both_measured(setting: Setting) -> Environment:
     data, intensity = driven.rows, driven.intensity
     if not intensity:
         raise Undecided("two measurements with a process noise that has no symbol as its strength")
+    for token in intensity if driven.is_root else ():
+        require_sign(token, scope, ">=")
     (position, mixed), (other, last) = ([Fraction(x) for x in row] for row in data)
     if last > 0 and last != 1:
         raise Undecided(

@@ -260,3 +260,20 @@ def test_a_deviation_of_both_noises() -> None:
     verdict = only("identity", "b = \\frac{4}{r S}", setting.replace("a T^2", "b d T"))
     assert verdict.verdict == "proved", verdict.reason
     assert only("identity", "b = \\frac{4}{r}", setting).verdict == "refuted"
+
+
+@pytest.mark.parametrize(
+    ("token", "relation", "wanted"),
+    [
+        ("d", r"\geq", "undecided"),
+        ("d", r"\neq", "undecided"),
+        ("a", r"\neq", "undecided"),
+        # without process noise nothing is steady
+        ("a", r"\geq", "proved"),
+    ],
+)
+def test_a_root_is_positive_where_a_domain_says_so(token: str, relation: str, wanted: str) -> None:
+    setting = SETTING.replace(f"domain = '{token} > 0'", f"domain = '{token} {relation} 0'")
+    verdict = only("inequality", f"{token} > 0", setting)
+    assert verdict.verdict == wanted
+    assert wanted == "proved" or f"solved for {token} > 0 only" in verdict.reason

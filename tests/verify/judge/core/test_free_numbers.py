@@ -274,6 +274,96 @@ def test_a_time_constant_is_not_the_interval() -> None:
     check(judged("identity", true, SYMBOLS, model), "proved")
 
 
+DRIFT = ("[['1', 'T'], ['0', 'a']]", *TWO[1:])
+LAGGED = (r"[['1', 'T'], ['0', '1 - \frac{T}{u}']]", *TWO[1:])
+SEEN = ("[['a']]", "[['d']]", "[['b']]", "[['R']]")
+TURNED = (r"[['a', 'b T'], ['-\frac{b}{T}', 'a']]", *TWO[1:])
+
+
+@pytest.mark.parametrize(
+    ("model", "token", "domain", "latex", "wanted"),
+    [
+        # b = 0 sees nothing: P = d/(1 - a^2) and no gain
+        (SEEN, "b", r"b \geq 0", r"P < \frac{d}{1 - a^2}", "undecided"),
+        (SEEN, "b", r"b \geq 0", r"\alpha > 0", "undecided"),
+        (SEEN, "b", "b < 1", r"b > 0", "undecided"),
+        (SEEN, "b", r"b \neq 0", r"P < \frac{d}{1 - a^2}", "proved"),
+        (SEEN, "b", "b < 0", r"\alpha < 0", "proved"),
+        # a = 0 forgets the velocity: its prediction varies by q alone, and its gain is 0
+        (DRIFT, "a", r"0 \leq a < 1", r"\beta \neq 0", "undecided"),
+        (DRIFT, "a", "a < 1", r"V > q", "undecided"),
+        (DRIFT, "a", "0 < a < 1", r"V > q", "proved"),
+        (DRIFT, "a", r"a \neq 0", r"V > q", "proved"),
+        # with one strength nothing is divided by a
+        (FADING, "a", r"0 \leq a < 1", r"\beta \geq 0", "proved"),
+        (FADING, "a", r"0 \leq a < 1", r"\beta > 0", "conditional"),
+        (LAGGED, "u", "u > 0", r"u \neq T", "undecided"),
+        (LAGGED, "u", "u > T", r"u \neq T", "proved"),
+        # a quarter of a turn, a = 0, measures the first state anew each time
+        (TURNED, "a", "a^2 + b^2 = 1", r"\beta \neq 0", "undecided"),
+    ],
+)
+def test_a_filter_at_which_the_solution_divides_by_zero_counts(
+    model: tuple[str, ...], token: str, domain: str, latex: str, wanted: str
+) -> None:
+    unit = "s" if token == "u" else "1"
+    said = SYMBOLS | {token: f"{{ unit = '{unit}', domain = '{domain}', meaning = 'said' }}"}
+    said |= {"V": "{ quantity = 'predicted_covariance.2.2', meaning = 'of the velocity' }"}
+    found = judged("inequality", f"latex = '{latex}'", said, setting(model))
+    check(found, wanted)
+    if wanted == "undecided":
+        assert "is 0, which no domain excludes" in found.reason
+
+
+HALF = ("[['1/2']]", *LEVEL[1:])
+SQUARED = (TWO[0], "[['s^2', '0'], ['0', 'w^2']]", *TWO[2:])
+ROOT_SAYS = "solved for s > 0 only"
+
+
+@pytest.mark.parametrize(
+    ("model", "domain", "latex", "wanted"),
+    [
+        # s = 0 is a filter: of one state with a > 1 its gain is 1 - 1/a^2, of two random velocity
+        ((LEVEL[0], "[['s^2']]", *LEVEL[2:]), r"s \geq 0", "s > 0", "conditional"),
+        ((LEVEL[0], "[['s^2']]", *LEVEL[2:]), r"s \geq 0", r"\alpha > 0", "conditional"),
+        ((LEVEL[0], "[['s^2']]", *LEVEL[2:]), r"s \geq 0", r"\alpha \geq 0", "proved"),
+        ((LEVEL[0], "[['s^2']]", *LEVEL[2:]), "s > 0", r"\alpha > 0", "proved"),
+        ((LEVEL[0], "[['s^2']]", *LEVEL[2:]), r"s \neq 0", "s > 0", ROOT_SAYS),
+        ((LEVEL[0], "[['s^2']]", *LEVEL[2:]), "s < 0", r"\alpha > 0", ROOT_SAYS),
+        (SQUARED, r"s \geq 0", r"\beta (2 - \alpha) < \alpha^2", "conditional"),
+        (SQUARED, r"s \geq 0", r"\beta (2 - \alpha) \leq \alpha^2", "proved"),
+        (SQUARED, "s > 0", r"\beta (2 - \alpha) < \alpha^2", "proved"),
+        (SQUARED, "s > w T", r"\beta (2 - \alpha) < \alpha^2", "proved"),
+        (SQUARED, r"s \neq 0", "w s > 0", ROOT_SAYS),
+        # the measurement has noise; s itself may be either root of its variance
+        ((*LEVEL[:3], "[['s^2']]"), r"s \geq 0", "s > 0", ROOT_SAYS),
+        ((*LEVEL[:3], "[['s^2']]"), r"s \neq 0", "s > 0", ROOT_SAYS),
+        ((*LEVEL[:3], "[['s^2']]"), "s > 0", r"\alpha < 1", "proved"),
+        ((*LEVEL[:3], "[['s']]"), r"s \geq 0", r"\alpha < 1", ROOT_SAYS),
+        # one strength, all else numbers: half of the state stays, so no noise is a filter too
+        ((HALF[0], "[['s^2']]", *HALF[2:]), r"s \geq 0", r"\alpha > 0", ROOT_SAYS),
+        ((HALF[0], "[['s']]", *HALF[2:]), r"s \geq 0", "s > 0", ROOT_SAYS),
+        ((HALF[0], "[['s']]", *HALF[2:]), "s > 0", r"\alpha > 0", "proved"),
+        # what moves on without noise has no steady state
+        (("[['1']]", "[['s^2']]", *LEVEL[2:]), r"s \geq 0", r"\alpha > 0", "proved"),
+        (("[['1']]", "[['s^2']]", *LEVEL[2:]), r"s \neq 0", "s > 0", ROOT_SAYS),
+    ],
+)
+def test_a_strength_may_be_zero_and_a_root_negative_where_no_domain_says_otherwise(
+    model: tuple[str, ...], domain: str, latex: str, wanted: str
+) -> None:
+    unit = "m^2" if "[['s']]" in model else "m"
+    said = SYMBOLS | {"s": f"{{ unit = '{unit}', domain = '{domain}', meaning = 'said' }}"}
+    if "s" in model[3]:
+        said = {k: v for k, v in said.items() if k != "R"}
+    found = judged("inequality", f"latex = '{latex}'", said, setting(model))
+    if wanted == ROOT_SAYS:
+        assert found.verdict == "undecided"
+        assert wanted in found.reason
+    else:
+        check(found, wanted)
+
+
 Sides = Callable[..., tuple[float, float]]
 SLOTS: list[tuple[tuple[str, ...], str, tuple[int, ...], Sides]] = [
     (

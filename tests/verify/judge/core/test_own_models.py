@@ -170,3 +170,22 @@ def test_units_in_which_the_interval_is_one(latex: str, more: str, wanted: str) 
         return
     found = judged("identity", f"latex = '{latex}'\n{more}", GAIN, WHITE)
     assert found.verdict == wanted, found.reason
+
+
+@pytest.mark.parametrize(
+    ("kind", "latex", "wanted"),
+    [
+        ("implication", r"T = 1 \Rightarrow K = \beta", "proved"),
+        ("implication", r"1 = T \Rightarrow 0 < K < 2", "proved"),
+        ("implication", r"T = 2 \Rightarrow K = \frac{\beta}{2}", "proved"),
+        ("implication", r"T = 2 \Rightarrow K = \beta", "refuted"),
+        ("implication", r"T = 1 \Rightarrow K = P", "refuted"),
+        ("implication", r"T > 1 \Rightarrow K < \beta", "refuted"),
+        ("equivalence", r"T = 1 \Leftrightarrow K = \beta", "proved"),
+        ("equivalence", r"K = \beta \Leftrightarrow T = 1", "proved"),
+        ("identity", "T = 1", "refuted"),
+    ],
+)
+def test_a_premise_says_units_too(kind: str, latex: str, wanted: str) -> None:
+    found = judged(kind, f"latex = '{latex}'", GAIN, WHITE)
+    assert found.verdict == wanted, found.reason

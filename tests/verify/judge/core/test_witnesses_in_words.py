@@ -26,3 +26,20 @@ def test_what_is_shown_is_told(kind: str, fields: str, shows: str | None, told: 
     assert found.witness is not None
     assert found.witness.get("shows") == shows
     assert told in in_words(found.witness)
+
+
+@pytest.mark.parametrize(
+    ("domain", "claimed", "told"),
+    [
+        ("b^2 = 2 a^2", "b < a", {"a": "sqrt(1/2)", "b": "1"}),
+        ("b^2 = 5 a^2", "b < a", {"a": "sqrt(1/5)", "b": "1"}),
+        ("7 a^2 = 3 b^2", "b < a", {"a": "sqrt(3/7)", "b": "1"}),
+    ],
+)
+def test_numbers_side_by_side_are_multiplied(
+    domain: str, claimed: str, told: dict[str, str]
+) -> None:
+    letters = {k: f"{{ unit = '1', domain = '{k} > 0', meaning = 'length' }}" for k in "ab"}
+    found = judged("inequality", f"latex = '{claimed}'\ndomain = '{domain}'", letters)
+    assert found.witness is not None
+    assert found.witness["point"] == told
