@@ -230,3 +230,20 @@ def test_both_forms_with_brackets_are_printed_and_read(text: str, forms: str) ->
 )
 def test_a_function_of_a_function_is_told_with_brackets(text: str, form: str) -> None:
     assert refusal(text).problem.endswith(f"of another function: write {form}")
+
+
+@pytest.mark.parametrize("row", ["1, 2; 3, 4", "a; b", r"a \quad b; k \quad c", "a, b, c; k"])
+@pytest.mark.parametrize(
+    "around", ["[{}] = b", r"\left( {} \right) = b", r"a [{}]^T = b", r"\max({}) = b", "S({}) = 1"]
+)
+def test_a_semicolon_in_brackets_is_no_comma(row: str, around: str) -> None:
+    text = around.format(row)
+    error = refusal(text)
+    assert "a semicolon in brackets" in error.problem
+    assert error.position == text.index(";")
+
+
+@pytest.mark.parametrize("text", ["a = b; b = c", r"a = b \quad (a > 0; c > 0)"])
+def test_a_semicolon_between_relations_is_a_comma(text: str) -> None:
+    whole = [read_formula(each, SYMBOLS).readings for each in (text, text.replace(";", ","))]
+    assert whole[0] == whole[1]
