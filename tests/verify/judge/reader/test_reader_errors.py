@@ -247,3 +247,17 @@ def test_a_semicolon_in_brackets_is_no_comma(row: str, around: str) -> None:
 def test_a_semicolon_between_relations_is_a_comma(text: str) -> None:
     whole = [read_formula(each, SYMBOLS).readings for each in (text, text.replace(";", ","))]
     assert whole[0] == whole[1]
+
+
+@pytest.mark.parametrize("operator", [r"\frac{d}{dx}", r"\frac{\partial}{\partial x}"])
+@pytest.mark.parametrize("bracket", ["(x^2)", r"\left[ x + b \right]^2", r"{(x)}", r"\{x\}"])
+@pytest.mark.parametrize("further", ["x", r"\cdot b", "/x", r"(x + b)", r"\sum_{k=0}^2 k x"])
+def test_a_derivative_of_a_bracket_with_more_behind_it(
+    operator: str, bracket: str, further: str
+) -> None:
+    error = refusal(f"a = {operator} {bracket} {further}")
+    assert "what the derivative is of is not clear" in error.problem
+    assert error.position == len(f"a = {operator} ")
+    for clear in (f"({bracket} {further})", bracket, f"b x {further}"):
+        assert read_formula(f"a = {operator} {clear}", SYMBOLS).readings
+    assert "not clear" in refusal(f"a = {operator} {bracket} {operator} {bracket}").problem
