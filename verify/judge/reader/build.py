@@ -82,6 +82,7 @@ class Builder:
             case "product":
                 return self._product(tree)
             case "modulo":
+                self._refuse_signs_behind_mod(tree)
                 return add("call", "mod", *map(self.value, children(tree)))
             case "times_big":
                 return self.many("mul", [self.value(child) for child in children(tree)])
@@ -141,6 +142,13 @@ class Builder:
         if any(map(self.nodes.is_matrix, numbers)):
             problem = "entry by entry, which is not read of matrices: write out the entries"
             raise self.error(problem, tree)
+
+    def _refuse_signs_behind_mod(self, tree: Branch) -> None:
+        """ReaderError for `a mod 2*b`, which languages read as `(a mod 2)*b`."""
+        modulus = children(tree)[1]
+        signs = ("dotted", "divided", "crossed")
+        if any(each.data in signs for each in children(modulus)):
+            raise self.error("what the modulus is is not clear: write brackets", modulus)
 
     def _sum(self, tree: Branch) -> int:
         if has_dots(children(tree)):

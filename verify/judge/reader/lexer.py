@@ -18,8 +18,10 @@ from gainproof.verify.judge.reader.line_end import LineEnds, end_of_tag, equatio
 from gainproof.verify.judge.reader.names import scan_base
 from gainproof.verify.judge.reader.naming import NameFinder
 from gainproof.verify.judge.reader.scan import (
+    NO_ALTERNATIVES,
     NORM_BARS,
     Scanned,
+    is_or,
     joining_word,
     scan_bar,
     scan_mark,
@@ -108,6 +110,8 @@ class _Lexer:
         self._add(declared_kind(self.text, name, end, self.vocabulary), name, end)
 
     def _letters(self) -> None:
+        if self._is_or():
+            raise self._error(NO_ALTERNATIVES, "")
         found = self.names.longest(self.position, self.tokens.single)
         if found is not None:
             self._symbol(*found)
@@ -127,6 +131,13 @@ class _Lexer:
             self._add(*special)
             return
         raise self.names.undeclared(text[start:end], start, end, self.tokens.single)
+
+    def _is_or(self) -> bool:
+        """Whether the word `or` stands here, which nobody declared as a name."""
+        text, start = self.text, self.position
+        around = text[max(0, start - 1) : start] + text[start + 2 : start + 3]
+        is_or = text.startswith("or", start) and not any(map(is_letter, around))
+        return is_or and "or" not in self.vocabulary
 
     def _command(self) -> None:
         text, start = self.text, self.position
@@ -154,6 +165,8 @@ class _Lexer:
             self._add(*scan_norm(end, self.tokens.found))
         elif command in _TEXTS and (joint := joining_word(text, end)) is not None:
             self._add(*joint)
+        elif command in ("\\lor", "\\vee") or (command in _TEXTS and is_or(text, end)):
+            raise self._error(NO_ALTERNATIVES, "")
         elif command in NO_EXACT_MEANING:
             raise self._error(NO_EXACT_MEANING[command], command)
         elif command in COMMANDS:

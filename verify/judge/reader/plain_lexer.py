@@ -7,7 +7,7 @@ from dataclasses import replace
 from gainproof.verify.judge.reader.alphabet import DIGITS, is_letter, skip_space
 from gainproof.verify.judge.reader.errors import ReaderError, nearest_names
 from gainproof.verify.judge.reader.line_end import LineEnds
-from gainproof.verify.judge.reader.scan import MOST_SHOWN, Scanned
+from gainproof.verify.judge.reader.scan import MOST_SHOWN, NO_ALTERNATIVES, Scanned
 from gainproof.verify.judge.reader.source_code import (
     ENTRYWISE,
     code_circle,
@@ -155,6 +155,8 @@ class _PlainLexer:
     def _undeclared(self, word: str) -> ReaderError:
         """The error for a word that nobody declared."""
         shown = word[:MOST_SHOWN]
+        if word == "or":
+            return self._error(NO_ALTERNATIVES, "")
         if word in _REMAINDERS:
             problem = f"{word} has not the sign of its divisor: write mod(x, y), x - y floor(x/y)"
             return self._error(problem, word)

@@ -23,9 +23,12 @@ SYMBOLS: dict[str, Declared] = {canonical_token(token): Declared() for token in 
 SYMBOLS["S"] = Declared(("a", "b"))
 
 
-def refusal(text: str) -> ReaderError:
+CASES = r"\begin{cases} 1 & a > 0 {} a < 0 \\ 0 \end{cases} = b"
+
+
+def refusal(text: str, symbols: dict[str, Declared] = SYMBOLS) -> ReaderError:
     with pytest.raises(ReaderError) as caught:
-        read_formula(text, SYMBOLS)
+        read_formula(text, symbols)
     return caught.value
 
 
@@ -261,3 +264,44 @@ def test_a_derivative_of_a_bracket_with_more_behind_it(
     for clear in (f"({bracket} {further})", bracket, f"b x {further}"):
         assert read_formula(f"a = {operator} {clear}", SYMBOLS).readings
     assert "not clear" in refusal(f"a = {operator} {bracket} {operator} {bracket}").problem
+
+
+@pytest.mark.parametrize("word", ["or", r"\text{or}", r"\text{ or }", r"\mathrm{or}", r"\lor"])
+@pytest.mark.parametrize(
+    "around", ["a > 0 {} a < b", r"a = b \quad (b > 0 {} c > 0)", r"a = {} 1", CASES]
+)
+def test_alternatives_are_refused(word: str, around: str) -> None:
+    text = around.replace("{}", word, 1)
+    error = refusal(text, {**SYMBOLS, "o": Declared(), "r": Declared()})
+    assert "`or` is not read" in error.problem
+    assert error.position == text.index(word)
+
+
+@pytest.mark.parametrize("text", ["a = b if c > 0 or b > 0", "cases(1, a > 0 or a <= 0; 0) = 1"])
+def test_alternatives_of_plain_text_are_refused(text: str) -> None:
+    with pytest.raises(ReaderError, match="`or` is not read") as caught:
+        read_plain(text, SYMBOLS)
+    assert caught.value.position == text.index("or")
+    assert read_plain("a = or b", {**SYMBOLS, "or": Declared()}).readings
+
+
+def test_letters_of_a_product_are_no_word() -> None:
+    declared = {**SYMBOLS, "o": Declared(), "r": Declared()}
+    for text in ("a = o r", "a = bor", "a = orb"):
+        assert read_formula(text, declared).symbols[1:]
+
+
+@pytest.mark.parametrize("text", [r"a \equiv b \bmod 3", r"a + b \equiv (c \bmod 2) + 1 = k"])
+def test_a_congruence_is_refused(text: str) -> None:
+    assert "a congruence is not read" in refusal(text).problem
+    assert read_formula(text.replace(r"\equiv", "="), SYMBOLS).readings
+
+
+@pytest.mark.parametrize("modulus", ["2*c", "2/c", "2*c b", "b c*2"])
+def test_what_the_modulus_is_needs_brackets(modulus: str) -> None:
+    with pytest.raises(ReaderError, match="what the modulus is is not clear"):
+        read_plain(f"a = b mod {modulus}", SYMBOLS)
+    latex = modulus.replace("*", r" \cdot ")
+    assert "what the modulus is is not clear" in refusal(rf"a = b \bmod {latex}").problem
+    assert read_plain(f"a = b mod ({modulus})", SYMBOLS).readings
+    assert read_plain("a = 2*b mod 2 c", SYMBOLS).readings
