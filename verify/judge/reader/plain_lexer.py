@@ -7,7 +7,7 @@ from dataclasses import replace
 from gainproof.verify.judge.reader.alphabet import DIGITS, is_letter, skip_space
 from gainproof.verify.judge.reader.errors import ReaderError, nearest_names
 from gainproof.verify.judge.reader.line_end import LineEnds
-from gainproof.verify.judge.reader.scan import MOST_SHOWN, NO_ALTERNATIVES, Scanned
+from gainproof.verify.judge.reader.scan import MOST_SHOWN, NO_ALTERNATIVES, Scanned, unread
 from gainproof.verify.judge.reader.source_code import (
     ENTRYWISE,
     code_circle,
@@ -30,6 +30,7 @@ from gainproof.verify.judge.reader.words import (
     JOINING_WORDS,
     PLAIN_FORMS,
     function_of,
+    is_unread,
 )
 
 _MARKS = {mark: token for mark, token in MARKS.items() if mark not in ("{", "}", "_", "&")} | {
@@ -160,6 +161,9 @@ class _PlainLexer:
         if word in _REMAINDERS:
             problem = f"{word} has not the sign of its divisor: write mod(x, y), x - y floor(x/y)"
             return self._error(problem, word)
+        behind = skip_space(self.text, self.position + len(word))
+        if is_unread(word) and self.text.startswith("(", behind):
+            return self._error(unread(word), "")
         known = [*self.vocabulary.plain_names, *PLAIN_FORMS, *FUNCTION_WORDS]
         problem = f"the symbol {shown} is not declared"
         return self._error(problem, shown, nearest_names(word, known))

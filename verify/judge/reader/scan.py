@@ -21,6 +21,11 @@ NORM_BARS = frozenset(("\\|", "\\Vert"))
 NO_ALTERNATIVES = "conditions hold together; `or` is not read: make a claim for each"
 
 
+def unread(word: str) -> str:
+    """What is said of a function that is known and not read."""
+    return f"{word}(...) is no function that is read: write its formula, or {word}*(...)"
+
+
 class Scanned(NamedTuple):
     """Kind, canonical text and end of a token."""
 

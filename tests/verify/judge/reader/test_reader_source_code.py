@@ -15,7 +15,7 @@ from declared import Declared
 
 from gainproof.verify.judge.formula import Graph
 from gainproof.verify.judge.reader.errors import ReaderError
-from gainproof.verify.judge.reader.reader import read_plain
+from gainproof.verify.judge.reader.reader import read_formula, read_plain
 
 NUMBERS = {name: Declared() for name in ("a", "b", "dt", "x", "y", "\\theta")}
 MATRICES = {name: Declared(shape=(2, 2)) for name in ("A", "B")}
@@ -207,3 +207,40 @@ def test_long_texts_of_code_end_soon(piece: str) -> None:
     with contextlib.suppress(ReaderError):
         read_plain(f"a = {text}", SYMBOLS)
     assert time.process_time() - started < 2
+
+
+LETTERS = {letter: Declared() for letter in "abcdefghijklmnopqrstuvwxyz"}
+UNREAD = [
+    "round",
+    "int",
+    "trunc",
+    "fix",
+    "cbrt",
+    "sech",
+    "float",
+    "prod",
+    "sqrtl",
+    "sinl",
+    "roundf",
+]
+
+
+@pytest.mark.parametrize("word", UNREAD)
+@pytest.mark.parametrize("around", ["a = {}(x)", "{} (2.5) = 3", "a = 2*{}(x + b)"])
+def test_a_function_that_is_not_read_is_no_product(word: str, around: str) -> None:
+    text = around.format(word)
+    for read in (read_plain, read_formula):
+        with pytest.raises(ReaderError, match="is no function that is read") as caught:
+            read(text, LETTERS)
+        assert caught.value.position == text.index(word)
+        for declared in (Declared(), Declared(("x",))):
+            assert read(text, {**LETTERS, word: declared}).readings
+    upright = around.format(rf"\operatorname{{{word}}}")
+    with pytest.raises(ReaderError, match="is no function that is read"):
+        read_formula(upright, LETTERS)
+    assert read_plain(f"a = x*{word}*(b)", {**LETTERS, word: Declared()}).readings
+
+
+def test_letters_before_a_bracket_stay_a_product() -> None:
+    for text in ("a = a b(x)", "a = r o u n d (x)", "a = ab(x)", "a = kint + x"):
+        assert read_formula(text, LETTERS).readings
