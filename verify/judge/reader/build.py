@@ -209,9 +209,10 @@ class Builder:
         if tree.data == "raised":
             base, above = children(tree)
             number = self.value(base)
-            if tokens(tree, "POWER")[0] == ".^":
+            sign = tokens(tree, "POWER")[0]
+            if sign == ".^":
                 self.refuse_entries(above, number, self.value(above))
-            return self.power(number, above)
+            return self.power(number, above, of_code=sign in ("**", ".^"))
         base = children(tree)[0]
         indices = tokens(tree, "NUMBER")
         index = Fraction(str(indices[0])) if indices else Fraction(2)
@@ -221,9 +222,13 @@ class Builder:
             )
         return self._raised(self.value(base), 1 / index, base)
 
-    def power(self, base: int, above: Tree[Token]) -> int:
-        """A node with an exponent: a number, an inverse of a matrix, or any other expression."""
+    def power(self, base: int, above: Tree[Token], *, of_code: bool = False) -> int:
+        """A node with an exponent: a number, an inverse of a matrix, or any other expression. With
+        `of_code` odd roots are of no negative numbers: `pow(-8, 1/3)` has no value in C.
+        """
         exponent = constant_value(above)
+        if of_code and exponent is not None and exponent.denominator % 2 and exponent % 1:
+            base, exponent = self._raised(base, Fraction(1, 2), above), 2 * exponent
         if exponent is None:
             return self.nodes.add("call", "power", base, self.value(above))
         return self._raised(base, exponent, above)

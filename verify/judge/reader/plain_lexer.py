@@ -138,8 +138,8 @@ class _PlainLexer:
         elif calls and word in PLAIN_FORMS:
             self._add("WORD", word, end)
         elif calls and (function := function_of(word)) is not None:
-            # that of a library is natural, whatever the text calls so
-            usual = word == "log" and not of_library
+            # that of a library is natural, whatever the text calls so, and `logf` of C
+            usual = text[start:end] == "log" and not of_library
             self._add("WORD", self.vocabulary.logarithm_name if usual else function, end)
         elif (special := special_name(text, word, end)) is not None:
             self._add(*special)
