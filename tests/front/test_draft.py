@@ -220,7 +220,12 @@ def test_arguments() -> None:
         (r"\DeclareMathOperator{\tr}{tr}", r"q = \tr(A)", r"q = \operatorname{tr}(A)"),
         (r"\DeclareMathOperator*{\Det}{det}", r"q = \Det A", r"q = \operatorname{det} A"),
         (r"\newcommand{\sw}{\ensuremath{\sigma_w}\xspace}", r"q = \sw T", r"q = \sigma_w T"),
-        (r"\newcommand{\x}{a}\renewcommand{\x}{b}", r"q = \x", r"q = b"),
+        (r"\newcommand{\x}{a}\providecommand{\x}{a}", r"q = \x", r"q = a"),
+        (r"\newcommand{\hh}{h}", r"q = \sin\hh + x", r"q = \sin h + x"),
+        (r"\newcommand{\hh}{h}", r"q = \sin \hh", r"q = \sin h"),
+        (r"\newcommand{\of}[1]{\sin#1 + b}", r"q = \of{h}", r"q = \sin h + b"),
+        (r"\newcommand{\of}[1]{#1x}", r"q = \of\alpha", r"q = \alpha x"),
+        (r"\newcommand{\no}{}", r"q = \sin\no{}h", r"q = \sin h"),
         (r"\newcommand{\swap}{s}", r"q = s", r"q = s"),
     ],
 )
@@ -252,6 +257,15 @@ def test_macros_for_displays_are_put_in() -> None:
         (r"\newcommand{\sw}[1]{#1}", r"q = \sw", r"the macro \sw is without its argument 1"),
         (r"\newcommand{\sw}[1]{#1}", r"q = \sw{a", r"the macro \sw has an argument without an end"),
         (r"\newcommand{\swap}{s}", r"q = \sw", r"the command \sw is not known"),
+        *[
+            (rf"\newcommand{{\x}}{{a}}{second}", r"q = \x", r"the macro \x is defined twice")
+            for second in (
+                *(r"\renewcommand{\x}{b}", r"\providecommand{\x}{b}", r"\def\x{b}"),
+                *(r"\renewcommand{\x}[1]{a}", r"\gdef\x{b}", r"\let\x=\y", r"\def\x#1.{b}"),
+                *(r"\DeclareMathOperator{\x}{b}", r"\RenewDocumentCommand{\x}{}{b}"),
+                r"\renewcommand{\x}{b}\renewcommand{\x}{b}",
+            )
+        ],
         (r"\def\sw#1.{#1}", r"q = \sw a.", r"the command \sw is not known"),
     ],
 )

@@ -9,7 +9,11 @@ from dataclasses import replace
 from gainproof.verify.judge.charted import judge_in
 from gainproof.verify.judge.cited import cited
 from gainproof.verify.judge.claim.record import Claim, Setting
-from gainproof.verify.judge.dimensions.claim import claim_readings, likeliest_first
+from gainproof.verify.judge.dimensions.claim import (
+    claim_readings,
+    degrees_are_open,
+    likeliest_first,
+)
 from gainproof.verify.judge.exact.limits import Malformed, Undecided
 from gainproof.verify.judge.formula import Reading
 from gainproof.verify.judge.kinds.printed_decimal import decimals_read, with_rounded
@@ -106,6 +110,8 @@ def _of_dimensions(claim: Claim, fault: str, setting: Setting, environment: Envi
     """Refuted for its dimensions, with a point at which it fails in units of its own, if one is
     seen.
     """
+    if (doubt := degrees_are_open(claim, setting)) is not None:
+        raise Undecided(doubt)
     readings = () if claim.formula is None else likeliest_first(claim.formula)
     failing = [seen_to_fail(claim, r, setting, environment) for r in readings]
     if not failing or failing[0] is None or not all(failing):

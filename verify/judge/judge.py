@@ -14,7 +14,7 @@ from gainproof.verify.judge.accident import Lost, noted, with_accidents
 from gainproof.verify.judge.choice import choose, verdict_of
 from gainproof.verify.judge.claim.record import Claim, ClaimFile, Setting
 from gainproof.verify.judge.definition_use import contradicted, with_blame
-from gainproof.verify.judge.dimensions.claim import claim_readings
+from gainproof.verify.judge.dimensions.claim import claim_readings, degrees_are_open
 from gainproof.verify.judge.kinds.definition import compared_token, is_as_declared, is_compared
 from gainproof.verify.judge.matrices.decide import decide
 from gainproof.verify.judge.setting.environment import Environment
@@ -190,6 +190,8 @@ def _plain(
     if claim.matrices is not None and setting.matrices is not None:
         return verdict_of(claim, decide(claim.matrices, setting.matrices), None, 0.0)
     if fault is not None:
+        if (doubt := degrees_are_open(claim, setting)) is not None:
+            return verdict_of(claim, Finding("undecided", doubt), None, 0.0)
         return verdict_of(claim, Finding("refuted", fault, method="dimensions"), None, 0.0)
     if is_as_declared(claim, setting) or (compared is not None and compared.findings):
         return _of_definition(claim, setting, compared)

@@ -8,7 +8,7 @@ from dataclasses import replace
 
 from gainproof.verify.judge.claim.record import Claim, Setting
 from gainproof.verify.judge.convention import Convention
-from gainproof.verify.judge.dimensions.claim import claim_readings
+from gainproof.verify.judge.dimensions.claim import claim_readings, degrees_are_open
 from gainproof.verify.judge.exact.certificate import statement_data
 from gainproof.verify.judge.exact.limits import Malformed, Undecided
 from gainproof.verify.judge.exact.points import try_points
@@ -29,6 +29,8 @@ def seen_false(claim: Claim, convention: Convention) -> Finding | None:
     if claim.formula is None:
         return None
     readings, fault = claim_readings(claim, convention.setting)
+    if fault is not None and degrees_are_open(claim, convention.setting) is not None:
+        return None
     if fault is not None:
         return Finding("refuted", fault, method="dimensions")
     found: Finding | None = None

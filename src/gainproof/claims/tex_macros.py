@@ -6,7 +6,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from types import MappingProxyType
 
 from gainproof.claims.tex_text import group_end
@@ -16,9 +16,15 @@ MOST_STEPS = 400
 """Macros put in for one equation."""
 MOST_CHARACTERS = 4000
 """Of an equation with its macros put in."""
+_LONGEST = 80
+"""Letters of the name of a command."""
 _DEFINES = re.compile(
     r"\\(?:(?:new|renew|provide)command\*?|DeclareRobustCommand\*?|(def)|(DeclareMathOperator)\*?)"
     r"(?![A-Za-z])\s*(\{\s*)?(\\(?:[A-Za-z]+|.))(?(3)\s*\})\s*"
+)
+_OTHER_DEFINES = re.compile(
+    r"\\(?:let|[gex]def|(?:New|Renew|Provide|Declare)DocumentCommand)(?![A-Za-z])\s*(?:\{\s*)?"
+    r"(\\(?:[A-Za-z]+|.))"
 )
 _NUMBER = re.compile(r"\[\s*([0-9])\s*\]\s*")
 _PARAMETERS = re.compile(r"(?:#[1-9]\s*)*")
@@ -29,12 +35,14 @@ _PARAMETER = re.compile(r"#([1-9])")
 @dataclass(frozen=True)
 class Macro:
     """What a command stands for: `body` with `#1` and so on for its `arguments`, of which the first
-    may stand in square brackets or be left out, where there is a `default`.
+    may stand in square brackets or be left out, where there is a `default`. Where it is defined
+    `twice`, otherwise each time, nobody knows which is meant.
     """
 
     body: str
     arguments: int = 0
     default: str | None = None
+    twice: bool = False
 
 
 BUILT_IN: Mapping[str, Macro] = MappingProxyType(
@@ -43,10 +51,9 @@ BUILT_IN: Mapping[str, Macro] = MappingProxyType(
 
 
 def macros_in(text: str) -> dict[str, Macro]:
-    """The macros that a text defines, by command; of two definitions the later. One of another form
-    is left out.
-    """
+    """The macros that a text defines, by command. One of another form is left out."""
     found = dict(BUILT_IN)
+    others = {match[1] for match in _OTHER_DEFINES.finditer(text)}
     for match in _DEFINES.finditer(text):
         is_def, is_operator, _, name = match.groups()
         position, arguments, default = match.end(), 0, None
@@ -61,13 +68,18 @@ def macros_in(text: str) -> dict[str, Macro]:
                 default, position = text[position + 1 : end], end + 1
         opening = _without_blanks(text, position)
         end_of_body = group_end(text, opening) if text.startswith("{", opening) else None
+        if end_of_body is None:
+            others.add(name)
         if end_of_body is None or len(found) >= MOST_MACROS:
             continue
         body = " ".join(text[opening + 1 : end_of_body - 1].split())
-        found[name] = Macro(
-            f"\\operatorname{{{body}}}" if is_operator else body, arguments, default
-        )
-    return found
+        macro = Macro(f"\\operatorname{{{body}}}" if is_operator else body, arguments, default)
+        twice = name not in BUILT_IN and found.get(name, macro) != macro
+        found[name] = replace(macro, twice=twice)
+    return {
+        name: replace(macro, twice=True) if name in others else macro
+        for name, macro in found.items()
+    }
 
 
 def _without_blanks(text: str, position: int) -> int:
@@ -79,7 +91,11 @@ def _without_blanks(text: str, position: int) -> int:
 def with_displays(text: str, macros: Mapping[str, Macro]) -> str:
     """The text with those macros put in that begin or end an environment: `\\be` and `\\ee`."""
     for name, macro in macros.items():
-        if not macro.arguments and re.fullmatch(r"\\(begin|end)\{[a-z]+\*?\}", macro.body):
+        if (
+            not macro.arguments
+            and not macro.twice
+            and re.fullmatch(r"\\(begin|end)\{[a-z]+\*?\}", macro.body)
+        ):
             body = macro.body.replace("\\", r"\\")
             text = re.sub(rf"{re.escape(name)}(?![A-Za-z])", body, text)
     return text
@@ -95,16 +111,22 @@ def expanded(latex: str, macros: Mapping[str, Macro]) -> str:
         if found is None:
             return latex
         name, start, end = found
+        if macros[name].twice:
+            raise ValueError(f"{name} is defined twice")
         body, end = _body(latex, name, macros[name], end)
         before = latex[:start].rstrip()
         if before.endswith(("^", "_")) and len(body) > 1:
             body = f"{{{body}}}"
-        elif re.search(r"\\[A-Za-z]+$", body) and latex[end : end + 1].isalpha():
-            body += " "
-        latex, position = latex[:start] + body + latex[end:], start
+        latex, position = _joined(_joined(latex[:start], body), latex[end:]), start
         if len(latex) > MOST_CHARACTERS:
             raise ValueError(f"{name} makes more than {MOST_CHARACTERS} characters of it")
     raise ValueError(f"{name} goes on without an end")
+
+
+def _joined(before: str, after: str) -> str:
+    """Both texts, with a blank between where a letter would go on with the name of a command."""
+    goes_on = after[:1].isalpha() and re.search(r"\\[A-Za-z]+\Z", before[-_LONGEST:])
+    return f"{before} {after}" if goes_on else before + after
 
 
 def _next(latex: str, macros: Mapping[str, Macro], position: int) -> tuple[str, int, int] | None:
@@ -139,8 +161,10 @@ def _body(latex: str, name: str, macro: Macro, position: int) -> tuple[str, int]
     if not macro.arguments and latex.startswith("{}", position):
         position += 2
 
-    def argument(match: re.Match[str]) -> str:
+    body, rest = "", 0
+    for match in _PARAMETER.finditer(macro.body):
         number = int(match[1])
-        return given[number - 1] if number <= len(given) else match[0]
-
-    return _PARAMETER.sub(argument, macro.body), position
+        argument = given[number - 1] if number <= len(given) else match[0]
+        body = _joined(_joined(body, macro.body[rest : match.start()]), argument)
+        rest = match.end()
+    return _joined(body, macro.body[rest:]), position

@@ -5,6 +5,8 @@ it says or rests on.
 from __future__ import annotations
 
 from collections.abc import Iterator
+from dataclasses import replace
+from fractions import Fraction
 from operator import methodcaller
 
 from gainproof.verify.judge.claim.record import Claim, Setting
@@ -14,12 +16,15 @@ from gainproof.verify.judge.dimensions.formula import (
     graph_fault,
     in_said_units,
     names_of,
+    number_beside_degrees,
     reading_fault,
     relation_fault,
 )
-from gainproof.verify.judge.dimensions.names import Names
-from gainproof.verify.judge.formula import Formula, Reading, Relation
+from gainproof.verify.judge.dimensions.names import Names, has_degrees
+from gainproof.verify.judge.formula import Formula, Graph, Reading, Relation
 from gainproof.verify.judge.reach import reached
+
+_NO = Fraction(0)
 
 
 def claim_readings(claim: Claim, setting: Setting) -> tuple[tuple[Reading, ...], str | None]:
@@ -36,6 +41,37 @@ def claim_readings(claim: Claim, setting: Setting) -> tuple[tuple[Reading, ...],
             return (), fault
     fault = next(_faults(claim, setting), None)
     return ((), f"dimensions: {fault}") if fault is not None else (readings, None)
+
+
+def degrees_are_open(claim: Claim, setting: Setting) -> str | None:
+    """Why dimensions do not refute a claim, or None where they may: a bare number stands beside an
+    angle in degrees, `90 - \\theta`, and nothing else is wrong. It may count degrees or radians.
+    """
+    without = {
+        token: entry if entry.unit is None else replace(entry, unit=replace(entry.unit, degree=_NO))
+        for token, entry in setting.symbols.items()
+    }
+    if not has_degrees(setting) or claim_readings(claim, replace(setting, symbols=without))[1]:
+        return None
+    names = names_of(setting)
+    if not any(number_beside_degrees(graph, names) for graph in _graphs(claim, setting)):
+        return None
+    return (
+        "a bare number beside an angle in degrees may be one of degrees or of radians: declare the "
+        "angle in rad and write \\pi/2 for 90 degrees"
+    )
+
+
+def _graphs(claim: Claim, setting: Setting) -> Iterator[tuple[Graph, ...]]:
+    """The expressions of a claim and of definitions that it uses; sides of a relation together."""
+    relations = [r for _, found in _relations(claim, setting) for r in found]
+    for reading in () if claim.formula is None else claim.formula.readings:
+        relations += [*reading.relations, *reading.conditions]
+    yield from ((relation.left, relation.right) for relation in relations)
+    for token in reached(claim, setting):
+        entry = setting.symbols.get(token)
+        if entry is not None and entry.definition is not None:
+            yield from ((r.relations[0].right,) for r in entry.definition.readings)
 
 
 def fitting_readings(formula: Formula, setting: Setting) -> tuple[tuple[Reading, ...], str | None]:

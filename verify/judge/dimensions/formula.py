@@ -120,6 +120,39 @@ def _is_of_digits(side: Expr) -> bool:
     return all(node.kind not in ("symbol", "call") for node in walk(side))
 
 
+def number_beside_degrees(sides: Sequence[Graph], names: Names) -> bool:
+    """Whether a number without symbols, not zero, is added to or compared with what is counted in
+    degrees, or put in its place: among the sides or within one.
+    """
+    trees = [read_tree(side) for side in sides]
+    compared: list[Sequence[Expr]] = [trees]
+    for node in (node for tree in trees for node in walk(tree)):
+        if node.kind in ("add", "call"):
+            compared.append(node.parts)
+        elif node.kind == "at":
+            compared.append((Expr("symbol", node.name, ()), node.parts[1]))
+    return any(
+        any(_is_a_number(part) for part in parts)
+        and any(_in_degrees(part, names) for part in parts)
+        for parts in compared
+    )
+
+
+def _is_a_number(part: Expr) -> bool:
+    kinds = [(node.kind, node.value) for node in walk(part)]
+    without = all(kind != "symbol" and (kind != "call" or name == "pi") for kind, name in kinds)
+    return without and not (part.kind == "number" and part.fraction == 0)
+
+
+def _in_degrees(part: Expr, names: Names) -> bool:
+    """Whether it is counted in powers of degrees, or holds what is where dimensions are mixed."""
+    try:
+        found = dimension(part, names)
+    except Mismatch:
+        return any(_in_degrees(inner, names) for inner in part.parts)
+    return any(isinstance(entry, Unit) and entry.degree != 0 for entry in entries(found))
+
+
 def graph_fault(graph: Graph, names: Names) -> str | None:
     """What is wrong with the dimensions inside an expression, or None."""
     return fault_of(lambda one: dimension(read_tree(graph), one), names)

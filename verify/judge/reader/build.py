@@ -82,6 +82,7 @@ class Builder:
             case "product":
                 return self._product(tree)
             case "modulo":
+                self._refuse_signs_behind_mod(tree)
                 return add("call", "mod", *map(self.value, children(tree)))
             case "times_big":
                 return self.many("mul", [self.value(child) for child in children(tree)])
@@ -142,6 +143,13 @@ class Builder:
             problem = "entry by entry, which is not read of matrices: write out the entries"
             raise self.error(problem, tree)
 
+    def _refuse_signs_behind_mod(self, tree: Branch) -> None:
+        """ReaderError for `a mod 2*b`, which languages read as `(a mod 2)*b`."""
+        modulus = children(tree)[1]
+        signs = ("dotted", "divided", "crossed")
+        if any(each.data in signs for each in children(modulus)):
+            raise self.error("what the modulus is is not clear: write brackets", modulus)
+
     def _sum(self, tree: Branch) -> int:
         if has_dots(children(tree)):
             return dotted_sum(self, tree)
@@ -201,9 +209,10 @@ class Builder:
         if tree.data == "raised":
             base, above = children(tree)
             number = self.value(base)
-            if tokens(tree, "POWER")[0] == ".^":
+            sign = tokens(tree, "POWER")[0]
+            if sign == ".^":
                 self.refuse_entries(above, number, self.value(above))
-            return self.power(number, above)
+            return self.power(number, above, of_code=sign in ("**", ".^"))
         base = children(tree)[0]
         indices = tokens(tree, "NUMBER")
         index = Fraction(str(indices[0])) if indices else Fraction(2)
@@ -213,9 +222,13 @@ class Builder:
             )
         return self._raised(self.value(base), 1 / index, base)
 
-    def power(self, base: int, above: Tree[Token]) -> int:
-        """A node with an exponent: a number, an inverse of a matrix, or any other expression."""
+    def power(self, base: int, above: Tree[Token], *, of_code: bool = False) -> int:
+        """A node with an exponent: a number, an inverse of a matrix, or any other expression. With
+        `of_code` odd roots are of no negative numbers: `pow(-8, 1/3)` has no value in C.
+        """
         exponent = constant_value(above)
+        if of_code and exponent is not None and exponent.denominator % 2 and exponent % 1:
+            base, exponent = self._raised(base, Fraction(1, 2), above), 2 * exponent
         if exponent is None:
             return self.nodes.add("call", "power", base, self.value(above))
         return self._raised(base, exponent, above)

@@ -63,6 +63,12 @@ def derivative(builder: Builder, tree: Branch) -> int:
     if tree.data == "derivative_operator" and _has_bar(inner):
         problem = "a bar behind a derivative: write \\left. ... \\right|_{x=...} round both"
         raise builder.error(problem, inner)
+    if tree.data == "derivative_operator" and _goes_on_behind_bracket(inner):
+        problem = (
+            "what the derivative is of is not clear: write brackets round all of it, or what it "
+            "does not act on before it"
+        )
+        raise builder.error(problem, inner)
     symbols = _variables(builder, below, above, tree)
     return _differentiated(builder, builder.value(inner), symbols)
 
@@ -121,6 +127,20 @@ def _order(builder: Builder, orders: list[Branch]) -> int:
 def _has_bar(tree: Branch) -> bool:
     """Whether a bar stands in the outermost product of a term."""
     return tree.data == "product" and any(child.data == "evaluated" for child in children(tree))
+
+
+def _goes_on_behind_bracket(term: Branch) -> bool:
+    """Whether a term begins with a bracket, of which alone some would take the derivative, and has
+    further factors.
+    """
+    further = term.data in ("times_big", "modulo")
+    product = children(term)[0] if further else term
+    if product.data != "product":
+        return False
+    first, *others = children(product)
+    while first.data in ("raised", "transposed", "braced"):
+        first = children(first)[0]
+    return first.data == "group" and bool(further or others)
 
 
 def evaluated(builder: Builder, number: int, statements: Branch) -> int:

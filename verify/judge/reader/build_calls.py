@@ -100,7 +100,7 @@ def _plain_form(builder: Builder, word: Token, arguments: list[Branch], tree: Br
             return add("kronecker", *numbers)
         case "pow":
             builder.refuse_entries(tree, *numbers)
-            return builder.power(numbers[0], arguments[1])
+            return builder.power(numbers[0], arguments[1], of_code=True)
         case "hypot":
             builder.refuse_entries(tree, *numbers)
             squares = [add("pow", number, "2") for number in numbers]

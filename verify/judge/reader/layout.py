@@ -39,6 +39,10 @@ def settle_brackets(
             _settle_cases(result, opening, closing)
         elif kind == "OPEN" and held & _RELATIONS:
             _rename(result, opening, closing, "CONDITION")
+        elif kind == "OPEN" and (ends := [n for n in inner if tokens[n].value == ";"]):
+            # MATLAB ends a row with it, others separate arguments
+            problem = "a semicolon in brackets may end a row: write a matrix, or a comma"
+            raise ReaderError(problem, text, tokens[ends[0]].start, ";")
         elif kind == "OPEN" and opening not in arguments and _is_row(held):
             _rename(result, opening, closing, "ROW")
             _settle_row(result, inner)

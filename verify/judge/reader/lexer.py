@@ -15,19 +15,23 @@ from gainproof.verify.judge.reader.differential import Differentials
 from gainproof.verify.judge.reader.environments import Environments, line_break_end
 from gainproof.verify.judge.reader.errors import ReaderError, nearest_names
 from gainproof.verify.judge.reader.line_end import LineEnds, end_of_tag, equation_number_end
-from gainproof.verify.judge.reader.names import scan_base
+from gainproof.verify.judge.reader.names import scan_base, scan_word
 from gainproof.verify.judge.reader.naming import NameFinder
 from gainproof.verify.judge.reader.scan import (
+    NO_ALTERNATIVES,
     NORM_BARS,
     Scanned,
+    is_or,
     joining_word,
     scan_bar,
     scan_mark,
     scan_norm,
     scan_number,
     scan_sized,
+    unread,
 )
 from gainproof.verify.judge.reader.special import (
+    bracket_after,
     circle_number,
     declared_kind,
     function_named,
@@ -47,7 +51,7 @@ from gainproof.verify.judge.reader.tokens import (
     FormulaToken,
 )
 from gainproof.verify.judge.reader.vocabulary import Vocabulary
-from gainproof.verify.judge.reader.words import BASED, FUNCTION_COMMANDS
+from gainproof.verify.judge.reader.words import BASED, FUNCTION_COMMANDS, is_unread
 
 _TEXTS = frozenset(("\\text", "\\mathrm", "\\textrm", "\\mbox"))
 
@@ -108,6 +112,7 @@ class _Lexer:
         self._add(declared_kind(self.text, name, end, self.vocabulary), name, end)
 
     def _letters(self) -> None:
+        self._refuse_word()
         found = self.names.longest(self.position, self.tokens.single)
         if found is not None:
             self._symbol(*found)
@@ -127,6 +132,20 @@ class _Lexer:
             self._add(*special)
             return
         raise self.names.undeclared(text[start:end], start, end, self.tokens.single)
+
+    def _refuse_word(self) -> None:
+        """ReaderError for `or` and for a function that is not read, where nobody declared it as a
+        name: its letters are no product.
+        """
+        text, start = self.text, self.position
+        found = scan_word(text, start)
+        if found is None or found[0] in self.vocabulary or is_letter(text[start - 1 : start]):
+            return
+        word, end = found
+        if word == "or":
+            raise self._error(NO_ALTERNATIVES, "")
+        if is_unread(word) and text.startswith("(", skip_space(text, end)):
+            raise self._error(unread(word), "")
 
     def _command(self) -> None:
         text, start = self.text, self.position
@@ -154,6 +173,8 @@ class _Lexer:
             self._add(*scan_norm(end, self.tokens.found))
         elif command in _TEXTS and (joint := joining_word(text, end)) is not None:
             self._add(*joint)
+        elif command in ("\\lor", "\\vee") or (command in _TEXTS and is_or(text, end)):
+            raise self._error(NO_ALTERNATIVES, "")
         elif command in NO_EXACT_MEANING:
             raise self._error(NO_EXACT_MEANING[command], command)
         elif command in COMMANDS:
@@ -194,6 +215,10 @@ class _Lexer:
             near = nearest_names(command, [*COMMANDS, *self.vocabulary.symbols])
             raise self._error(f"the command {command} is not known", command, near)
         found = self.names.declared(base[0], start, base[1], self.tokens.single)
+        word = base[0][base[0].find("{") + 1 : -1]
+        calls = command == "\\operatorname" or bracket_after(text, base[1]) == "("
+        if found is None and calls and is_unread(word):
+            raise self._error(unread(f"\\operatorname{{{word}}}"), "")
         if found is not None:
             self._symbol(*found)
         elif (mark := self.differentials.kind_of(base[0], start)) is not None:

@@ -7,7 +7,7 @@ from dataclasses import replace
 from gainproof.verify.judge.reader.alphabet import DIGITS, is_letter, skip_space
 from gainproof.verify.judge.reader.errors import ReaderError, nearest_names
 from gainproof.verify.judge.reader.line_end import LineEnds
-from gainproof.verify.judge.reader.scan import MOST_SHOWN, Scanned
+from gainproof.verify.judge.reader.scan import MOST_SHOWN, NO_ALTERNATIVES, Scanned, unread
 from gainproof.verify.judge.reader.source_code import (
     ENTRYWISE,
     code_circle,
@@ -30,6 +30,7 @@ from gainproof.verify.judge.reader.words import (
     JOINING_WORDS,
     PLAIN_FORMS,
     function_of,
+    is_unread,
 )
 
 _MARKS = {mark: token for mark, token in MARKS.items() if mark not in ("{", "}", "_", "&")} | {
@@ -137,8 +138,8 @@ class _PlainLexer:
         elif calls and word in PLAIN_FORMS:
             self._add("WORD", word, end)
         elif calls and (function := function_of(word)) is not None:
-            # that of a library is natural, whatever the text calls so
-            usual = word == "log" and not of_library
+            # that of a library is natural, whatever the text calls so, and `logf` of C
+            usual = text[start:end] == "log" and not of_library
             self._add("WORD", self.vocabulary.logarithm_name if usual else function, end)
         elif (special := special_name(text, word, end)) is not None:
             self._add(*special)
@@ -155,9 +156,14 @@ class _PlainLexer:
     def _undeclared(self, word: str) -> ReaderError:
         """The error for a word that nobody declared."""
         shown = word[:MOST_SHOWN]
+        if word == "or":
+            return self._error(NO_ALTERNATIVES, "")
         if word in _REMAINDERS:
             problem = f"{word} has not the sign of its divisor: write mod(x, y), x - y floor(x/y)"
             return self._error(problem, word)
+        behind = skip_space(self.text, self.position + len(word))
+        if is_unread(word) and self.text.startswith("(", behind):
+            return self._error(unread(word), "")
         known = [*self.vocabulary.plain_names, *PLAIN_FORMS, *FUNCTION_WORDS]
         problem = f"the symbol {shown} is not declared"
         return self._error(problem, shown, nearest_names(word, known))

@@ -18,6 +18,14 @@ _BARS = frozenset(("|", "\\mid", "\\vert", "\\rvert"))
 NORM_BARS = frozenset(("\\|", "\\Vert"))
 
 
+NO_ALTERNATIVES = "conditions hold together; `or` is not read: make a claim for each"
+
+
+def unread(word: str) -> str:
+    """What is said of a function that is known and not read."""
+    return f"{word}(...) is no function that is read: write its formula, or {word}*(...)"
+
+
 class Scanned(NamedTuple):
     """Kind, canonical text and end of a token."""
 
@@ -115,6 +123,12 @@ def scan_bar(text: str, start: int, command: str) -> Scanned:
         problem = f"{command} needs a subscript that says where"
         raise ReaderError(problem, text, start, command)
     return Scanned("AT", "|_", end)
+
+
+def is_or(text: str, start: int) -> bool:
+    """Whether `{or}` stands at `start`."""
+    closing = text.find("}", start, start + 20)
+    return text[start : start + 1] == "{" and text[start + 1 : closing].strip(" ~,.") == "or"
 
 
 def joining_word(text: str, start: int) -> Scanned | None:

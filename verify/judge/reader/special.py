@@ -26,7 +26,7 @@ def special_name(text: str, name: str, end: int) -> Scanned | None:
     """The expectation, the order of a term or Euler's number, where what follows shows that it is
     meant: `E[` or `E\\{`, `O(`, `e^`.
     """
-    following = _bracket_after(text, end)
+    following = bracket_after(text, end)
     if name in EXPECTATION_NAMES and following in ("[", "\\{"):
         return Scanned("EXPECT", "expectation", end)
     if name in ORDER_NAMES and following == "(":
@@ -54,7 +54,7 @@ def declared_kind(text: str, name: str, end: int, vocabulary: Vocabulary) -> str
     """
     if vocabulary.is_function(name):
         return "FUNCTION"
-    if name in EXPECTATION_NAMES and _bracket_after(text, end) in ("[", "\\{"):
+    if name in EXPECTATION_NAMES and bracket_after(text, end) in ("[", "\\{"):
         problem = (
             f"{name} is declared, so that this is no expectation: leave it undeclared for one, "
             f"write {name} ( ) for a product"
@@ -79,7 +79,7 @@ def with_base(text: str, function: Scanned, vocabulary: Vocabulary) -> Scanned:
     """
     if function.value == "atan" and text.startswith("2", function.end):
         after = function.end + 1
-        return Scanned("NAMED", "atan2", after) if _bracket_after(text, after) == "(" else function
+        return Scanned("NAMED", "atan2", after) if bracket_after(text, after) == "(" else function
     under = skip_space(text, function.end)
     if function.value != "log":
         return function
@@ -103,7 +103,7 @@ def with_base(text: str, function: Scanned, vocabulary: Vocabulary) -> Scanned:
     return Scanned("NAMED", f"{BASED}{int(base)}", end)
 
 
-def _bracket_after(text: str, position: int) -> str:
+def bracket_after(text: str, position: int) -> str:
     """The next mark after blanks and the size of a bracket."""
     position = skip_space(text, position)
     if text[position : position + 1] == "\\":

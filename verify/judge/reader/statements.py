@@ -77,6 +77,10 @@ class _Statements:
         found: list[Relation] = []
         for number, operator in enumerate(operators):
             left, right = sides[number], sides[number + 1]
+            shown = self.text[operator.start_pos or 0 : operator.end_pos]
+            if shown == "\\equiv" and any(chain.find_data("modulo")):
+                problem = "a congruence is not read: write that both remainders are equal"
+                raise ReaderError(problem, self.text, operator.start_pos or 0, shown)
             self._refuse_infinity(left, operator, right)
             found.append(self._relation(left, operator, right))
             for side in (left, right):

@@ -43,6 +43,33 @@ def function_of(word: str) -> str | None:
     return FUNCTION_WORDS.get(word)
 
 
+# fmt: off
+_UNREAD = frozenset((
+    "round", "rint", "nearbyint", "nint", "around", "int", "trunc", "fix", "ceiling", "frac",
+    "float", "double", "single", "cbrt", "nthroot", "exp2", "exp10", "expm1", "log1p", "pow10",
+    "sech", "csch", "coth", "asinh", "acosh", "atanh", "asech", "acsch", "acoth", "arcsinh",
+    "arccosh", "arctanh", "arsinh", "arcosh", "artanh", "asec", "acsc", "acot", "arcsec", "arccsc",
+    "arccot", "sind", "cosd", "tand", "asind", "acosd", "atand", "sinpi", "cospi", "sinc",
+    "deg2rad", "rad2deg", "radians", "degrees", "wrap", "wrapToPi", "unwrap", "erfc", "erfcinv",
+    "factorial", "nchoosek", "binom", "comb", "tgamma", "lgamma", "gammaln", "heaviside",
+    "signum", "copysign", "fdim", "fma", "clip", "clamp", "square", "absolute", "real", "imag",
+    "conj", "arg", "dot", "cross", "mean", "median", "std", "expm", "logm", "sqrtm", "prod",
+    "cumsum", "int32", "int64", "quad", "trapz", "integrate", "gradient",
+))
+# fmt: on
+
+
+def is_unread(word: str) -> bool:
+    """Whether languages have a function of this name that is not read, also with the mark of C for
+    single or long precision: with a bracket behind it a product is hardly meant.
+    """
+    if word in _UNREAD or word.removesuffix("f") in _UNREAD:
+        return True
+    name = word.removesuffix("l")
+    known = name in (*_UNREAD, "sqrt", "fabs", "pow", "hypot") or function_of(name) is not None
+    return name != word and known
+
+
 MATRIX_VALUED = frozenset(("diag", "block_diagonal", "family"))
 CARRIES_SHAPE = frozenset(("expectation", "covariance", "sum", "product", "integral"))
 """Functions whose value is a matrix always, and where their first argument is one."""

@@ -113,7 +113,8 @@ def test_a_mixed_equation_has_a_point_besides(latex: str) -> None:
 def test_an_angle_of_which_nobody_can_tell_its_unit_is_not_judged(latex: str) -> None:
     verdict = judged("identity", latex)
     mixed = verdict.verdict == "refuted" and verdict.reason.startswith("dimensions: ")
-    assert mixed or (verdict.verdict == "undecided" and "write a sine of degrees" in verdict.reason)
+    told = any(each in verdict.reason for each in ("write a sine of degrees", "declare the angle"))
+    assert mixed or (verdict.verdict == "undecided" and told)
 
 
 def test_a_number_of_radians_is_no_bound_of_degrees() -> None:
@@ -124,3 +125,40 @@ def test_a_number_of_radians_is_no_bound_of_degrees() -> None:
 def test_without_degrees_a_multiple_of_pi_is_a_number() -> None:
     verdict = judged("identity", r"\sin(\pi - c) = \sin c")
     assert verdict.verdict == "proved"
+
+
+@pytest.mark.parametrize(
+    ("kind", "latex"),
+    [
+        ("identity", r"\sin\theta = \cos(90 - \theta)"),
+        ("identity", r"\sin(\theta + 360) = \sin\theta"),
+        ("identity", r"\sin\theta = \cos(\frac{\pi}{2} - \theta)"),
+        ("identity", r"\tan(\phi + \theta + 2 \cdot 90) = \tan(\theta + \phi)"),
+        ("identity", r"\sin(\theta)|_{\theta = 90} = 1"),
+        ("identity", r"\cos(45 + \psi) = \sin(45 - \psi)"),
+        ("inequality", r"\theta^2 < 8100"),
+        ("inequality", r"\max(\theta, 3) \ge 3"),
+        ("definition", r"V = 4 + \theta^2"),
+        ("equivalence", r"\theta + 1 > 0 \Leftrightarrow \theta > -1"),
+    ],
+)
+def test_a_bare_number_beside_degrees_is_not_judged(kind: str, latex: str) -> None:
+    verdict = judged(kind, latex)
+    assert verdict.verdict == "undecided"
+    assert "may be one of degrees or of radians" in verdict.reason
+
+
+@pytest.mark.parametrize(
+    "latex",
+    [
+        r"\theta + 90 = t",
+        r"\theta + 0.5 \epsilon = \epsilon",
+        r"t = t^2 + 90",
+        r"90 + t + \theta = 0",
+        r"3 \theta = 2 \epsilon",
+    ],
+)
+def test_other_mixtures_are_refuted_still(latex: str) -> None:
+    verdict = judged("identity", latex)
+    assert verdict.verdict == "refuted"
+    assert verdict.reason.startswith("dimensions: ")

@@ -23,9 +23,12 @@ SYMBOLS: dict[str, Declared] = {canonical_token(token): Declared() for token in 
 SYMBOLS["S"] = Declared(("a", "b"))
 
 
-def refusal(text: str) -> ReaderError:
+CASES = r"\begin{cases} 1 & a > 0 {} a < 0 \\ 0 \end{cases} = b"
+
+
+def refusal(text: str, symbols: dict[str, Declared] = SYMBOLS) -> ReaderError:
     with pytest.raises(ReaderError) as caught:
-        read_formula(text, SYMBOLS)
+        read_formula(text, symbols)
     return caught.value
 
 
@@ -230,3 +233,75 @@ def test_both_forms_with_brackets_are_printed_and_read(text: str, forms: str) ->
 )
 def test_a_function_of_a_function_is_told_with_brackets(text: str, form: str) -> None:
     assert refusal(text).problem.endswith(f"of another function: write {form}")
+
+
+@pytest.mark.parametrize("row", ["1, 2; 3, 4", "a; b", r"a \quad b; k \quad c", "a, b, c; k"])
+@pytest.mark.parametrize(
+    "around", ["[{}] = b", r"\left( {} \right) = b", r"a [{}]^T = b", r"\max({}) = b", "S({}) = 1"]
+)
+def test_a_semicolon_in_brackets_is_no_comma(row: str, around: str) -> None:
+    text = around.format(row)
+    error = refusal(text)
+    assert "a semicolon in brackets" in error.problem
+    assert error.position == text.index(";")
+
+
+@pytest.mark.parametrize("text", ["a = b; b = c", r"a = b \quad (a > 0; c > 0)"])
+def test_a_semicolon_between_relations_is_a_comma(text: str) -> None:
+    whole = [read_formula(each, SYMBOLS).readings for each in (text, text.replace(";", ","))]
+    assert whole[0] == whole[1]
+
+
+@pytest.mark.parametrize("operator", [r"\frac{d}{dx}", r"\frac{\partial}{\partial x}"])
+@pytest.mark.parametrize("bracket", ["(x^2)", r"\left[ x + b \right]^2", r"{(x)}", r"\{x\}"])
+@pytest.mark.parametrize("further", ["x", r"\cdot b", "/x", r"(x + b)", r"\sum_{k=0}^2 k x"])
+def test_a_derivative_of_a_bracket_with_more_behind_it(
+    operator: str, bracket: str, further: str
+) -> None:
+    error = refusal(f"a = {operator} {bracket} {further}")
+    assert "what the derivative is of is not clear" in error.problem
+    assert error.position == len(f"a = {operator} ")
+    for clear in (f"({bracket} {further})", bracket, f"b x {further}"):
+        assert read_formula(f"a = {operator} {clear}", SYMBOLS).readings
+    assert "not clear" in refusal(f"a = {operator} {bracket} {operator} {bracket}").problem
+
+
+@pytest.mark.parametrize("word", ["or", r"\text{or}", r"\text{ or }", r"\mathrm{or}", r"\lor"])
+@pytest.mark.parametrize(
+    "around", ["a > 0 {} a < b", r"a = b \quad (b > 0 {} c > 0)", r"a = {} 1", CASES]
+)
+def test_alternatives_are_refused(word: str, around: str) -> None:
+    text = around.replace("{}", word, 1)
+    error = refusal(text, {**SYMBOLS, "o": Declared(), "r": Declared()})
+    assert "`or` is not read" in error.problem
+    assert error.position == text.index(word)
+
+
+@pytest.mark.parametrize("text", ["a = b if c > 0 or b > 0", "cases(1, a > 0 or a <= 0; 0) = 1"])
+def test_alternatives_of_plain_text_are_refused(text: str) -> None:
+    with pytest.raises(ReaderError, match="`or` is not read") as caught:
+        read_plain(text, SYMBOLS)
+    assert caught.value.position == text.index("or")
+    assert read_plain("a = or b", {**SYMBOLS, "or": Declared()}).readings
+
+
+def test_letters_of_a_product_are_no_word() -> None:
+    declared = {**SYMBOLS, "o": Declared(), "r": Declared()}
+    for text in ("a = o r", "a = bor", "a = orb"):
+        assert read_formula(text, declared).symbols[1:]
+
+
+@pytest.mark.parametrize("text", [r"a \equiv b \bmod 3", r"a + b \equiv (c \bmod 2) + 1 = k"])
+def test_a_congruence_is_refused(text: str) -> None:
+    assert "a congruence is not read" in refusal(text).problem
+    assert read_formula(text.replace(r"\equiv", "="), SYMBOLS).readings
+
+
+@pytest.mark.parametrize("modulus", ["2*c", "2/c", "2*c b", "b c*2"])
+def test_what_the_modulus_is_needs_brackets(modulus: str) -> None:
+    with pytest.raises(ReaderError, match="what the modulus is is not clear"):
+        read_plain(f"a = b mod {modulus}", SYMBOLS)
+    latex = modulus.replace("*", r" \cdot ")
+    assert "what the modulus is is not clear" in refusal(rf"a = b \bmod {latex}").problem
+    assert read_plain(f"a = b mod ({modulus})", SYMBOLS).readings
+    assert read_plain("a = 2*b mod 2 c", SYMBOLS).readings

@@ -15,7 +15,7 @@ from declared import Declared
 
 from gainproof.verify.judge.formula import Graph
 from gainproof.verify.judge.reader.errors import ReaderError
-from gainproof.verify.judge.reader.reader import read_plain
+from gainproof.verify.judge.reader.reader import read_formula, read_plain
 
 NUMBERS = {name: Declared() for name in ("a", "b", "dt", "x", "y", "\\theta")}
 MATRICES = {name: Declared(shape=(2, 2)) for name in ("A", "B")}
@@ -77,7 +77,7 @@ def test_an_exponent_moves_the_digits_that_are_shown(shown: str, decimals: int) 
     [
         ("a*pow(dt, 3)", "a*dt^3"),
         ("powf(a + b, -2)", "(a + b)^(-2)"),
-        ("pow(x, 1.0f/3.0f)", "x^(1/3)"),
+        ("pow(x, 1.0f/3.0f)", "sqrt(x)^(2/3)"),
         ("std::pow(x, b)", "x^b"),
         ("np.power(x, 2)", "x^2"),
         ("x.*dt", "x*dt"),
@@ -189,7 +189,12 @@ def test_declared_letters_behind_a_number_stay_what_they_are(text: str) -> None:
 
 
 def test_the_logarithm_of_a_library_is_natural_whatever_the_text_means() -> None:
-    for code, base in (("log(x)", "log 10"), ("math.log(x)", "log"), ("log_2(x)", "log 2")):
+    for code, base in (
+        ("log(x)", "log 10"),
+        ("math.log(x)", "log"),
+        ("logf(x)", "log"),
+        ("log_2(x)", "log 2"),
+    ):
         graph = read_plain(f"a = {code}", SYMBOLS, logarithm=10).readings[0].relations[0].right
         assert graph["nodes"][-1][1] == base
 
@@ -207,3 +212,57 @@ def test_long_texts_of_code_end_soon(piece: str) -> None:
     with contextlib.suppress(ReaderError):
         read_plain(f"a = {text}", SYMBOLS)
     assert time.process_time() - started < 2
+
+
+LETTERS = {letter: Declared() for letter in "abcdefghijklmnopqrstuvwxyz"}
+UNREAD = [
+    "round",
+    "int",
+    "trunc",
+    "fix",
+    "cbrt",
+    "sech",
+    "float",
+    "prod",
+    "sqrtl",
+    "sinl",
+    "roundf",
+]
+
+
+@pytest.mark.parametrize("word", UNREAD)
+@pytest.mark.parametrize("around", ["a = {}(x)", "{} (2.5) = 3", "a = 2*{}(x + b)"])
+def test_a_function_that_is_not_read_is_no_product(word: str, around: str) -> None:
+    text = around.format(word)
+    for read in (read_plain, read_formula):
+        with pytest.raises(ReaderError, match="is no function that is read") as caught:
+            read(text, LETTERS)
+        assert caught.value.position == text.index(word)
+        for declared in (Declared(), Declared(("x",))):
+            assert read(text, {**LETTERS, word: declared}).readings
+    upright = around.format(rf"\operatorname{{{word}}}")
+    with pytest.raises(ReaderError, match="is no function that is read"):
+        read_formula(upright, LETTERS)
+    assert read_plain(f"a = x*{word}*(b)", {**LETTERS, word: Declared()}).readings
+
+
+def test_letters_before_a_bracket_stay_a_product() -> None:
+    for text in ("a = a b(x)", "a = r o u n d (x)", "a = ab(x)", "a = kint + x"):
+        assert read_formula(text, LETTERS).readings
+
+
+@pytest.mark.parametrize("exponent", ["1/3", "1./3", "-2/3", "5/7", ".2"])
+@pytest.mark.parametrize("code", ["pow(x, {})", "np.power(x, {})", "x**({})", "x.^({})"])
+def test_odd_roots_of_code_have_no_negative_radicand(code: str, exponent: str) -> None:
+    nodes = read_plain(f"a = {code.format(exponent)}", SYMBOLS).readings[0].relations[0].right
+    above, _, below = exponent.partition("/")
+    twice = str(2 * Fraction(Decimal(above)) / Fraction(below or "1"))
+    assert nodes["nodes"] == [["symbol", "x"], ["pow", 0, "1/2"], ["pow", 1, twice]]
+    root = read_plain(f"a = x^({exponent})", SYMBOLS).readings[0].relations[0].right
+    assert [node[0] for node in root["nodes"]] == ["symbol", "pow"]
+
+
+@pytest.mark.parametrize("code", ["pow(x, 1/2)", "x**.5", "x**2", "x.^-3", "pow(x, 3/2)"])
+def test_other_powers_of_code_are_one_power(code: str) -> None:
+    graph = read_plain(f"a = {code}", SYMBOLS).readings[0].relations[0].right
+    assert [node[0] for node in graph["nodes"]] == ["symbol", "pow"]
