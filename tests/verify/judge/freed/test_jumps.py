@@ -92,6 +92,16 @@ FALSE = [
     ("conditional", _plain("floor(1/x) = floor(1/x)", "-1 < x < 1")),
     ("conditional", _plain("atan2(1/x, y) = atan2(1/x, y)", "-1 < x < 1")),
     ("conditional", _plain("atan2(y, x) = atan2(2 y, 2 x)", "-1 < x < 1")),  # the origin
+    # what is said of whole numbers may hold for no one of them, and yet for others
+    ("refuted", _plain("floor(1/x) = ceil(1/x)")),  # 1 and 2 at x = 2/3
+    ("refuted", _plain("floor(x/y) = ceil(x/y)")),
+    ("refuted", _plain("floor(x y z) = ceil(x y z)")),
+    ("refuted", _plain("mod(x, y) = mod(x, -y)")),  # 1 and -1 at x = 1, y = 2
+    ("refuted", _plain("mod(1/x, 1) + mod(-1/x, 1) = 0")),
+    ("conditional", _plain("floor(x) > floor(y)", "x > y")),  # 0 and 0 at x = 1/2, y = 1/3
+    ("conditional", _plain("floor(x/2) > floor(y/2)", "x > y")),
+    ("conditional", _plain("floor(x) > floor(y) if x > y")),
+    ("conditional", _plain("x > y => floor(x) > floor(y)", kind="implication")),
 ]  # fmt: skip
 SLOPES = [
     ("proved", "diff(atan2(y, x), x) = -y/(x^2 + y^2)", ""),
