@@ -174,6 +174,7 @@ def _in_other_variables(
                 domain=domain_text(statement, boxes, labels),
                 method=f"in another variable; {found.method}",
                 certificate=certificate_of(statement, boxes, parameter, labels, found.certificate),
+                region=(),
             )
     return None
 
@@ -204,7 +205,7 @@ def _restated(
             own = domain_text(statement, boxes, labels)
             certificate = certificate_of(statement, boxes, parameter, labels, found.certificate)
             domain = where_valued(own) if VALUED in found.domain else own
-            return replace(found, domain=domain, certificate=certificate)
+            return replace(found, domain=domain, certificate=certificate, region=())
         tried.append(found)
     put = put_in(statement, boxes)
     fails = None if put is None else try_points(put.within, boxes, labels, exactly=True)

@@ -64,8 +64,12 @@ def freely(
             refuse_without_value(statement, boxes, parameter, labels)
             exclusions = (*exclusions, VALUED)
     domain = ", ".join([domain_text(statement, boxes, labels), *turned.words, *exclusions])
+    # the words tell of bounds alone: a region of one parameter holds further conditions
     return replace(
-        outcome, method=f"{FREED}; {outcome.method}", domain=domain.removeprefix("everywhere, ")
+        outcome,
+        method=f"{FREED}; {outcome.method}",
+        domain=domain.removeprefix("everywhere, "),
+        region=(),
     )
 
 
