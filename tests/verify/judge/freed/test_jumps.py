@@ -113,7 +113,25 @@ SLOPES = [
     ("proved", "diff(atan2(y, x), x) = -y/(x^2 + y^2)", "x < 0 and -1 < y < 1"),
     ("conditional", "diff(atan2(y, x), y) = x/(x^2 + y^2)", "x < 0 and -1 < y < 1"),
     ("conditional", "diff(atan2(y, x), y) = x/(x^2 + y^2)", "-1 < x < 1 and -1 < y < 1"),
+    # from -pi to pi where it passes y = 0 with the slope 0
+    ("undecided", "at(diff(atan2(t^3, -1), t), t, 0) = 0", ""),
+    ("held", "at(diff(atan2(a t^3, b), t), t, 0) = 0", ""),  # has a value where b > 0 alone
+    ("proved", "at(diff(atan2(t^3, 1), t), t, 0) = 0", ""),
 ]
+LACKING = [
+    "diff(atan2(t^3, -1), t) = -3 t^2/(t^6 + 1)",
+    "diff(atan2(t^5, x), t) = 5 x t^4/(x^2 + t^10)",
+    "diff(abs(x), x) = cases(1, x >= 0; -1)",
+    "diff(max(x, 0), x) = cases(1, x > 0; 0)",
+    "diff(min(x, 2), x) = cases(1, x < 2; 0)",
+    "diff(abs(x y), x) = cases(abs(y), x > 0; -abs(y))",
+]
+SMOOTH = [
+    "diff(atan2(t^3, 1), t) = 3 t^2/(t^6 + 1)",
+    "diff(x abs(x), x) = cases(2 x, x > 0; -2 x)",
+    "diff(max(x, 0)^2, x) = cases(2 x, x > 0; 0)",
+]
+"""Functions with jumps whose derivatives have none."""
 BEYOND = [
     _plain("diff(floor(x), x) = 0"),
     _plain("diff(cases(x, x > 0; -x), x) = sign(x)"),
@@ -137,6 +155,16 @@ def test_false(wanted: str, claim: SmallClaim) -> None:
 @pytest.mark.parametrize(("wanted", "formula", "domain"), SLOPES)
 def test_slopes_of_an_angle(wanted: str, formula: str, domain: str) -> None:
     check(_plain(formula, domain).judged(), wanted)
+
+
+@pytest.mark.parametrize(
+    ("formula", "domain"),
+    [*((f, "where every part has a value") for f in LACKING), *((f, "everywhere") for f in SMOOTH)],
+)
+def test_points_without_a_derivative_are_left_out_of_the_domain(formula: str, domain: str) -> None:
+    found = _plain(formula).judged()
+    check(found, "proved")
+    assert found.domain == domain
 
 
 @pytest.mark.parametrize("claim", BEYOND, ids=lambda claim: claim.fields)
