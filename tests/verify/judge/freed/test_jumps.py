@@ -6,6 +6,10 @@ import pytest
 from jump_claims import claims
 from small_claims import SmallClaim, check, judged
 
+from gainproof.verify.judge.exact.expression import number, symbol
+from gainproof.verify.judge.exact.statement import Rel
+from gainproof.verify.judge.freed.domain_parts import ABOVE, WHOLE, plain
+
 WRAPPED = "x - 2 pi floor((x + pi)/(2 pi))"
 TURNED = "atan2(sin(x), cos(x))"
 REMAINDER = "mod(x + pi, 2 pi) - pi"
@@ -208,3 +212,12 @@ def test_random_claims(seed: int) -> None:
         is_false = claim.false_at is not None or (bool(claim.domain) and claim.lacks)
         wrong = ("proved",) if is_false else ("refuted", "conditional")
         assert found.verdict not in wrong, f"{claim.text}{said}: {found.verdict}, {found.reason}"
+
+
+@pytest.mark.parametrize("letters", [(WHOLE + "x", "x"), (ABOVE + "x", "x")])
+def test_a_symbol_is_not_taken_for_what_is_above_its_own_whole_part(
+    letters: tuple[str, str],
+) -> None:
+    first, second = map(symbol, letters)
+    sides, _ = plain(Rel(">=", first + second, number(3)))
+    assert sides in [(total, number(3)) for total in (first + second, second + first)]
