@@ -49,8 +49,8 @@ def settle(
     labels = with_tokens(labels, statement.symbols())
     known = tuple(sorted(boxes.items(), key=itemgetter(0)))
     found = _settled(statement, known, parameter, tuple(sorted(labels.items())), only_proof)
-    if isinstance(found, str):
-        raise Undecided(found)
+    if isinstance(found, Undecided):
+        raise type(found)(str(found))
     return found
 
 
@@ -61,12 +61,12 @@ def _settled(
     parameter: str | None,
     labels: tuple[tuple[str, str], ...],
     only_proof: bool,
-) -> Outcome | str:
+) -> Outcome | Undecided:
     """The outcome, or why there is none; it depends on nothing but what is given."""
     try:
         return _decided(statement, dict(boxes), parameter, dict(labels), only_proof)
     except Undecided as reason:
-        return str(reason)
+        return reason.with_traceback(None)
 
 
 def _decided(

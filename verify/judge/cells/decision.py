@@ -16,13 +16,14 @@ from gainproof.verify.judge.cells.witness import counterexample, simple_points
 from gainproof.verify.judge.exact.box import Box
 from gainproof.verify.judge.exact.calculus import roots_made_prime, substituted
 from gainproof.verify.judge.exact.expression import number
-from gainproof.verify.judge.exact.limits import DEFAULT_LIMITS, NOWHERE, Limits, Undecided
+from gainproof.verify.judge.exact.limits import DEFAULT_LIMITS, Limits, Nowhere, Undecided
 from gainproof.verify.judge.exact.points import failure_at
 from gainproof.verify.judge.exact.statement import Outcome, Statement, Witness, unstated
 from gainproof.verify.judge.exact.truth import SKIPPED, TRUE
 
 METHOD = "truth on the open cells of several parameters"
 BORDERS = "; borders solved for a parameter and decided in the same way"
+EMPTY = Outcome("empty", "", "", "")
 
 
 def decide_in_cells(
@@ -73,22 +74,38 @@ def _for_integers(
                 return _failing(outcome, witness, tried)
     for name in whole:
         runs = runs_of(task, name, boxes, limits)
-        found = [
-            decide_in_cells(task.statement, {**boxes, name: box}, labels, limits)
-            for box in runs.intervals
-        ]
-        if found and all(f.verdict == "proved" for f in found):
+        each = [_within(task, {**boxes, name: box}, labels, limits) for box in runs.intervals]
+        # where the conditions hold nowhere there is nothing to prove
+        found = [outcome for outcome in each if outcome != EMPTY]
+        if runs.failing is None and each and not found:
+            raise Nowhere
+        proofs = [outcome for outcome in found if outcome and outcome.verdict == "proved"]
+        if proofs and len(proofs) == len(found):
             domain = ", ".join(box.text(labels.get(n, n)) for n, box in sorted(boxes.items()))
             reason = "holds for all integers, though not for all real numbers between them"
-            return Outcome("proved", f"for {domain}", reason, found[0].method)
+            return Outcome("proved", f"for {domain}", reason, proofs[0].method)
         ends = [end for box in runs.intervals for end in (box.lower, box.upper) if end is not None]
         for value in ends if runs.failing is None else [Fraction(runs.failing)]:
             point_box = Box(value, value, lower_open=False, upper_open=False)
-            there = decide_in_cells(task.statement, {**boxes, name: point_box}, labels, limits)
-            if there.witness is not None:
+            there = _within(task, {**boxes, name: point_box}, labels, limits)
+            if there is not None and there.witness is not None:
                 return _failing(outcome, there.witness, 1)
     names = ", ".join(labels.get(name, name) for name in whole)
     raise Undecided(f"false for real numbers; whether for integers {names} was not decided")
+
+
+def _within(
+    task: Task, boxes: Mapping[str, Box], labels: Mapping[str, str], limits: Limits
+) -> Outcome | None:
+    """What the statement is on a part of its domain, `EMPTY` where its conditions hold nowhere;
+    None if undecided, since a reason of the part is none of the whole.
+    """
+    try:
+        return decide_in_cells(task.statement, boxes, labels, limits)
+    except Nowhere:
+        return EMPTY
+    except Undecided:
+        return None
 
 
 def _failing(outcome: Outcome, witness: Witness, tried: int) -> Outcome:
@@ -132,7 +149,7 @@ def _outcome(
     if not relevant:
         if present:
             raise Undecided("the formula has no value anywhere on its domain")
-        raise Undecided(NOWHERE)
+        raise Nowhere
     size = max(p.dimension for p in present)
     wide = [p for p in relevant if p.truth == TRUE and p.dimension == size]
     method = METHOD + (BORDERS if len(found) > 1 else "")

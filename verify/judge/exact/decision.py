@@ -9,7 +9,7 @@ from gainproof.verify.judge.exact.box import Box, bounds_text
 from gainproof.verify.judge.exact.calculus import roots_made_prime, substituted
 from gainproof.verify.judge.exact.certificate import certificate_of
 from gainproof.verify.judge.exact.expression import power, symbol
-from gainproof.verify.judge.exact.limits import DEFAULT_LIMITS, NOWHERE, Limits, Undecided
+from gainproof.verify.judge.exact.limits import DEFAULT_LIMITS, Limits, Nowhere, Undecided
 from gainproof.verify.judge.exact.place import Place
 from gainproof.verify.judge.exact.radicand import NeedsPower
 from gainproof.verify.judge.exact.region import region_text
@@ -87,7 +87,7 @@ def _outcome(work: Work, judged: list[Judged]) -> Outcome:
     if not relevant:
         if any(j.truth == NO_VALUE for j in judged):
             raise Undecided("the formula has no value anywhere on its domain")
-        raise Undecided(NOWHERE)
+        raise Nowhere
     wide = [j for j in held if j.place.is_cell or work.tower.parameter is None]
     if not wide and held and _is_single(work, judged):
         wide = held

@@ -9,12 +9,15 @@ class Undecided(Exception):
     """The method met a limit or a case it does not cover; the text says which."""
 
 
+class Nowhere(Undecided):
+    """The conditions contradict each other: there is no point to say anything of."""
+
+    def __init__(self, why: str = "the conditions hold nowhere on the domain") -> None:
+        super().__init__(why)
+
+
 class Malformed(ValueError):
     """Data that are no expression graph; the text says what was wanted and what came."""
-
-
-NOWHERE = "the conditions hold nowhere on the domain"
-"""Why nothing is said of a statement whose conditions contradict each other."""
 
 
 @dataclass(frozen=True)

@@ -195,7 +195,7 @@ def by_points(
         domain = domain_text(statement, boxes, labels)
         if any(not boxes.get(n, Box(stated=False)).stated for n in statement.symbols()):
             domain = where_valued(domain)
-        return replace(found, domain=domain, method=method, certificate=certificate)
+        return replace(found, domain=domain, method=method, certificate=certificate, region=())
     if (
         found.witness is not None
         and found.witness.left.undefined == found.witness.right.undefined is None

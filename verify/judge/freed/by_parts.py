@@ -14,7 +14,7 @@ from gainproof.verify.judge.exact.enclosure import value_shown
 from gainproof.verify.judge.exact.expression import Expr, number, symbols_of, walk
 from gainproof.verify.judge.exact.expression_text import labelled
 from gainproof.verify.judge.exact.functions import has_jumps
-from gainproof.verify.judge.exact.limits import NOWHERE, Undecided
+from gainproof.verify.judge.exact.limits import Nowhere, Undecided
 from gainproof.verify.judge.exact.points import try_points
 from gainproof.verify.judge.exact.statement import (
     NOT_EVALUATED,
@@ -38,13 +38,13 @@ from gainproof.verify.judge.freed.domain_parts import (
 from gainproof.verify.judge.freed.domain_words import domain_text
 from gainproof.verify.judge.freed.folding import folded
 from gainproof.verify.judge.freed.freely import where_valued
-from gainproof.verify.judge.freed.induction import open_sums
 from gainproof.verify.judge.freed.jumps import parts_of
 from gainproof.verify.judge.freed.monomials import monomials, terms_expr
 from gainproof.verify.judge.freed.special_points import point_text
 from gainproof.verify.judge.verdict_words import LACKS_VALUE
 
 PRECISION = 128
+NO_VALUE = "no value on any part of the domain"
 METHOD = "one part of the domain after the other"
 Told = Mapping[Sides, Signs]
 
@@ -66,6 +66,7 @@ def by_parts(
     found: list[tuple[Part, Outcome]] = []
     reasons: list[str] = []
     nothing: list[Told] = []
+    empty = False
     try:
         parts = parts_of(statement, boxes, labels, partial(_holds, decides=decides))
     except Undecided as why:
@@ -80,10 +81,16 @@ def by_parts(
             else:
                 came = decides(*part.within(), parameter, part.labels)
             found.append((part, came))
+        except Nowhere:
+            empty = True
         except Undecided as why:
-            # the first way to decide is said first; of a sum it may speak of a step of an induction
-            if not str(why).startswith(NOWHERE) or open_sums(part.statement):
-                reasons.append(str(why))
+            reasons.append(str(why))
+    if not reasons and all(p.only_values and o.verdict == "proved" for p, o in found):
+        # that there are values is not yet that anything is true of them
+        if empty and not nothing:
+            raise Nowhere
+        if found:
+            raise Undecided(NO_VALUE)
     certificate = certificate_of(statement, boxes, parameter, labels)
     if found and not reasons and all(outcome.verdict == "proved" for _, outcome in found):
         everywhere = domain_text(statement, boxes, labels)
@@ -97,7 +104,7 @@ def by_parts(
         points = try_points(statement, boxes, labels)
         if points is not None:
             return replace(points, certificate=certificate if points.witness else {})
-        raise Undecided("; ".join(dict.fromkeys(reasons)) or "no value on any part of the domain")
+        raise Undecided("; ".join(dict.fromkeys(reasons)) or NO_VALUE)
     failing.sort(key=lambda each: (each[1].verdict != "refuted", not _is_wide(each[0])))
     part, fails = failing[0]
     witness = fails.witness if part.lacks else _told_anew(fails.witness, part, statement)

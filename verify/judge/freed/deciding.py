@@ -9,7 +9,7 @@ from functools import partial
 from gainproof.verify.judge.exact.box import Box
 from gainproof.verify.judge.exact.expression import Expr, number
 from gainproof.verify.judge.exact.free_names import with_tokens
-from gainproof.verify.judge.exact.limits import Undecided
+from gainproof.verify.judge.exact.limits import Nowhere, Undecided
 from gainproof.verify.judge.exact.points import (
     failure_where,
     is_seen,
@@ -107,6 +107,7 @@ def _with_functions(
     as_others: bool,
 ) -> Outcome:
     reasons: list[str] = []
+    stopped: type[Undecided] = Undecided
     tried: list[Outcome] = []
     sums = open_sums(statement)
     ways = [freely] if all(is_total(s.parts[0]) for s in sums) else []
@@ -116,6 +117,8 @@ def _with_functions(
         try:
             return attempt(statement, boxes, parameter, labels)
         except Undecided as reason:
+            # the hypotheses of an induction and of other statements are their own
+            stopped = Nowhere if attempt is freely and isinstance(reason, Nowhere) else stopped
             reasons.append(str(reason))
     # without conditions slopes tell more of a strict relation that is an equality at a point
     exactly = bool(statement.domain)
@@ -147,7 +150,7 @@ def _with_functions(
             if (fails := search(statement, boxes, labels)) is not None:
                 return but_where_they_differ(fails, statement, boxes, parameter, labels, decided)
     if points is None:
-        raise Undecided("; ".join(dict.fromkeys(r for r in reasons if r)))
+        raise stopped("; ".join(dict.fromkeys(r for r in reasons if r)))
     return points
 
 
@@ -171,6 +174,7 @@ def _in_other_variables(
                 domain=domain_text(statement, boxes, labels),
                 method=f"in another variable; {found.method}",
                 certificate=certificate_of(statement, boxes, parameter, labels, found.certificate),
+                region=(),
             )
     return None
 
@@ -201,7 +205,7 @@ def _restated(
             own = domain_text(statement, boxes, labels)
             certificate = certificate_of(statement, boxes, parameter, labels, found.certificate)
             domain = where_valued(own) if VALUED in found.domain else own
-            return replace(found, domain=domain, certificate=certificate)
+            return replace(found, domain=domain, certificate=certificate, region=())
         tried.append(found)
     put = put_in(statement, boxes)
     fails = None if put is None else try_points(put.within, boxes, labels, exactly=True)

@@ -187,10 +187,12 @@ def plain(rel: Rel) -> tuple[Sides | bool, Signs]:
 def _whole_sides(terms: Terms, rest: Terms, signs: Signs) -> tuple[Sides | bool, Signs] | None:
     """What compares n + t and a whole number, as what compares n; None for anything else."""
     pairs = {m: base for m in rest for base, k in m if len(m) == 1 and k == 1}
-    names = {str(base.value).removeprefix(WHOLE).removeprefix(ABOVE) for base in pairs.values()}
+    names = {str(base.value) for base in pairs.values()}
+    text = next((n.removeprefix(WHOLE) for n in names if n.startswith(WHOLE)), None)
     over = terms.get(UNIT, Fraction(0)) / next(iter(rest.values()))
-    alike = len(rest) == len(pairs) == 2 and len(names) == 1 and len(set(rest.values())) == 1
-    if not alike or TURN in terms or over.denominator > 1:
+    # a whole part and what is above it, not the symbol itself of which it is one
+    alike = len(rest) == 2 and names == {f"{WHOLE}{text}", f"{ABOVE}{text}"}
+    if not alike or len(set(rest.values())) != 1 or TURN in terms or over.denominator > 1:
         return None
     if next(iter(rest.values())) < 0:
         signs = frozenset(-sign for sign in signs)

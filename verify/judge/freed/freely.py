@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from contextlib import suppress
 from dataclasses import replace
 from itertools import combinations
 from math import ceil
@@ -10,7 +11,7 @@ from math import ceil
 from gainproof.verify.judge.exact.box import Box
 from gainproof.verify.judge.exact.calculus import substituted
 from gainproof.verify.judge.exact.expression import Expr, number, symbol, symbols_of, walk
-from gainproof.verify.judge.exact.limits import Undecided
+from gainproof.verify.judge.exact.limits import Nowhere, Undecided
 from gainproof.verify.judge.exact.points import (
     try_points,
 )
@@ -63,8 +64,12 @@ def freely(
             refuse_without_value(statement, boxes, parameter, labels)
             exclusions = (*exclusions, VALUED)
     domain = ", ".join([domain_text(statement, boxes, labels), *turned.words, *exclusions])
+    # the words tell of bounds alone: a region of one parameter holds further conditions
     return replace(
-        outcome, method=f"{FREED}; {outcome.method}", domain=domain.removeprefix("everywhere, ")
+        outcome,
+        method=f"{FREED}; {outcome.method}",
+        domain=domain.removeprefix("everywhere, "),
+        region=(),
     )
 
 
@@ -122,13 +127,18 @@ def _settled(
         return found
 
     opened = freed(statement, boxes, is_positive)
-    outcome = proved(opened)
+    outcomes = list[Outcome]()
+    with suppress(Nowhere):
+        outcomes.append(proved(opened))
     if len(opened.whole_turns) > MOST_ANGLES:
         raise Undecided(f"more than {MOST_ANGLES} angles that may be half a turn")
     for count in range(1, len(opened.whole_turns) + 1):
         for turned in combinations(opened.whole_turns, count):
-            proved(freed(statement, boxes, is_positive, frozenset(turned)))
-    return opened, outcome
+            with suppress(Nowhere):
+                outcomes.append(proved(freed(statement, boxes, is_positive, frozenset(turned))))
+    if not outcomes:
+        raise Nowhere
+    return opened, outcomes[0]
 
 
 def refuse_without_value(

@@ -26,6 +26,7 @@ from gainproof.verify.judge.exact.statement import Rel, Statement
 from gainproof.verify.judge.exact.total import is_total
 from gainproof.verify.judge.freed.circle import PI
 from gainproof.verify.judge.freed.domain_parts import ZERO, Holds, Part, opposite
+from gainproof.verify.judge.freed.monomials import monomials
 from gainproof.verify.judge.freed.rewriting import bound_names
 from gainproof.verify.judge.freed.whole_parts import whole_parts
 from gainproof.verify.judge.reader.words import OF_CASES
@@ -156,10 +157,15 @@ def _slopes(part: Part, y: Expr, x: Expr, rise: Expr) -> Iterator[Branch]:
     yield (Rel("<=", x, ZERO), Rel("!=", y, ZERO)), ZERO, ""
     there = (Rel("<=", x, ZERO), Rel("=", y, ZERO))
     yield (*there, Rel("!=", rise, ZERO)), None, "an angle jumps by a whole turn"
-    # where y is 0 to second order the angle may have a slope, and that is what the rules give
+    # where y is 0 to second order the angle may have a slope, and that is what the rules give: this
+    # is asked for on a stated domain, and where nothing but such points is left
     stated = any(part.boxes.get(n, Box()).stated for n in symbols_of(y, x, rise))
-    value = Expr("call", "slope of an angle where y is 0", ()) if stated else ZERO
+    asked = stated or not monomials(y) or part.statement.connective != "if"
+    value = Expr("call", "slope of an angle where y is 0", ()) if asked else ZERO
     yield (*there, Rel("=", rise, ZERO)), value, ""
+    if not asked:
+        # of points without one nothing is said, which has to be told
+        yield (*there, Rel("=", rise, ZERO)), None, "an angle may jump by a whole turn"
 
 
 def _cases(node: Expr) -> Iterator[Branch]:

@@ -48,6 +48,7 @@ from gainproof.verify.judge.exact.statement import (
 from gainproof.verify.judge.exact.survey import Work, survey
 from gainproof.verify.judge.exact.total import divisors
 from gainproof.verify.judge.exact.truth import NO_VALUE
+from gainproof.verify.judge.freed.freely import where_valued
 from gainproof.verify.judge.meaning.derivatives import VARIABLE, Slope
 from gainproof.verify.judge.meaning.sums import powers_put_in
 from gainproof.verify.judge.series.series import ProvingOracle
@@ -270,7 +271,9 @@ class _Derivatives:
             return at
         given = (*statement.given, Rel("!=", place.zero, number(0)))
         apart = self.decided(replace(statement, given=given), boxes, places - 1)
-        if at is None or apart.verdict == "refuted":
+        if at is None:
+            return _told_apart(apart, place)
+        if apart.verdict == "refuted":
             return apart
         if apart.verdict == "conditional":
             if at.verdict == "proved":
@@ -282,7 +285,7 @@ class _Derivatives:
             return replace(apart, domain=domain, reason=reason)
         if at.verdict == "proved":
             # what is told of the one place and of all others, each with its own certificate
-            return replace(
+            whole = replace(
                 apart,
                 domain=self._domain(statement, boxes) or f"{apart.domain}, and {place.text}",
                 method=f"{apart.method}; at {place.text} by the true derivative",
@@ -293,6 +296,7 @@ class _Derivatives:
                     DECIDES: "proved",
                 },
             )
+            return _where_valued(whole) if _Beside in map(type, (apart, at)) else whole
         if at.witness is None:
             return at
         witness = replace(at.witness, point={**place.point, **at.witness.point})
@@ -386,6 +390,26 @@ class _Derivatives:
         except Undecided:
             return ""
         return found.domain if found.verdict == "proved" else ""
+
+
+@dataclass(frozen=True)
+class _Beside(Outcome):
+    """Proved beside places of which nothing is said."""
+
+
+def _where_valued(found: Outcome) -> Outcome:
+    return replace(found, domain=where_valued(found.domain))
+
+
+def _told_apart(apart: Outcome, place: _Place) -> Outcome:
+    """What is proved beside a place of which nothing is said, with words for that where its domain
+    does not speak of it.
+    """
+    if apart.verdict != "proved":
+        return apart
+    is_told = set(place.point) <= set(apart.domain.replace(",", " ").split())
+    beside = _Beside(**vars(apart))
+    return beside if is_told or not apart.domain else _where_valued(beside)
 
 
 def _but(domain: str, statement: Statement, *places: _Place) -> str:

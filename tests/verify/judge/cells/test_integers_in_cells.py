@@ -9,6 +9,7 @@ import pytest
 from gainproof.verify.judge.cells.decision import decide_in_cells
 from gainproof.verify.judge.exact.box import Box
 from gainproof.verify.judge.exact.expression import Expr, number, symbol
+from gainproof.verify.judge.exact.limits import Nowhere
 from gainproof.verify.judge.exact.statement import Outcome, Rel, Statement
 
 k, n, y = symbol("k"), symbol("n"), symbol("y")
@@ -63,3 +64,28 @@ def test_a_failing_integer_is_found(operator: str, left: Expr, box: Box) -> None
     at = Fraction(outcome.witness.point["k"])
     assert at.denominator == 1
     assert box.holds(at)
+
+
+T = Box(Fraction(0), Fraction(1))
+"""What may be above a whole part."""
+
+
+def _with_parts(left: Expr, right: Expr, conditions: tuple[Rel, ...], sides: str) -> Outcome:
+    boxes = {**{m: Box(integer=True) for m in "kn"}, **dict.fromkeys(sides, T)}
+    return decide_in_cells(Statement((Rel(">", left, right),), conditions), boxes)
+
+
+def test_an_integer_for_which_the_conditions_never_hold_says_nothing_of_others() -> None:
+    """n = k where t > s, for all integers; the conditions may leave no k beside one n."""
+    t, s = symbol("t"), symbol("s")
+    found = _with_parts(n, k, (Rel(">", n + t, k + s),), "st")
+    assert found.verdict == "conditional"
+    assert found.witness is not None
+    point = found.witness.point
+    assert point["n"] == point.get("k", "0")
+
+
+def test_conditions_that_hold_for_no_integer_hold_nowhere() -> None:
+    t = symbol("t")
+    with pytest.raises(Nowhere):
+        _with_parts(n, k, (Rel("<", k, n + t), Rel("<", n + t + 3, k)), "t")

@@ -31,3 +31,21 @@ def test_values_decide_where(latex: str, domain: str, verdict: str, where: str) 
     assert found.verdict == verdict, found.reason
     if where:
         assert found.domain == where
+
+
+CONVERGENT = [
+    (r"\int_0^\infty e^{-x/a} dx = a", "-(1 / a) < 0"),
+    (r"a^2 \int_0^\infty e^{-a^2 x} dx = 1", "a^2 > 0"),
+    (r"\int_0^\infty e^{-a^3 x} dx = a^{-3}", "a^3 > 0"),
+    (r"\int_0^\infty e^{-x/(a - 1)} dx = a - 1", "-(1 / (a - 1)) < 0"),
+    (r"\int_0^\infty \frac{1}{a} e^{-x/a} \cos(w x) dx = \frac{1}{1 + w^2 a^2}", "-(1 / a) < 0"),
+    (r"\int_0^\infty e^{-a x} dx = 1/a", "a > 0"),
+]
+
+
+@pytest.mark.parametrize(("latex", "where"), CONVERGENT)
+def test_where_an_integral_converges_is_told(latex: str, where: str) -> None:
+    found = judged("identity", f"latex = '{latex}'", {})
+    assert found.verdict == "proved", found.reason
+    assert found.domain is not None
+    assert where in found.domain

@@ -6,6 +6,10 @@ import pytest
 from jump_claims import claims
 from small_claims import SmallClaim, check, judged
 
+from gainproof.verify.judge.exact.expression import number, symbol
+from gainproof.verify.judge.exact.statement import Rel
+from gainproof.verify.judge.freed.domain_parts import ABOVE, WHOLE, plain
+
 WRAPPED = "x - 2 pi floor((x + pi)/(2 pi))"
 TURNED = "atan2(sin(x), cos(x))"
 REMAINDER = "mod(x + pi, 2 pi) - pi"
@@ -92,6 +96,16 @@ FALSE = [
     ("conditional", _plain("floor(1/x) = floor(1/x)", "-1 < x < 1")),
     ("conditional", _plain("atan2(1/x, y) = atan2(1/x, y)", "-1 < x < 1")),
     ("conditional", _plain("atan2(y, x) = atan2(2 y, 2 x)", "-1 < x < 1")),  # the origin
+    # what is said of whole numbers may hold for no one of them, and yet for others
+    ("refuted", _plain("floor(1/x) = ceil(1/x)")),  # 1 and 2 at x = 2/3
+    ("refuted", _plain("floor(x/y) = ceil(x/y)")),
+    ("refuted", _plain("floor(x y z) = ceil(x y z)")),
+    ("refuted", _plain("mod(x, y) = mod(x, -y)")),  # 1 and -1 at x = 1, y = 2
+    ("refuted", _plain("mod(1/x, 1) + mod(-1/x, 1) = 0")),
+    ("conditional", _plain("floor(x) > floor(y)", "x > y")),  # 0 and 0 at x = 1/2, y = 1/3
+    ("conditional", _plain("floor(x/2) > floor(y/2)", "x > y")),
+    ("conditional", _plain("floor(x) > floor(y) if x > y")),
+    ("conditional", _plain("x > y => floor(x) > floor(y)", kind="implication")),
 ]  # fmt: skip
 SLOPES = [
     ("proved", "diff(atan2(y, x), x) = -y/(x^2 + y^2)", ""),
@@ -103,7 +117,25 @@ SLOPES = [
     ("proved", "diff(atan2(y, x), x) = -y/(x^2 + y^2)", "x < 0 and -1 < y < 1"),
     ("conditional", "diff(atan2(y, x), y) = x/(x^2 + y^2)", "x < 0 and -1 < y < 1"),
     ("conditional", "diff(atan2(y, x), y) = x/(x^2 + y^2)", "-1 < x < 1 and -1 < y < 1"),
+    # from -pi to pi where it passes y = 0 with the slope 0
+    ("undecided", "at(diff(atan2(t^3, -1), t), t, 0) = 0", ""),
+    ("held", "at(diff(atan2(a t^3, b), t), t, 0) = 0", ""),  # has a value where b > 0 alone
+    ("proved", "at(diff(atan2(t^3, 1), t), t, 0) = 0", ""),
 ]
+LACKING = [
+    "diff(atan2(t^3, -1), t) = -3 t^2/(t^6 + 1)",
+    "diff(atan2(t^5, x), t) = 5 x t^4/(x^2 + t^10)",
+    "diff(abs(x), x) = cases(1, x >= 0; -1)",
+    "diff(max(x, 0), x) = cases(1, x > 0; 0)",
+    "diff(min(x, 2), x) = cases(1, x < 2; 0)",
+    "diff(abs(x y), x) = cases(abs(y), x > 0; -abs(y))",
+]
+SMOOTH = [
+    "diff(atan2(t^3, 1), t) = 3 t^2/(t^6 + 1)",
+    "diff(x abs(x), x) = cases(2 x, x > 0; -2 x)",
+    "diff(max(x, 0)^2, x) = cases(2 x, x > 0; 0)",
+]
+"""Functions with jumps whose derivatives have none."""
 BEYOND = [
     _plain("diff(floor(x), x) = 0"),
     _plain("diff(cases(x, x > 0; -x), x) = sign(x)"),
@@ -127,6 +159,16 @@ def test_false(wanted: str, claim: SmallClaim) -> None:
 @pytest.mark.parametrize(("wanted", "formula", "domain"), SLOPES)
 def test_slopes_of_an_angle(wanted: str, formula: str, domain: str) -> None:
     check(_plain(formula, domain).judged(), wanted)
+
+
+@pytest.mark.parametrize(
+    ("formula", "domain"),
+    [*((f, "where every part has a value") for f in LACKING), *((f, "everywhere") for f in SMOOTH)],
+)
+def test_points_without_a_derivative_are_left_out_of_the_domain(formula: str, domain: str) -> None:
+    found = _plain(formula).judged()
+    check(found, "proved")
+    assert found.domain == domain
 
 
 @pytest.mark.parametrize("claim", BEYOND, ids=lambda claim: claim.fields)
@@ -170,3 +212,12 @@ def test_random_claims(seed: int) -> None:
         is_false = claim.false_at is not None or (bool(claim.domain) and claim.lacks)
         wrong = ("proved",) if is_false else ("refuted", "conditional")
         assert found.verdict not in wrong, f"{claim.text}{said}: {found.verdict}, {found.reason}"
+
+
+@pytest.mark.parametrize("letters", [(WHOLE + "x", "x"), (ABOVE + "x", "x")])
+def test_a_symbol_is_not_taken_for_what_is_above_its_own_whole_part(
+    letters: tuple[str, str],
+) -> None:
+    first, second = map(symbol, letters)
+    sides, _ = plain(Rel(">=", first + second, number(3)))
+    assert sides in [(total, number(3)) for total in (first + second, second + first)]
