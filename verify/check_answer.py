@@ -372,12 +372,14 @@ class Algebra:
         return all(fine) or not self.variables(p)
 
     def points(self) -> Iterator[dict[str, Fraction]]:
-        for spread in ((1, 2, 3, 5, 7), (2, 1, 5, 1, 4), (13, 3, 11, 17, 6), (7, 5, 3, 2, 1)):
+        for spread in ((1, 2, 3, 5, 7), (2, 1, 5, 1, 4), (13, 3, 11, 17, 6), (3, 2, 1, 9, 1)):
             point = {}
             for k, (name, (low, _, high, _)) in enumerate(self.boxes.items()):
                 step = Fraction(spread[k % 5] + k // 5)
                 if low is not None and high is not None:
                     point[name] = low + (high - low) * step / (step + 1)
+                elif low is None and high is None:
+                    point[name] = step - Fraction(7, 2)
                 else:
                     point[name] = low + step if low is not None else (high or 0) - step
                 if name in self.whole:
