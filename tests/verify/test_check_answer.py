@@ -531,11 +531,12 @@ MANY = dict.fromkeys("abcdef", PLUS)
 WIDE = [*[["symbol", name] for name in MANY], ["add", 0, 1, 2, 3, 4, 5], ["pow", 6, "60"]]
 CLOSED = [f"v{k}" for k in range(230)]
 ALL_CLOSED = [*[["symbol", name] for name in CLOSED], ["number", "1"], ["add", *range(231)]]
+ODD: list[Any] = [[], {}, None, 1, True, ""]
 HOSTILE: list[Any] = [
     certificate(
         [[ALL_CLOSED, ">", ZERO]], {}, domain={n: ["0", False, "1", False, False] for n in CLOSED}
     ),
-    *[certificate([[[X], odd, [X]]], BOTH) for odd in ([], {}, None, 1, True, "")],
+    *[certificate([[[X], odd, [X]]], BOTH) for odd in ODD],
     certificate([["x", "=", [X]]], BOTH),
     certificate([[[X], "=", [X]]], BOTH, given={"x": 1}),
     certificate([[[X], "=", [X]]], BOTH, letters=[[[], [X]]]),
