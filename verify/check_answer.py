@@ -15,10 +15,12 @@ variables are moved to (0, infinity), or at one point of what has no zero.
 from __future__ import annotations
 
 import json
+import re
 import sys
 from collections.abc import Callable, Iterator, Sequence
 from fractions import Fraction
 from functools import reduce
+from io import TextIOWrapper
 from math import isqrt, lcm
 from operator import or_
 from typing import Any
@@ -29,6 +31,18 @@ MOST_POWER, MOST_DEGREE, MOST_WORK, MOST_BITS = 64, 1000, 3_000_000, 20_000
 FIELD = 16  # bits of an exponent; a monomial is a number, whose lowest field is the degree
 NO_VALUES = "that every part has a value is not shown"
 HOLDS = {"=": (0,), "!=": (1, -1), "<": (-1,), "<=": (-1, 0), ">": (1,), ">=": (1, 0)}
+
+GREEK = (
+    "(?:var)?(?:[Aa]lpha|[Bb]eta|[Gg]amma|[Dd]elta|[Ee]psilon|[Zz]eta|[Ee]ta|[Tt]heta|[Ii]ota|[Kk]appa"
+    "|[Ll]ambda|[Mm]u|[Nn]u|[Xx]i|[Pp]i|[Rr]ho|[Ss]igma|[Tt]au|[Uu]psilon|[Pp]hi|[Cc]hi|[Pp]si|[Oo]mega)"
+)
+SIGN = rf"(?:[A-Za-z0-9]+|\\{GREEK})"
+ACCENT = r"\\(?:hat|bar|tilde|dot|ddot|check|breve|vec|mathrm|mathbf|mathcal|text|ell)"
+PLAIN = re.compile(
+    rf"(?:[A-Za-z][A-Za-z0-9]*|\\{GREEK}|{ACCENT}(?:{{{SIGN}}})?)'*"
+    rf"(?:_(?:{SIGN}|{{(?:{SIGN}|[,_])+}}))*'*(?:\[[0-9],[0-9]\])?"
+)
+ENTRY = re.compile(r"[PKSX]\[[0-9]+,[0-9]+\]")  # what a model gives a meaning to
 
 Poly = dict[int, Any]  # monomial -> whole number or fraction, not 0
 Ball = tuple[int, int]  # ends in units of 2^-bits
@@ -124,6 +138,7 @@ class Algebra:
     def __init__(self, unit: int) -> None:
         self.unit, self.work = unit, 0
         self.boxes: dict[str, Box] = {}
+        self.whole: set[str] = set()
         self.letters: list[tuple[str, Any, Poly]] = []
         self.places: dict[Any, int] = {}
         self.meaning: dict[str, Poly] = {}
@@ -196,6 +211,8 @@ class Algebra:
     def letter(self, kind: str, detail: Any, p: Poly) -> Poly:
         key = kind, detail, frozenset(p.items())
         if key not in self.places:
+            if kind == "sin":
+                self.letter("cos", None, p)  # of which its square is made
             require(len(self.letters) < MOST_LETTERS, f"more than {MOST_LETTERS} letters")
             self.places[key] = len(self.letters)
             self.letters.append((kind, detail, p))
@@ -355,14 +372,18 @@ class Algebra:
         return all(fine) or not self.variables(p)
 
     def points(self) -> Iterator[dict[str, Fraction]]:
-        for spread in ((1, 2, 3, 5, 7), (2, 1, 5, 1, 4), (13, 3, 11, 17, 6)):
+        for spread in ((1, 2, 3, 5, 7), (2, 1, 5, 1, 4), (13, 3, 11, 17, 6), (3, 2, 1, 9, 1)):
             point = {}
             for k, (name, (low, _, high, _)) in enumerate(self.boxes.items()):
                 step = Fraction(spread[k % 5] + k // 5)
                 if low is not None and high is not None:
                     point[name] = low + (high - low) * step / (step + 1)
+                elif low is None and high is None:
+                    point[name] = step - Fraction(7, 2)
                 else:
                     point[name] = low + step if low is not None else (high or 0) - step
+                if name in self.whole:
+                    point[name] = Fraction(point[name] // 1)
             yield point
 
     def seen(self, p: Poly) -> int:
@@ -451,6 +472,7 @@ class Algebra:
         """The sign that all coefficients have once variables are moved to (0, infinity), and that
         it has on closed ends; of polynomials in one variable the interval is halved where needed.
         """
+        self.spend(len(p) * (1 + len(self.letters) // 8))
         for k, (kind, name, _) in enumerate(self.letters):
             low, low_open, high, high_open = boxes[name] if kind == "variable" else POSITIVE
             unsaid = low is None and high is None
@@ -541,16 +563,27 @@ class Algebra:
         )
 
     def has_a_value(self) -> bool:
-        """Whether all letters have a value at one of the points."""
+        """Whether all letters have a value at one of the points, which lies in the domain."""
         for bits, point in ((b, p) for b in (128, 512, 2048) for p in self.points()):
             try:
                 known: dict[int, Ball] = {}
                 for k in range(len(self.letters)):
                     known[k] = self.letter_value(k, point, bits, known)
+                if all(self.inside(name, point, bits, known) for name in self.boxes):
+                    return True
             except ArithmeticError:
                 continue
-            return True
         return False
+
+    def inside(self, name: str, point: dict[str, Fraction], bits: int, known: Any) -> bool:
+        """Whether what a variable equals lies in its interval at a point."""
+        own = {power_of(self.places["variable", name, frozenset()]): 1}
+        low, high = self.value(self.meaning.get(name, own), point, bits, known)
+        bottom, bottom_out, top, top_out = self.boxes[name]
+        above = bottom is None or low >= enclosed(bottom, bits)[1] + bottom_out
+        below = top is None or high <= enclosed(top, bits)[0] - top_out
+        whole = name not in self.whole or (low == high and not low % (1 << bits))
+        return above and below and whole
 
 
 class Certificate:
@@ -580,6 +613,8 @@ class Certificate:
         needed = [algebra.read(graph)[1] for graph in self.part("needed", list)]
         require(formula, "nothing is claimed")
         say(f"{'formula as typed:':<22}{harmless(self.part('typed', str))}")
+        if self.data.get("convention") is not None:
+            say(f"{'convention:':<22}{harmless(self.part('convention', str))}")
         for title, lines in (
             ("formula as checked", [text for _, _, text in formula]),
             ("model", model),
@@ -607,7 +642,8 @@ class Certificate:
 
     def relation(self, entry: Any) -> tuple[Poly, str, str]:
         """Left minus right, the operator, and the text."""
-        require(isinstance(entry, list) and len(entry) == 3 and entry[1] in HOLDS, "no relation")
+        require(isinstance(entry, list) and len(entry) == 3, "no relation")
+        require(isinstance(entry[1], str) and entry[1] in HOLDS, "no relation")
         (left, first), (right, second) = self.algebra.read(entry[0]), self.algebra.read(entry[2])
         return plus(left, right, -1), entry[1], f"{first} {entry[1]} {second}"
 
@@ -629,11 +665,12 @@ class Certificate:
         algebra, told = self.algebra, []
         point = self.part("point", dict) if self.refutes else {}
         for name, box in self.part("domain", dict).items():
-            require(0 < len(name) <= 200 and isinstance(box, list) and len(box) == 5, "no interval")
+            require(isinstance(box, list) and len(box) == 5, "no interval")
             low, high = (None if end is None else rational(end) for end in (box[0], box[2]))
             require(low is None or high is None or low <= high, "an interval turned round")
             algebra.boxes[name] = low, box[1] is True, high, box[3] is True
-            algebra.meaning[name] = algebra.letter("variable", name, {})
+            algebra.whole |= {name} if box[4] is True else set()
+            self.define(name, algebra.letter("variable", name, {}))
             told.append(interval(name, algebra.boxes[name], box[4] is True))
             if self.refutes:
                 value = rational(point.get(name))
@@ -694,13 +731,15 @@ class Certificate:
         told = []
         for entry in self.part("letters", list):
             fine = isinstance(entry, list) and len(entry) == 2 and isinstance(entry[0], str)
-            require(fine and 0 < len(entry[0]) <= 200, "no letter")
+            require(fine, "no letter")
             value, text = self.algebra.read(entry[1])
             self.define(entry[0], value)
             told.append(f"{named(entry[0])} stands for {text}")
         return told
 
-    def define(self, name: str, value: Poly) -> None:
+    def define(self, name: str, value: Poly, of_model: str = "") -> None:
+        require(0 < len(name) <= 200, "a name that is too long, or none")
+        require(of_model or not ENTRY.fullmatch(name), f"{name} is said without a model")
         require(name not in self.algebra.meaning, f"{harmless(name)[:60]} is said twice")
         self.algebra.meaning[name] = value
 
@@ -728,19 +767,23 @@ class Certificate:
         zero += [self.sum(a, turned(a), -1) for a in (p, q, r)]
         vanish = all(self.algebra.vanishes(e) for a in zero for row in a for e in row)
         require(vanish, "the Riccati equation or the gain is not shown")
-        require(self.algebra.sign(s[0][0]) > 0, "that H P H' + R is positive is not shown")
+        require(self.shown(r[0][0], ">"), "that R is positive is not shown")
+        for chosen in range(1, 1 << n):
+            which = [i for i in range(n) if chosen >> i & 1]
+            minor = self.determinant([[q[i][j] for j in which] for i in which])
+            require(self.shown(minor, ">="), "that Q is a covariance is not shown")
         loop = self.sum(f, self.product(f, self.product(k, h)), -1)
         stable = all(self.algebra.sign(e) > 0 for e in self.stability(loop))
         require(stable, "that F - F K H is stable is not shown")
         for name, a in (("P", p), ("K", k), ("S", s), ("X", x)):
             for i, row in enumerate(a):
                 for j, value in enumerate(row):
-                    self.define(f"{name}[{i + 1},{j + 1}]", value)
+                    self.define(f"{name}[{i + 1},{j + 1}]", value, name)
         return [
             "state F x + noise of covariance Q, measured H x + noise of covariance R",
             *told,
             "S = H P H' + R, X = P - K H P; shown too: K S = P H', P = F X F' + Q",
-            "shown too: F - F K H is stable with this P, and so with no other solution",
+            "shown too: Q >= 0, R > 0; F - F K H is stable with this P, and no other, so P >= 0",
         ]
 
     def stability(self, a: Matrix) -> list[Poly]:
@@ -772,6 +815,13 @@ class Certificate:
             sums.append(plus(plus(ONE, found[2], -1), last, -1))
         return sums
 
+    def determinant(self, a: Matrix) -> Poly:
+        total: Poly = {} if a else ONE
+        for j, x in enumerate(a[0] if a else ()):
+            rest = [[*row[:j], *row[j + 1 :]] for row in a[1:]]
+            total = plus(total, self.algebra.times(x, self.determinant(rest)), (-1) ** j)
+        return total
+
     def product(self, a: Matrix, b: Matrix) -> Matrix:
         def entry(row: Sequence[Poly], column: Sequence[Poly]) -> Poly:
             total: Poly = {}
@@ -799,17 +849,17 @@ def interval(name: str, box: Box, whole: bool) -> str:
 
 def named(name: str) -> str:
     """A name, in quotes where it could be taken for a formula."""
-    signs = "\\_{}'.,[]"
-    plain = name.isascii() and all(c.isalnum() or c in signs for c in name)
-    return name if plain and (name[0] == "\\" or name[0].isalpha()) else f'"{ascii(name)[1:-1]}"'
+    return name if PLAIN.fullmatch(name) else json.dumps(name)
 
 
 def harmless(text: str) -> str:
-    return "".join(c if c.isprintable() else "?" for c in text)[:4000]
+    return "".join(c if c.isprintable() else "?" for c in " ".join(text.split()))[:4000]
 
 
 def main(arguments: Sequence[str]) -> int:
     """0 if the certificate shows what it says, else 1."""
+    if isinstance(sys.stdout, TextIOWrapper):
+        sys.stdout.reconfigure(errors="backslashreplace")  # of a terminal that knows ASCII alone
     try:
         require(len(arguments) == 1, "wanted: the file of one certificate")
         with open(arguments[0], "rb") as file:
@@ -820,7 +870,7 @@ def main(arguments: Sequence[str]) -> int:
     except Rejected as reason:
         print(f"REJECTED: {harmless(str(reason))[:500]}")
         return 1
-    except (OSError, ValueError, RecursionError, MemoryError) as error:
+    except Exception as error:  # noqa: BLE001  whatever is wrong with it, it shows nothing
         print(f"REJECTED: not read: {type(error).__name__}: {harmless(str(error))[:200]}")
         return 1
     print("refuted" if certificate.refutes else "proved")

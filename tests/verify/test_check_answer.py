@@ -219,6 +219,71 @@ def test_of_two_solutions_only_the_stable_one_is_the_filter(
         assert rejected({**stated, "model": other}) is not None
 
 
+def scalars(*rows: str) -> list[Any]:
+    """A matrix of numbers, each row as words."""
+    return [[[["number", word]] for word in row.split()] for row in rows]
+
+
+def times_state(n: int, number: str) -> list[Any]:
+    return scalars(*(" ".join(number if i == j else "0" for j in range(n)) for i in range(n)))
+
+
+@pytest.mark.parametrize(
+    ("q", "r", "accepted"),
+    [
+        (["3"], "1", True),
+        (["0"], "1", True),
+        (["-3"], "1", False),
+        (["3"], "0", False),
+        (["3"], "-1", False),
+        (["1 1", "1 1"], "2", True),
+        (["0 1", "1 0"], "2", False),
+        (["1 2", "2 1"], "2", False),
+        (["0 0", "0 -1"], "2", False),
+        (["2 1 1", "1 2 1", "1 1 2"], "1", True),
+        (["2 -2 -2", "-2 2 -2", "-2 -2 2"], "1", False),  # only the whole determinant tells
+    ],
+)
+def test_noise_has_a_covariance(q: list[str], r: str, accepted: bool) -> None:
+    # F = 1/2 and H = 0: K = 0 and P = P/4 + Q solve all equations whatever Q and R are
+    n = len(q)
+    p = [" ".join(str(Fraction(4, 3) * Fraction(w)) for w in row.split()) for row in q]
+    model = {"F": times_state(n, "1/2"), "H": scalars(" ".join("0" * n)), "Q": scalars(*q)}
+    model |= {"R": scalars(r), "P": scalars(*p), "K": scalars(*("0" * n))}
+    entry = [["symbol", "P[1,1]"]]
+    stated = certificate([[entry, "=", scalars(p[0])[0][0]]], {}, model=model)
+    assert (rejected(stated) is None) == accepted
+
+
+@pytest.mark.parametrize(
+    ("box", "given", "empty"),
+    [
+        (["0", True, "1", True, False], [[X], "=", [["number", "5"]]], True),
+        (["0", True, "1", True, False], [[X], ">", [["number", "5"]]], True),
+        (["0", True, "1", True, False], [[X], "=", [["number", "1"]]], True),
+        (["0", True, "1", False, False], [[X], "=", [["number", "1"]]], False),
+        (["0", True, None, True, False], [[X], "<", [["number", "-1"]]], True),
+        (["0", True, None, True, True], [[X], "=", [["number", "5/2"]]], True),
+        (["0", True, None, True, True], [[X], "=", [["number", "4"]]], False),
+        (["1/3", True, "2/3", True, True], None, True),
+        (["1/3", True, "5/3", True, True], None, False),
+        (["0", True, "1", True, True], None, True),
+        (["5/2", False, "7/2", True, True], None, False),
+    ],
+)
+def test_nothing_is_shown_of_no_number(box: list[Any], given: Any, empty: bool) -> None:
+    stated = certificate([[[X], "=", [X]]], {}, domain={"x": box}, given=[given] if given else [])
+    assert (rejected(stated) is not None) == empty
+
+
+def test_the_square_of_a_sine_whose_angle_is_said_in_other_letters() -> None:
+    sine = [Y, ["call", "sin", 0]]
+    given = [[[X], "=", sine], [[Y], "=", [["symbol", "z"]]]]
+    stated = certificate([[SQUARE, "<=", ONE]], {"x": ANY, "y": ANY, "z": ANY}, given=given)
+    assert rejected({**stated, "relations": [[SQUARE, "=", SQUARE]]}) is None
+    assert rejected({**stated, "relations": [[SQUARE, ">", ONE]]}) is not None
+
+
 @pytest.mark.parametrize("size", [1, 2, 3])
 def test_stability_is_that_of_the_eigenvalues(size: int) -> None:
     source, met = random.Random(size), set[bool]()
@@ -464,7 +529,19 @@ ANGLES: list[Any] = [["number", "39"], *[["call", "exp", 0], ["call", "exp", 1]]
 BOTH = {"x": PLUS, "y": PLUS}
 MANY = dict.fromkeys("abcdef", PLUS)
 WIDE = [*[["symbol", name] for name in MANY], ["add", 0, 1, 2, 3, 4, 5], ["pow", 6, "60"]]
+CLOSED = [f"v{k}" for k in range(230)]
+ALL_CLOSED = [*[["symbol", name] for name in CLOSED], ["number", "1"], ["add", *range(231)]]
+ODD: list[Any] = [[], {}, None, 1, True, ""]
 HOSTILE: list[Any] = [
+    certificate(
+        [[ALL_CLOSED, ">", ZERO]], {}, domain={n: ["0", False, "1", False, False] for n in CLOSED}
+    ),
+    *[certificate([[[X], odd, [X]]], BOTH) for odd in ODD],
+    certificate([["x", "=", [X]]], BOTH),
+    certificate([[[X], "=", [X]]], BOTH, given={"x": 1}),
+    certificate([[[X], "=", [X]]], BOTH, letters=[[[], [X]]]),
+    certificate([[[["symbol", "P[1,1]"]], "=", ONE]], {}, letters=[["P[1,1]", ONE]]),
+    certificate([[[["symbol", "K[2,1]"]], "=", [["symbol", "K[2,1]"]]]], {"K[2,1]": ANY}),
     certificate([[WIDE, ">", ZERO]], MANY),
     "",
     "[]",
@@ -526,3 +603,50 @@ def test_names_cannot_pass_for_formulas(tmp_path: Path, capsys: pytest.CaptureFi
     data = certificate([[[["symbol", name]], "=", [["symbol", name]]]], {name: ANY})
     _, lines = run(tmp_path / "one.json", data, capsys)
     assert any('"1 + 1 = 3; \\u0430" = "1 + 1 = 3; \\u0430"' in line for line in lines)
+
+
+@pytest.mark.parametrize(
+    ("name", "plain"),
+    [
+        (r"\frac{1}{2}", False),
+        (r"a\le{}b", False),
+        (r"\alpha\beta", False),
+        ('x" + 1 = "x', False),
+        ("x_1, a real number", False),
+        ("2", False),
+        ("#1", False),
+        (r"\sqrt{x}", False),
+        (r"\alpha", True),
+        (r"\hat{P}_{11}", True),
+        (r"\sigma_{v}", True),
+        (r"\tilde\Gamma_{13}'", False),
+        (r"\dot{\theta}_\mu", True),
+        ("sampling_interval", True),
+        ("T'", True),
+    ],
+)
+def test_a_name_that_reads_as_a_formula_is_quoted(name: str, plain: bool) -> None:
+    shown = check_answer.named(name)
+    assert (shown == name) == plain
+    assert plain or (shown[0] == shown[-1] == '"' and json.loads(shown) == name)
+
+
+def test_what_was_typed_stays_in_its_line(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    typed = "x = y" + 75 * " " + "\nformula as checked:   x = y"
+    _, lines = run(tmp_path / "one.json", certificate([[[X], "=", [X]]], BOTH, typed=typed), capsys)
+    assert lines[0] == "formula as typed:     x = y formula as checked: x = y"
+
+
+def test_a_terminal_that_knows_ascii_alone(tmp_path: Path) -> None:
+    (tmp_path / "one.json").write_text(
+        json.dumps(certificate([[[X], "=", [X]]], BOTH, typed="\u03b1"))
+    )
+    command = [sys.executable, "-X", "utf8=0", str(FILE), "one.json"]
+    environment = {"PYTHONIOENCODING": "ascii"}
+    done = subprocess.run(
+        command, cwd=tmp_path, env=environment, capture_output=True, text=True, check=True
+    )
+    assert "\\u03b1" in done.stdout
+    assert done.stdout.splitlines()[-1] == "proved"

@@ -17,7 +17,7 @@ from gainproof.verify import check_answer
 from gainproof.verify.judge.exact.box import Box
 from gainproof.verify.judge.exact.calculus import rebuilt
 from gainproof.verify.judge.exact.certificate import boxes_from, statement_from
-from gainproof.verify.judge.exact.expression import Expr, symbol, symbols_of
+from gainproof.verify.judge.exact.expression import Expr, symbol, symbols_of, walk
 from gainproof.verify.judge.exact.graph import read_graph
 from gainproof.verify.judge.exact.graph_writing import graph_of
 from gainproof.verify.judge.exact.limits import Malformed
@@ -70,7 +70,7 @@ def rejected(certificate: Mapping[str, Any]) -> str | None:
     """Why the file does not accept it; None if it does."""
     try:
         check_answer.Certificate(certificate).decide(lambda _: None)
-    except (check_answer.Rejected, RecursionError) as reason:
+    except Exception as reason:  # noqa: BLE001  as in the file itself
         return str(reason)
     return None
 
@@ -82,7 +82,8 @@ def _candidates(
     statement, boxes, _, labels = statement_from(data)
     if statement.connective != "if":
         raise Malformed("an equivalence or implication")
-    meanings = {t: read_graph(graph) for t, graph in evidence.get("quantities", {}).items()}
+    graphs = {**evidence.get("other symbols", {}), **evidence.get("quantities", {})}
+    meanings = {t: read_graph(graph) for t, graph in graphs.items()}
     tokens = {e.key: symbol(t) for t, e in meanings.items() if e.kind not in ("symbol", "number")}
 
     def in_tokens(expr: Expr) -> Expr:
@@ -105,7 +106,25 @@ def _candidates(
     needed = [in_tokens(expr) for expr in statement.needed]
     used = symbols_of(*needed, *(side for r in relations for side in (r.left, r.right)))
     letters = {**meanings, **{t: read_graph(g) for t, g in evidence.get("letters", {}).items()}}
-    letters = {token: expr for token, expr in letters.items() if token in used}
+    # symbols that stand for the same are one letter in the formula, and a line each
+    keys = {meanings.get(name, symbol(name)).key for name in used}
+    used |= {token for token, expr in meanings.items() if expr.key in keys}
+    others = evidence.get("other symbols", ())
+    used |= {token for token in others if symbols_of(meanings[token]) <= {*boxes}}
+    letters = {
+        token: expr
+        for token, expr in letters.items()
+        if token in used and labels.get(str(expr.value), expr.value) != token
+    }
+    for token in evidence.get("of the filter", ()):
+        if token not in used:
+            raise NoCertificateError(f"{token} of the filter is not kept in the statement")
+        if not any(OF_MODEL.fullmatch(name) for name in symbols_of(letters[token])):
+            raise NoCertificateError(f"that {token} is of the filter is not kept")
+    of_filter = {meanings[token].key for token in evidence.get("of the filter", ())}
+    sides = [side for r in statement.domain for side in (r.left, r.right)]
+    if any(node.key in of_filter for node in walk(*sides)):
+        raise NoCertificateError("a condition on quantities of the filter")
     model: dict[str, list[list[Expr]]] = {}
     if any(OF_MODEL.fullmatch(name) for name in symbols_of(*letters.values())):
         model = {
@@ -120,6 +139,7 @@ def _candidates(
         "format": check_answer.FORMAT,
         "verdict": "refuted" if claim["verdict"] == "refuted" else "proved",
         "typed": claim["latex"] or str(claim["id"]),
+        "convention": claim["convention"],
         "domain": {labels.get(name, name): _interval(box) for name, box in boxes.items()},
         "given": [relation(_turned(r)) for r in statement.domain],
         "model": {n: [[told(e) for e in row] for row in rows] for n, rows in model.items()} or None,
@@ -134,7 +154,7 @@ def _candidates(
         return
     functions = {
         n[1] for r in base["relations"] for side in (r[0], r[2]) for n in side if n[0] == "call"
-    }
+    } | {n[1] for _, graph in base["letters"] for n in graph if n[0] == "call"}
     for unit in UNITS if functions else UNITS[:1]:
         for everywhere in (True, False):
             yield {**base, "unit": unit, "everywhere": everywhere}

@@ -14,6 +14,7 @@ from gainproof.verify.judge.exact.limits import Malformed, Undecided
 from gainproof.verify.judge.exact.points import try_points
 from gainproof.verify.judge.exact.statement import ALLOWED, Statement
 from gainproof.verify.judge.formula import Reading
+from gainproof.verify.judge.kinds.catalogue import symbols_data
 from gainproof.verify.judge.repair.points import generic_points
 from gainproof.verify.judge.repair.printed import printed
 from gainproof.verify.judge.repair.values import Values, truth
@@ -79,4 +80,4 @@ def _refuted(
         return None
     own = {name: box for name, box in boxes.items() if name in statement.symbols()}
     asked = statement_data(statement, own, environment.parameter, labels)
-    return replace(finding_of(outcome), certificate={"asked": asked})
+    return replace(finding_of(outcome), certificate={"asked": asked, **symbols_data(scope)})

@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Callable
 from dataclasses import dataclass, replace
+from typing import Any
 
 from gainproof.verify.judge.claim.record import Claim
 from gainproof.verify.judge.exact.expression import Expr
@@ -26,7 +28,7 @@ from gainproof.verify.judge.kinds.stability import judge_stability
 from gainproof.verify.judge.kinds.steady_state import judge_steady_state
 from gainproof.verify.judge.kinds.value import judge_value
 from gainproof.verify.judge.scope import Scope
-from gainproof.verify.judge.setting.quantities import model_data
+from gainproof.verify.judge.setting.quantities import common_quantities, model_data
 from gainproof.verify.judge.verdict import Finding
 
 Judge = Callable[[Claim, Reading, Scope], Finding]
@@ -68,20 +70,46 @@ def judge_reading(claim: Claim, reading: Reading | None, scope: Scope) -> Findin
     Raises Undecided, UndefinedSymbol, Malformed.
     """
     finding = _kind(claim, reading).judge(claim, reading or NO_FORMULA, scope)
-    meanings = {
+    if finding.certificate:
+        finding = replace(finding, certificate={**finding.certificate, **symbols_data(scope)})
+    meanings = _meanings(scope)
+    if meanings and finding.witness is not None:
+        finding = replace(finding, witness=with_values(finding.witness, meanings, scope.labels()))
+    return finding
+
+
+def symbols_data(scope: Scope) -> dict[str, Any]:
+    """What the symbols met so far stand for, as plain data of a certificate."""
+    meanings, environment = _meanings(scope), scope.environment
+    used = {token: value for token, value in scope.used.items() if isinstance(value, Expr)}
+    several = Counter(value.key for value in used.values())
+    found: dict[str, Any] = {}
+    if meanings:
+        parameters = {expr.key for expr in common_quantities().values()}
+        found["quantities"] = {token: graph_of(expr) for token, expr in meanings.items()}
+        found |= model_data(environment, meanings)
+        found["of the filter"] = [
+            token
+            for token, expr in meanings.items()
+            if token not in environment.assigned and expr.key not in parameters
+        ]
+    others = {
+        token: graph_of(value)
+        for token, value in used.items()
+        if token not in meanings and (value.kind != "symbol" or several[value.key] > 1)
+    }
+    return {**found, "other symbols": others} if others else found
+
+
+def _meanings(scope: Scope) -> dict[str, Expr]:
+    """The quantities of the setting that are no variables."""
+    return {
         token: value
         for token, value in scope.used.items()
         if isinstance(value, Expr)
         and value.kind != "symbol"
         and (scope.setting.symbols[token].role == "quantity" or token in scope.environment.assigned)
     }
-    if meanings and finding.certificate:
-        graphs = {token: graph_of(expr) for token, expr in meanings.items()}
-        more = {"quantities": graphs, **model_data(scope.environment, meanings)}
-        finding = replace(finding, certificate={**finding.certificate, **more})
-    if meanings and finding.witness is not None:
-        finding = replace(finding, witness=with_values(finding.witness, meanings, scope.labels()))
-    return finding
 
 
 def _kind(claim: Claim, reading: Reading | None) -> Kind:

@@ -143,6 +143,10 @@ def _by_ball(
     at = substituted(exact, {n: number(v) for n, v in used.items()})
     asked = statement_data(Statement(shown.bounds(at)), {}, None, {})
     certificate = {"checked": "replayed", "engine": "balls", "statement": asked}
+    whole = Statement(shown.bounds(exact), frame.conditions)
+    if whole.conditions:
+        own = {name: box for name, box in frame.boxes.items() if name in whole.symbols()}
+        certificate["asked"] = statement_data(whole, own, frame.parameter, frame.labels)
     if above > 0 and below > 0:
         certificate |= {"point": where, "value": value.to_json(), "interval": shown.text()}
         reason = f"the exact value {value.midpoint} lies in the interval of the digits shown"

@@ -118,11 +118,13 @@ def model_data(environment: Environment, meanings: Mapping[str, Expr]) -> dict[s
         return {}
     quantities, size = environment.quantities, len(environment.model["F"])
     known = {quantities["innovation_variance"].key: symbol("S[1,1]")}
-    for i in range(size):
-        column = symbol(f"K[{i + 1},1]")
-        unit = environment.model["units"][0][i]
-        gain = mul(column, unit) if i else column
+    columns = [symbol(f"K[{i + 1},1]") for i in range(size)]
+    for i, unit in enumerate(environment.model["units"][0]):
+        gain = mul(columns[i], unit) if i else columns[i]
         known[quantities[f"filter_gain.{i + 1}"].key] = gain
+        row = environment.model["F"][i]
+        moved = add(*(mul(f, k) for f, k in zip(row, columns, strict=True)), number(0))
+        known.setdefault(quantities[f"predictor_gain.{i + 1}"].key, mul(moved, unit))
         for j in range(size):
             for name, which in (("P", "predicted"), ("X", "updated")):
                 entry = quantities[f"{which}_covariance.{i + 1}.{j + 1}"]
