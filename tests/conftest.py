@@ -9,6 +9,7 @@ from collections.abc import Iterator
 from functools import cache
 
 import kept_processes
+import one_of_each
 import pytest
 import samples
 from catalogue_subjects import prepare_all
@@ -47,7 +48,11 @@ def pytest_configure(config: pytest.Config) -> None:
 
 @pytest.hookimpl(tryfirst=True)
 def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item]) -> None:
-    """Under `-m thorough` whatever draws samples is asked again, now with the larger ones."""
+    """Of cases that are `alike` all but a few are thorough; under `-m thorough` whatever draws
+    samples is asked again, now with the larger ones.
+    """
+    for item in one_of_each.beyond_a_few(items):
+        item.add_marker(pytest.mark.thorough)
     if samples.thorough(config.getoption("-m") or ""):
         for item in filter(samples.draws, items):
             item.add_marker(pytest.mark.thorough)

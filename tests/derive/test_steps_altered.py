@@ -152,6 +152,7 @@ def _shift_value(claim: dict[str, Any], field: str) -> None:
         _shift(claim[field])
 
 
+@pytest.mark.alike
 @pytest.mark.parametrize("name", PROVED)
 def test_every_step_is_proved(name: str) -> None:
     found = report(name)
@@ -161,6 +162,7 @@ def test_every_step_is_proved(name: str) -> None:
     assert list(statuses.values()).count("proved") >= 12
 
 
+@pytest.mark.alike
 @pytest.mark.parametrize("name", NAMES)
 def test_every_altered_step_fails_alone(name: str) -> None:
     """Each on its own in the derivation as it was, whose towers and programs are read once."""
@@ -178,6 +180,7 @@ def test_every_altered_step_fails_alone(name: str) -> None:
             assert "terms are left over" in result.reason, statement.id
 
 
+@pytest.mark.alike
 @pytest.mark.parametrize("name", NAMES)
 def test_altered_steps_fail_and_only_they(name: str) -> None:
     """Every second step altered: these fail, and of the others each is what it was."""

@@ -80,6 +80,7 @@ TRUE: list[Any] = [
 ]
 
 
+@pytest.mark.alike
 @pytest.mark.parametrize(("formula", "said", "convention"), TRUE)
 def test_what_is_true_is_proved(
     judge: Judge, formula: str, said: Mapping[str, Any], convention: str
@@ -110,6 +111,7 @@ FALSE: list[Any] = [
 ]
 
 
+@pytest.mark.alike
 @pytest.mark.parametrize(("formula", "said"), FALSE)
 def test_what_is_false_is_never_proved(judge: Judge, formula: str, said: Mapping[str, Any]) -> None:
     found = judge.ask(formula, **said)

@@ -148,6 +148,7 @@ def test_a_claim_that_cannot_be_decided_has_status_1(tmp_path: Path, capsys: Cap
     assert entry["reason"]
 
 
+@pytest.mark.alike
 @pytest.mark.parametrize(
     ("text", "wanted"),
     [

@@ -45,6 +45,7 @@ def process_noise(name: str, t: float, s: float) -> NDArray[np.float64]:
 EVERY = [(noise, states) for noise, kind in NOISES.items() for states in kind.models]
 
 
+@pytest.mark.alike
 @pytest.mark.parametrize(("noise", "states"), EVERY)
 @pytest.mark.parametrize(("t", "sigma", "s"), [(2.0, 50.0, 5.0), (0.1, 3.0, 7.0)])
 def test_gains_and_covariances_are_those_of_the_riccati_equation(

@@ -159,6 +159,7 @@ def test_ids_are_unique_and_plain() -> None:
     assert ids == ["line-1", "2", "2-2"]
 
 
+@pytest.mark.alike
 @pytest.mark.parametrize(
     "text",
     [
@@ -355,6 +356,7 @@ def test_cases_are_one_claim() -> None:
     assert claim["latex"].startswith(r"f = \begin{cases} a & x > 0 \\ b, &")
 
 
+@pytest.mark.alike
 @pytest.mark.parametrize(
     "text",
     [

@@ -81,6 +81,7 @@ ALIKE = ("patent-figure-9", "patent-comparison", "doppler-monte-carlo", "doppler
 """Tables of runs like another one, or of runs by the thousand that another test looks at."""
 
 
+@pytest.mark.alike
 @pytest.mark.parametrize(
     "entry",
     [

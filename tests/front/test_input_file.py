@@ -43,6 +43,7 @@ def folder(path: Path) -> None:
     path.mkdir()
 
 
+@pytest.mark.alike
 @pytest.mark.parametrize("make", [pipe, endless, folder])
 @pytest.mark.parametrize("command", READERS, ids=lambda words: f"{words[0]} {words[-1]}")
 def test_what_is_no_file_is_refused_before_it_is_read(

@@ -185,6 +185,7 @@ def test_the_picture(folder: Path, ending: str, capsys: Capture) -> None:
     assert (folder / name).read_bytes() == first
 
 
+@pytest.mark.alike
 @pytest.mark.usefixtures("folder")
 @pytest.mark.parametrize(
     ("observed", "given", "message"),

@@ -67,6 +67,7 @@ def spans(error: UnobservableError, wanted: list[list[float]]) -> bool:
     return int(np.linalg.matrix_rank(both, 1e-6)) == len(named) == len(wanted)
 
 
+@pytest.mark.alike
 @pytest.mark.parametrize("method", ALL)
 def test_stations_on_a_line_with_the_target_on_it(method: str) -> None:
     error = unobserved(seen(LINE, [5e3, 0], [100, 50]), method)

@@ -38,6 +38,7 @@ def changed(name: str) -> tuple[Stations, Observations]:
     return given, observations(given, values[:9], values[9:], covariance)
 
 
+@pytest.mark.alike
 @pytest.mark.parametrize(
     ("method", "name"),
     one_of_each.cases(

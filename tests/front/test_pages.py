@@ -32,6 +32,7 @@ def test_there_is_a_page() -> None:
     assert "check-a-formula.md" in [page.name for page in PAGES]
 
 
+@pytest.mark.alike
 @pytest.mark.usefixtures("all_derived")
 @pytest.mark.skipif(os.name != "posix", reason="the pages use a POSIX shell")
 @pytest.mark.parametrize(

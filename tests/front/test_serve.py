@@ -81,6 +81,7 @@ def test_tools_answer_as_the_commands_do(tmp_path: Path) -> None:
     assert {"random-velocity", "least-squares-line"} <= {s["name"] for s in listed["subjects"]}
 
 
+@pytest.mark.alike
 @pytest.mark.parametrize(
     ("call", "message"),
     [

@@ -85,6 +85,7 @@ FIRST, SECOND = CASES[0]
 ONE_OF_EACH = [case for case in CASES if case[0] == FIRST or case[1] == SECOND]
 
 
+@pytest.mark.alike
 @pytest.mark.parametrize(("setting", "process_noise"), cases(CASES, ONE_OF_EACH.__contains__))
 def test_sample_covariance_is_that_of_the_kernels(setting: str, process_noise: str) -> None:
     found = steady_state(*SETTINGS[setting], process_noise)

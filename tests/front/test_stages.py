@@ -145,6 +145,7 @@ def _changed(
     assert ["5" in each for each in found] == [False, True]
 
 
+@pytest.mark.alike
 @pytest.mark.parametrize("name", SURROUNDINGS)
 def test_what_an_own_file_makes_of_its_surroundings_belongs_to_it(
     name: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch

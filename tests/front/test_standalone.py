@@ -79,6 +79,7 @@ def test_its_tests_pass_under_another_name_where_gainproof_cannot_be_imported(
     assert not list(moved.rglob("__pycache__"))
 
 
+@pytest.mark.alike
 @pytest.mark.parametrize(
     ("name", "old", "new", "failing"),
     [

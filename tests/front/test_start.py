@@ -58,6 +58,7 @@ def ran(script: str, *arguments: str) -> tuple[int, str]:
     return done.returncode, done.stderr
 
 
+@pytest.mark.alike
 @pytest.mark.parametrize(
     "module",
     [
@@ -190,6 +191,7 @@ def made(*errors: Exception) -> Exception:
     return errors[-1]
 
 
+@pytest.mark.alike
 @pytest.mark.parametrize(
     ("error", "words"),
     [

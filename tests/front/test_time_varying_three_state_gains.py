@@ -120,6 +120,7 @@ RUNS = list(itertools.product(NAMES, (0.01, 1.0), (50.0, 1e-3)))
 """Each family, to an index, from above and from below."""
 
 
+@pytest.mark.alike
 @pytest.mark.parametrize(
     ("name", "index", "first"),
     cases(RUNS, lambda run: run[0] == NAMES[0] or run[1:] in ((0.01, 50.0), (1.0, 1e-3))),

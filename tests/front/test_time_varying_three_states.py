@@ -80,6 +80,7 @@ def test_two_predictions_add_their_intervals(f: Factors, s: float, t: float, q: 
     assert cut.diagonal_3 < predict(f, s + t, q, "random-jerk").diagonal_3
 
 
+@pytest.mark.alike
 @EVERY
 @pytest.mark.parametrize("strength", cases([0.01, 1.0, 30.0], lambda strength: strength != 1))
 def test_equal_intervals_come_to_the_steady_state(name: str, strength: float) -> None:

@@ -75,6 +75,7 @@ def test_a_missed_detection_only_raises_the_variance(
         assert determinant >= -4 * most
 
 
+@pytest.mark.alike
 @EVERY
 @pytest.mark.parametrize(
     "index", cases([0.05, 0.3, 1.0, 4.0, 20.0], lambda index: index in {0.05, 1.0, 20.0})

@@ -121,6 +121,7 @@ def test_every_detection_is_told_with_its_track_or_unassigned(capsys: Capture) -
     assert told["files"] == ["tracks.csv"]
 
 
+@pytest.mark.alike
 @pytest.mark.usefixtures("folder")
 @pytest.mark.parametrize("name", FILTERS)
 def test_every_filter_has_a_page(name: str, capsys: Capture) -> None:
@@ -131,6 +132,7 @@ def test_every_filter_has_a_page(name: str, capsys: Capture) -> None:
     assert max(map(len, lines)) <= 96
 
 
+@pytest.mark.alike
 @pytest.mark.usefixtures("folder")
 @pytest.mark.parametrize("name", CONVERSIONS)
 def test_every_conversion_finds_the_four(name: str, capsys: Capture) -> None:
@@ -212,6 +214,7 @@ def test_gains_that_are_not_stable_are_told(capsys: Capture) -> None:
     )
 
 
+@pytest.mark.alike
 @pytest.mark.usefixtures("folder")
 @pytest.mark.parametrize(
     ("rows", "message"),
@@ -277,6 +280,7 @@ def test_headers_that_cannot_be_used_are_named(head: str, message: str, capsys: 
     assert message in refused(capsys)
 
 
+@pytest.mark.alike
 @pytest.mark.usefixtures("folder")
 @pytest.mark.parametrize(
     ("arguments", "message"),

@@ -108,6 +108,7 @@ def test_an_answer_beyond_the_kernels_says_so() -> None:
         velocity_ratio_for(index, wanted)
 
 
+@pytest.mark.alike
 @pytest.mark.parametrize("noise", NOISES)
 @pytest.mark.parametrize("covariance", COVARIANCES)
 @pytest.mark.parametrize("index", [1e-6, 0.03, 1.0, 70.0, 1e6])

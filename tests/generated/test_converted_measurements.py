@@ -29,6 +29,7 @@ EACH_FORMAT = pytest.mark.parametrize(
 )
 
 
+@pytest.mark.alike
 @EACH_FORMAT
 @pytest.mark.parametrize("count", [12, pytest.param(400, marks=pytest.mark.thorough)])
 def test_errors_are_as_promised(kernel: Callable[..., Any], dtype: str, count: int) -> None:

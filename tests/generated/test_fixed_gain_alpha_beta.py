@@ -139,6 +139,7 @@ def test_relations_are_those_of_the_kalman_filters(name: str, alpha: float) -> N
     assert abs(beta - AlphaBetaTruth().at("alpha", alpha)[f"{name}_beta"].value) < 1e-20
 
 
+@pytest.mark.alike
 @pytest.mark.parametrize(
     ("kernel", "dtype"),
     cases(product(NAMED, DTYPES), lambda case: case[1] == "float64" or case[0] is NAMED[0]),

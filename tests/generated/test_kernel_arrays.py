@@ -62,6 +62,7 @@ def test_integers_and_lists_become_float64(kernel: PrintedKernel) -> None:
     assert kernel.function(3)[0] == expected[0][0]
 
 
+@pytest.mark.alike
 @every_kernel
 @pytest.mark.parametrize("dtype", cases(DTYPES, lambda dtype: dtype == "float32"))
 def test_every_element_is_what_it_would_be_alone(kernel: PrintedKernel, dtype: str) -> None:
@@ -108,6 +109,7 @@ def test_given_outputs_are_filled_and_returned(kernel: PrintedKernel, dtype: str
             np.testing.assert_array_equal(mine, reference)
 
 
+@pytest.mark.alike
 @every_kernel
 def test_an_output_may_be_the_argument_itself(kernel: PrintedKernel) -> None:
     x = sample(kernel, BLOCK + 100)

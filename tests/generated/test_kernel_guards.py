@@ -50,6 +50,7 @@ def test_numbers_outside_the_domain(kernel: PrintedKernel, dtype: str) -> None:
         assert str(value) in str(error.value), "the message says what came"
 
 
+@pytest.mark.alike
 @every_kernel
 @pytest.mark.parametrize(
     ("count", "dtype"),

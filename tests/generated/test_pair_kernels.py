@@ -57,6 +57,7 @@ SPANS = ["domain", "grid", "near"]
 """By default of every other kernel the first, of the rest the second."""
 
 
+@pytest.mark.alike
 @pytest.mark.parametrize(
     ("kernel", "span", "dtype"),
     cases(
@@ -74,6 +75,7 @@ def test_error_is_within_the_stated_bound(kernel: PrintedPair, span: str, dtype:
     assert not broken_pairs([kernel], dtype, measure_pairs([kernel], dtype, lambda _: points))
 
 
+@pytest.mark.alike
 @pytest.mark.parametrize("dtype", DTYPES)
 @pytest.mark.parametrize("wrong", [np.nan, np.inf, 0.0])
 def test_what_is_wrong_is_noticed(dtype: str, wrong: float) -> None:

@@ -28,6 +28,7 @@ EACH_FORMAT = pytest.mark.parametrize(
 )
 
 
+@pytest.mark.alike
 @EACH_FORMAT
 @pytest.mark.parametrize("count", [80, pytest.param(1_000, marks=pytest.mark.thorough)])
 def test_errors_are_as_promised(kernel: Callable[..., Any], dtype: str, count: int) -> None:
@@ -39,6 +40,7 @@ def test_errors_are_as_promised(kernel: Callable[..., Any], dtype: str, count: i
     assert misses(kernel, given, truth(name), terms(name)) == []
 
 
+@pytest.mark.alike
 @EACH
 def test_a_promise_that_is_too_good_would_be_noticed(
     kernel: Callable[..., Any], monkeypatch: pytest.MonkeyPatch

@@ -40,6 +40,7 @@ def sizes(kernel: Callable[..., Any]) -> Callable[..., Any]:
     return pair_terms(name) if is_pair(name) else terms(name)
 
 
+@pytest.mark.alike
 @EACH_FORMAT
 @pytest.mark.parametrize("count", [40, pytest.param(600, marks=pytest.mark.thorough)])
 def test_errors_are_as_promised(kernel: Callable[..., Any], dtype: str, count: int) -> None:
@@ -74,6 +75,7 @@ def sights(kernel: Callable[..., Any], dtype: str, each: int, seed: int) -> Any:
     return np.array([c for c in columns if np.isfinite(c).all()], dtype).T
 
 
+@pytest.mark.alike
 @EACH_FORMAT
 def test_from_a_millimetre_to_a_million_kilometres(kernel: Callable[..., Any], dtype: str) -> None:
     given = sights(kernel, dtype, 8, seed=2)
@@ -83,6 +85,7 @@ def test_from_a_millimetre_to_a_million_kilometres(kernel: Callable[..., Any], d
     assert misses(kernel, given, true(kernel), sizes(kernel)) == []
 
 
+@pytest.mark.alike
 @EACH
 def test_a_promise_that_is_too_good_would_be_noticed(
     kernel: Callable[..., Any], monkeypatch: pytest.MonkeyPatch

@@ -120,6 +120,7 @@ def test_a_whole_track(name: str, missed: Sequence[int]) -> None:
     assert abs(float(found[0][0] / wrong[0][0] - 1)) > worst
 
 
+@pytest.mark.alike
 @pytest.mark.parametrize(
     ("name", "dtype"),
     cases(product(NOISES, DTYPES), lambda case: "random_jerk" in case or "float64" in case),

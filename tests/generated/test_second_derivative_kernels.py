@@ -22,6 +22,7 @@ def second_derivatives(family: str) -> list[PrintedKernel]:
     return [kernel for kernel in found if kernel.name.endswith("_second_derivatives")]
 
 
+@pytest.mark.alike
 @pytest.mark.parametrize("dtype", DTYPES)
 @pytest.mark.parametrize("family", sorted(STEADY_STATES))
 def test_the_bounds_hold_at_random_points_and_round_the_turn(family: str, dtype: str) -> None:

@@ -76,6 +76,7 @@ LIKE_OTHERS = {
 }
 
 
+@pytest.mark.alike
 @pytest.mark.parametrize("name", cases(MODELS, lambda name: name not in LIKE_OTHERS))
 def test_everything_is_proved(name: str) -> None:
     report = recheck(*certificate(name))
@@ -125,6 +126,7 @@ def test_a_noise_with_a_free_ratio_has_a_free_ratio_in_its_limits() -> None:
     assert "s_squared" in text
 
 
+@pytest.mark.alike
 @pytest.mark.parametrize("name", [name for name in MODELS if not MODELS[name].parameters])
 def test_the_lines_of_docstrings_are_true(name: str) -> None:
     """Read as they stand, at index 1, against the Riccati equation iterated; and reduced."""

@@ -85,6 +85,7 @@ def _exact(nodes: Any, node: Any) -> bool:
     return node[0] in ("neg", "add", "pow") and all(_exact(nodes, part) for part in parts)
 
 
+@pytest.mark.alike
 @pytest.mark.parametrize(
     ("step", "old", "new"),
     [

@@ -86,6 +86,7 @@ def test_the_bits_are_those_of_numpy(
         assert np.array_equal(mine.view(np.uint8), theirs.view(np.uint8))
 
 
+@pytest.mark.alike
 @KINDS
 @pytest.mark.parametrize("bad", [np.nan, np.inf, -1.0, 0.0, 2e6])
 def test_the_first_that_is_refused_is_told_and_nothing_is_written(

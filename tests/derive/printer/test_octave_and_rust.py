@@ -112,6 +112,7 @@ def write(files: Mapping[str, str], folder: Path) -> None:
         (folder / name).write_text(text, encoding="utf-8")
 
 
+@pytest.mark.alike
 @pytest.mark.parametrize("name", KERNELS)
 def test_octave(name: str, tmp_path: Path) -> None:
     kernel, module, values, bounds = printed(name)
@@ -134,6 +135,7 @@ def test_octave(name: str, tmp_path: Path) -> None:
     assert [int(line, 16) for line in found[:-4]] == wanted
 
 
+@pytest.mark.alike
 @pytest.mark.parametrize("name", KERNELS)
 def test_rust(name: str, tmp_path: Path) -> None:
     kernel, module, values, bounds = printed(name)

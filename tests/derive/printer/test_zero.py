@@ -38,6 +38,7 @@ SUMS: tuple[Write, ...] = (
 )
 
 
+@pytest.mark.alike
 @pytest.mark.parametrize("name", ["x", "z"])
 @pytest.mark.parametrize("write", SUMS)
 def test_bounds_hold_where_an_input_is_zero(write: Write, name: str) -> None:

@@ -79,6 +79,7 @@ def found(name: str) -> StableForm:
     return stable({"y": problem.expression}, problem.inputs)
 
 
+@pytest.mark.alike
 @pytest.mark.parametrize("name", PROBLEMS)
 def test_the_form_is_bounded_proved_and_the_same_number(name: str) -> None:
     problem, form = PROBLEMS[name], found(name)

@@ -28,6 +28,7 @@ def accepted(form: StableForm) -> bool:
     return check(form.certificate, claims=form.claims).accepted
 
 
+@pytest.mark.alike
 @pytest.mark.parametrize(
     ("expression", "inputs", "most"),
     [

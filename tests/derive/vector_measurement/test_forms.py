@@ -50,6 +50,7 @@ def real(text: str) -> Any:
     return mpmath.mpf(number.numerator) / number.denominator
 
 
+@pytest.mark.alike
 @pytest.mark.parametrize("name", NOISES)
 @pytest.mark.parametrize("index", POINTS)
 def test_entries_are_those_of_the_doubling(name: str, index: str) -> None:

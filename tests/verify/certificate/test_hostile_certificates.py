@@ -160,6 +160,7 @@ def _cyclic() -> Data:
     return value
 
 
+@pytest.mark.alike
 @pytest.mark.parametrize(
     "make",
     [

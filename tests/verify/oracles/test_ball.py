@@ -65,6 +65,7 @@ def test_every_ball_has_the_radius_asked_for(noise: str, index: float) -> None:
         assert float(entry.rad() / abs(entry.mid())) <= 1e-40
 
 
+@pytest.mark.alike
 @pytest.mark.parametrize("index", [1e-100, 1e-3, further(1.0), 4.0, further(30.0), 1e40])
 @pytest.mark.parametrize("noise", list(NOISES))
 def test_balls_and_doubling_agree(noise: str, index: float) -> None:

@@ -181,6 +181,7 @@ def test_limits_are_named() -> None:
 UNSOLVED = list(product([">", "!="], ["xyz", "wxyz"], [REAL, POSITIVE, CLOSED]))
 
 
+@pytest.mark.alike
 @pytest.mark.parametrize(
     ("operator", "names", "box"),
     cases(UNSOLVED, lambda case: case[1] == "xyz" or case == ("!=", "wxyz", POSITIVE)),

@@ -181,6 +181,7 @@ def trend(what: str, along: str, way: str) -> str:
     return f"about = ['{what}', '{along}']\ntrend = '{way}'\ntext = 't'"
 
 
+@pytest.mark.alike
 @pytest.mark.parametrize(
     ("kind", "fields", "wanted"),
     [

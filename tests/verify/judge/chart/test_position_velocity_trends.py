@@ -74,6 +74,7 @@ def check(found: ClaimVerdict, wanted: str) -> None:
         assert found.witness is not None
 
 
+@pytest.mark.alike
 @pytest.mark.parametrize(
     "name", [WHITE, *(pytest.param(n, marks=pytest.mark.thorough) for n in NOISES if n != WHITE)]
 )

@@ -70,6 +70,7 @@ EXPLICIT = r"""
 """
 
 
+@pytest.mark.alike
 @pytest.mark.parametrize(
     "formula",
     [
@@ -290,6 +291,7 @@ HOSTILE = {
 }  # fmt: skip
 
 
+@pytest.mark.alike
 @pytest.mark.parametrize("name", HOSTILE)
 def test_hostile_files_are_read_or_refused_soon(name: str) -> None:
     started = time.process_time()

@@ -167,6 +167,7 @@ WIENER = {
 THREE = "model = 'wiener-acceleration'\n"
 
 
+@pytest.mark.alike
 @pytest.mark.parametrize(
     ("fields", "forms", "claims", "expected"),
     [

@@ -48,6 +48,7 @@ def model(form: str, size: int, measured: int = 2) -> str:
     return MODEL.format(a=a, b=b, c=c, r=r, unit=unit, measured=of_r)
 
 
+@pytest.mark.alike
 @pytest.mark.parametrize(
     ("form", "size", "formula", "named"),
     [

@@ -101,6 +101,7 @@ MIXED = {
 }
 
 
+@pytest.mark.alike
 @pytest.mark.parametrize("more", MIXED.values(), ids=MIXED)
 def test_what_mixes_dimensions_is_refuted_for_it(more: str) -> None:
     assert judged(more) == ("refuted", "dimensions")

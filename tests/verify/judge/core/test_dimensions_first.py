@@ -38,6 +38,7 @@ def judged(kind: str, latex: str) -> ClaimVerdict:
     return judge_file(read_claim_text(f"{text}latex = '{latex}'\n"), ())[0]
 
 
+@pytest.mark.alike
 @pytest.mark.parametrize(
     ("kind", "latex"),
     [

@@ -79,6 +79,7 @@ def test_true_growth_is_proved(subject: str, variable: str, more: str) -> None:
     assert _monotone(subject, variable, more) == "proved"
 
 
+@pytest.mark.alike
 @pytest.mark.parametrize(
     ("latex", "more"),
     [

@@ -135,6 +135,7 @@ JERK = [[rf"\frac{{{a * b}}}{{9}}" for b in (2, 4, 4)] for a in (2, 4, 4)]
 WHITE = [["0", "0", "0"], ["0", "0", "0"], ["0", "0", r"\frac{1}{9}"]]
 
 
+@pytest.mark.alike
 @pytest.mark.parametrize(
     ("noise", "variance", "kind", "latex", "wanted"),
     [
@@ -204,6 +205,7 @@ def test_strength_of_the_process_beside_a_number() -> None:
     check(judged("identity", r"S = \frac{1}{1 - a}", SYMBOLS, setting), "refuted")
 
 
+@pytest.mark.alike
 @pytest.mark.parametrize(
     ("transition", "noise", "measured", "latex", "wanted"),
     [

@@ -140,6 +140,7 @@ def holds(rel: Rel, at: Mapping[str, float]) -> bool:
     return {">": left > right, ">=": left >= right - 1e-9, "<": left < right}[rel.operator]
 
 
+@pytest.mark.alike
 @pytest.mark.sampled
 @pytest.mark.parametrize("place", range(len(MODELS)))
 def test_all_quantities_are_those_of_the_riccati_equation(place: int) -> None:
@@ -202,6 +203,7 @@ CLAIMS = [
 ]
 
 
+@pytest.mark.alike
 @pytest.mark.parametrize(("model", "kind", "latex", "wanted"), CLAIMS)
 def test_claims(model: tuple[str, ...], kind: str, latex: str, wanted: str) -> None:
     check(judged(kind, f"latex = '{latex}'", SYMBOLS, setting(model)), wanted)
@@ -280,6 +282,7 @@ SEEN = ("[['a']]", "[['d']]", "[['b']]", "[['R']]")
 TURNED = (r"[['a', 'b T'], ['-\frac{b}{T}', 'a']]", *TWO[1:])
 
 
+@pytest.mark.alike
 @pytest.mark.parametrize(
     ("model", "token", "domain", "latex", "wanted"),
     [
@@ -320,6 +323,7 @@ SQUARED = (TWO[0], "[['s^2', '0'], ['0', 'w^2']]", *TWO[2:])
 ROOT_SAYS = "solved for s > 0 only"
 
 
+@pytest.mark.alike
 @pytest.mark.parametrize(
     ("model", "domain", "latex", "wanted"),
     [
@@ -411,6 +415,7 @@ SLOTS: list[tuple[tuple[str, ...], str, tuple[int, ...], Sides]] = [
 ]
 
 
+@pytest.mark.alike
 @pytest.mark.sampled
 @pytest.mark.parametrize("seed", range(samples(10)))
 def test_one_other_number_is_as_scipy_has_it(seed: int) -> None:

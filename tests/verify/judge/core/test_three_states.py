@@ -116,6 +116,7 @@ INCREASING = "about = ['c', 'a']\ntrend = 'increasing'\ntext = 'c rises with a'"
 DECREASING = "about = ['c', 'a']\ntrend = 'decreasing'\ntext = 'c falls with a'"
 
 
+@pytest.mark.alike
 @pytest.mark.parametrize(
     ("kind", "fields", "wanted", "family"),
     [

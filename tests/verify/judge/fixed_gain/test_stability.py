@@ -19,6 +19,7 @@ THREE = TWO + r" \text{ and } \gamma (1 - \frac{\alpha}{2}) < \alpha\beta \text{
 GAINS = (r"\alpha", r"\beta", r"\gamma")
 
 
+@pytest.mark.alike
 @pytest.mark.parametrize(
     ("latex", "states", "stable"),
     [

@@ -146,16 +146,19 @@ BEYOND = [
 ]
 
 
+@pytest.mark.alike
 @pytest.mark.parametrize("claim", TRUE, ids=lambda claim: claim.fields)
 def test_true(claim: SmallClaim) -> None:
     check(claim.judged(), "proved")
 
 
+@pytest.mark.alike
 @pytest.mark.parametrize(("wanted", "claim"), FALSE, ids=str)
 def test_false(wanted: str, claim: SmallClaim) -> None:
     check(claim.judged(), wanted)
 
 
+@pytest.mark.alike
 @pytest.mark.parametrize(("wanted", "formula", "domain"), SLOPES)
 def test_slopes_of_an_angle(wanted: str, formula: str, domain: str) -> None:
     check(_plain(formula, domain).judged(), wanted)
@@ -203,6 +206,7 @@ def test_a_border_is_shown_as_the_point(formula: str, shown: str) -> None:
     assert "floor" not in point
 
 
+@pytest.mark.alike
 @pytest.mark.parametrize("seed", range(4))
 def test_random_claims(seed: int) -> None:
     """None that is false somewhere is proved, none that is true is refuted."""

@@ -85,6 +85,7 @@ def test_two_symbols_are_not_looked_at() -> None:
 HALF = number(Fraction(1, 2))
 
 
+@pytest.mark.alike
 @pytest.mark.parametrize(
     ("rel", "box", "conditions", "wanted"),
     [

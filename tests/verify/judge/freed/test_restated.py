@@ -126,6 +126,7 @@ def test_what_has_no_value_somewhere_is_not_proved(latex: str, domain: str) -> N
     assert judged(kind, claim(latex, domain)).verdict != "proved"
 
 
+@pytest.mark.alike
 @pytest.mark.parametrize(
     ("latex", "domain"),
     [

@@ -50,6 +50,7 @@ def verdict(kind: str, fields: str, count: int, away: int | None) -> tuple[str, 
     return found.verdict, found.method or ""
 
 
+@pytest.mark.alike
 @pytest.mark.parametrize(("shape", "count"), list(zip(SHAPES, (5, 4, 3, 5, 4), strict=True)))
 def test_zero_of_all_terms_together(shape: tuple[str, str], count: int) -> None:
     kind, fields = shape

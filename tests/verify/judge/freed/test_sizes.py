@@ -50,6 +50,7 @@ def line(latex: str, domain: str | None) -> str:
     return f"latex = '{latex}'" + (f"\ndomain = '{domain}'" if domain else "")
 
 
+@pytest.mark.alike
 @pytest.mark.parametrize(("latex", "domain"), TRUE)
 def test_true(latex: str, domain: str | None) -> None:
     found = judged("inequality", line(latex, domain))

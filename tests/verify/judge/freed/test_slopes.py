@@ -100,6 +100,7 @@ def claim(latex: str, domain: str | None) -> str:
     return f"latex = '{latex}'" + (f"\ndomain = '{domain}'" if domain else "")
 
 
+@pytest.mark.alike
 @pytest.mark.parametrize(("latex", "domain"), cases(TRUE, lambda case: TRUE.index(case) in KINDS))
 def test_true(latex: str, domain: str | None) -> None:
     check(judged("inequality", claim(latex, domain)), "proved")

@@ -65,6 +65,7 @@ FAILING = [
 ]  # fmt: skip
 
 
+@pytest.mark.alike
 @pytest.mark.parametrize(("kind", "latex", "domain", "point"), FAILING)
 def test_a_special_point_is_found(
     kind: str, latex: str, domain: str, point: dict[str, str]

@@ -29,6 +29,7 @@ def test_true(latex: str, domain: str) -> None:
     check(judged("inequality", f"latex = '{latex}'\ndomain = '{domain}'"), "proved")
 
 
+@pytest.mark.alike
 @pytest.mark.parametrize(
     ("latex", "domain"),
     [

@@ -57,6 +57,7 @@ def test_a_divisor_that_is_always_0_has_no_value() -> None:
     assert judged("identity", r"\frac{x}{\sin(k\pi)} = \frac{x}{\sin(k\pi)}").verdict != "proved"
 
 
+@pytest.mark.alike
 @pytest.mark.parametrize(
     ("kind", "latex", "domain"),
     [

@@ -11,6 +11,7 @@ RIGHT = r"\sqrt{(a + x p)^2 + (b + x q)^2} = \sqrt{a^2 + b^2}"
 FALLING = r"\frac{4 n - 2}{n (n+1)}"
 
 
+@pytest.mark.alike
 @pytest.mark.parametrize(
     ("fields", "wanted"),
     [

@@ -121,6 +121,7 @@ CASES = [
 ]
 
 
+@pytest.mark.alike
 @pytest.mark.parametrize(("latex", "domain", "kind", "wanted"), CASES)
 def test_verdicts(latex: str, domain: str, kind: str, wanted: str) -> None:
     fields = f"latex = '{latex}'" + (f"\ndomain = '{domain}'" if domain else "")

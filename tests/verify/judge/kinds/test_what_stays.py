@@ -41,6 +41,7 @@ def _trend(subject: str, variable: str, trend: str) -> str:
     return f"about = ['{subject}', '{variable}']\ntrend = '{trend}'"
 
 
+@pytest.mark.alike
 @pytest.mark.parametrize(
     ("kind", "claim", "held", "wanted"),
     [

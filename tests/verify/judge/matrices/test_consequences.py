@@ -80,6 +80,7 @@ EQUATIONS = _tables(CANCELLED, DIVIDED, SQUARES)
 ONE_OF_EACH = _tables(CANCELLED[::2], DIVIDED[2:4], SQUARES[::2], SQUARES[11:])
 
 
+@pytest.mark.alike
 @pytest.mark.parametrize(
     ("latex", "given", "verdict"), cases(EQUATIONS, lambda case: case in ONE_OF_EACH)
 )

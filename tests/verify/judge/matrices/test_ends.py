@@ -6,6 +6,7 @@ from itertools import pairwise
 
 import pytest
 from matrix_claims import SYMBOLS, judged_matrices
+from one_of_each import further
 
 DEFINED = SYMBOLS + (
     r"""
@@ -51,7 +52,7 @@ def test_an_inverse_in_a_closed_definition_that_a_hypothesis_speaks_of(
 
 
 @pytest.mark.parametrize(("before", "after"), [("(Q + ", ")"), ("(I_n + ", ")^{-1}"), ("Q (", ")")])
-@pytest.mark.parametrize("relation", ["=", "<"])
+@pytest.mark.parametrize("relation", ["=", further("<")])
 def test_definitions_too_deep_inside_one_another(before: str, after: str, relation: str) -> None:
     names = ["B", *(f"L_{{{n}}}" for n in range(1, 41))]
     lines = [

@@ -116,6 +116,7 @@ def test_a_hint_is_no_hypothesis(hint: str) -> None:
     assert judged_matrices("S > 0", "inequality", f"hint = ['{hint}']").verdict == "refuted"
 
 
+@pytest.mark.alike
 @pytest.mark.parametrize(
     "given",
     [

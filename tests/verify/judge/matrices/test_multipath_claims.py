@@ -95,6 +95,7 @@ def test_one_number_is_rounded_wrongly_and_nothing_else_is_wrong(
     assert verdicts["table1-4-vy"]["repair"]["latex"].endswith("0.104")
 
 
+@pytest.mark.alike
 @pytest.mark.parametrize(("name", "before", "after"), cases(SLIPS, lambda slip: slip[0] in DEFAULT))
 def test_slips_are_refuted(name: str, before: str, after: str) -> None:
     found = judged_with(name, before, after)

@@ -58,6 +58,7 @@ def test_what_is_plain_is_proved(latex: str, kind: str, more: str) -> None:
     assert all(rejected(part) is None for part in parts)
 
 
+@pytest.mark.alike
 @pytest.mark.parametrize(("latex", "kind", "more"), FALSE)
 def test_what_is_like_it_and_false_is_not(latex: str, kind: str, more: str) -> None:
     found = judged_matrices(latex, kind, more, symbols=SYMBOLS + RECTANGLES)

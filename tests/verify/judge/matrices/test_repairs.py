@@ -56,6 +56,7 @@ REPAIRS = [
 ]
 
 
+@pytest.mark.alike
 @pytest.mark.parametrize(("latex", "kind", "more", "repair"), REPAIRS)
 def test_the_nearest_true_formula_is_offered(
     latex: str, kind: str, more: str, repair: str | None

@@ -50,6 +50,7 @@ def found(kind: str, latex: str, letters: Mapping[str, str] = LETTERS) -> Findin
     return decide(asked, matrices)
 
 
+@pytest.mark.alike
 @pytest.mark.parametrize(
     ("kind", "latex"),
     [
@@ -88,6 +89,7 @@ def test_what_is_true_is_proved(kind: str, latex: str) -> None:
     assert finding.verdict == "proved", finding.reason
 
 
+@pytest.mark.alike
 @pytest.mark.parametrize(
     ("kind", "latex"),
     [

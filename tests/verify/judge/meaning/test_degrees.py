@@ -77,6 +77,7 @@ def test_a_sine_of_degrees_is_not_that_of_radians() -> None:
     assert abs(left - right) > 1e-6
 
 
+@pytest.mark.alike
 @pytest.mark.parametrize(
     ("kind", "latex"),
     [
@@ -148,6 +149,7 @@ def test_a_bare_number_beside_degrees_is_not_judged(kind: str, latex: str) -> No
     assert "may be one of degrees or of radians" in verdict.reason
 
 
+@pytest.mark.alike
 @pytest.mark.parametrize(
     "latex",
     [

@@ -29,6 +29,7 @@ CASES = [
 ]
 
 
+@pytest.mark.alike
 @pytest.mark.parametrize(("kind", "latex", "domain", "wanted"), CASES)
 def test_elementary_functions(kind: str, latex: str, domain: str | None, wanted: str) -> None:
     fields = f"latex = '{latex}'" + (f"\ndomain = '{domain}'" if domain else "")

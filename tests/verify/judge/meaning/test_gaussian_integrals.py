@@ -38,11 +38,13 @@ TRUE = [
 ]
 
 
+@pytest.mark.alike
 @pytest.mark.parametrize(("latex", "domain"), TRUE)
 def test_what_is_true_is_proved(latex: str, domain: str | None) -> None:
     check(judged("identity", identity(latex, domain)), "proved")
 
 
+@pytest.mark.alike
 @pytest.mark.parametrize(("latex", "domain"), TRUE)
 def test_twice_as_much_is_refuted(latex: str, domain: str | None) -> None:
     check(judged("identity", identity(latex.replace(" dx =", r" dx = 2 \cdot"), domain)), "refuted")

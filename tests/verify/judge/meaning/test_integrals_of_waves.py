@@ -83,6 +83,7 @@ def test_what_has_no_value_is_not_proved(latex: str, domain: str, why: str | Non
     assert why is None or why in found.reason
 
 
+@pytest.mark.alike
 @pytest.mark.sampled
 @pytest.mark.parametrize("seed", range(samples(8)))
 def test_the_value_is_that_of_quadrature(seed: int) -> None:

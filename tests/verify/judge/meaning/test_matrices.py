@@ -65,6 +65,7 @@ WITHOUT_MEANING = [
 ]
 
 
+@pytest.mark.alike
 @pytest.mark.parametrize("latex", TRUE)
 def test_true(latex: str) -> None:
     check(judged("identity", latex, SYMBOLS), "proved")

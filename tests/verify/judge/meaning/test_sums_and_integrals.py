@@ -86,6 +86,7 @@ def test_a_sum_begins_where_it_has_a_term() -> None:
     assert "n >= 3" in found.domain
 
 
+@pytest.mark.alike
 @pytest.mark.parametrize(
     ("latex", "domain"),
     [

@@ -24,6 +24,7 @@ def test_there_are_files() -> None:
     assert len(FILES) > 20
 
 
+@pytest.mark.alike
 @pytest.mark.parametrize(
     "path",
     cases(FILES, lambda path: path.stem in LONG or path in FILES[::3]),

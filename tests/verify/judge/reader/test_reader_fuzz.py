@@ -44,6 +44,7 @@ REPEATED = (
 )
 
 
+@pytest.mark.alike
 @pytest.mark.parametrize(
     ("piece", "ending"), cases(product(REPEATED, ("=1", "")), lambda case: case[1] == "=1")
 )

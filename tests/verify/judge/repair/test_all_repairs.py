@@ -163,6 +163,7 @@ def table(*entries: str) -> str:
     return rf"\begin{{pmatrix}} {one} & {two} \\ {three} & {four} \end{{pmatrix}}"
 
 
+@pytest.mark.alike
 @pytest.mark.parametrize("turned", [False, True])
 @pytest.mark.parametrize(
     "wrong",

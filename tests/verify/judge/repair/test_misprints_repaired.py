@@ -39,6 +39,7 @@ def repair(
     return verdict, verdict.repair["latex"].replace("\\left", "").replace("\\right", ""), told
 
 
+@pytest.mark.alike
 @pytest.mark.parametrize(
     ("setting", "latex", "expected"),
     [

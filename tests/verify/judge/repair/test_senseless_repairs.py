@@ -36,6 +36,7 @@ class Declared:
 SYMBOLS = {canonical_token(name): Declared() for name in ("a", "b", "k", "\\beta")}
 
 
+@pytest.mark.alike
 @pytest.mark.parametrize(
     ("setting", "kind", "latex"),
     [
