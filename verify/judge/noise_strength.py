@@ -17,7 +17,7 @@ from gainproof.verify.judge.convention import Convention, conventions
 from gainproof.verify.judge.exact.expression import Expr, mul, power, symbol
 from gainproof.verify.judge.exact.free_names import free_name
 from gainproof.verify.judge.exact.limits import Malformed, Undecided
-from gainproof.verify.judge.freed.monomials import monomials
+from gainproof.verify.judge.freed.monomials import monomials, ordered
 from gainproof.verify.judge.reach import reached
 from gainproof.verify.judge.setting.environment import INTERVAL, NotEstablished
 from gainproof.verify.judge.setting.factor import number_root
@@ -84,7 +84,7 @@ class Strength:
         if len(found) != 1:
             return power(whole, Fraction(1, self.size))
         ((monomial, factor),) = found.items()
-        roots = [power(base, Fraction(n, self.size)) for base, n in monomial]
+        roots = [power(base, Fraction(n, self.size)) for base, n in ordered(monomial)]
         return mul(number_root(factor), *roots) if factor != 1 else mul(*roots)
 
     def entry(self, stated: Strength, entry: SymbolEntry) -> SymbolEntry:

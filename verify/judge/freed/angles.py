@@ -32,7 +32,13 @@ from gainproof.verify.judge.freed.certificate import Decides, certificate_of
 from gainproof.verify.judge.freed.circle import PARTS, PI, TURN, cosine_of
 from gainproof.verify.judge.freed.domain_words import domain_text
 from gainproof.verify.judge.freed.freely import where_valued
-from gainproof.verify.judge.freed.monomials import Monomial, monomial_expr, monomials, terms_expr
+from gainproof.verify.judge.freed.monomials import (
+    Monomial,
+    monomial_expr,
+    monomials,
+    ordered,
+    terms_expr,
+)
 from gainproof.verify.judge.reader.words import OF_CASES
 
 OF_POINTS = ("atan", "atan2")
@@ -123,7 +129,7 @@ def _of_its_angle(y: Expr, x: Expr, is_positive: Positive) -> Expr | None:
     if len(above) != 1 or len(right) != 1:
         return None
     ((m, a),), ((n, b),) = above.items(), right.items()
-    for base, power_of in m:
+    for base, power_of in ordered(m):
         if base.kind != "call" or base.name != "sin" or power_of != 1 or a != b:
             continue
         cosine = Expr("call", "cos", base.parts)

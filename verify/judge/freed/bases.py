@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from gainproof.verify.judge.exact.expression import Expr, number
-from gainproof.verify.judge.freed.monomials import monomials, terms_expr
+from gainproof.verify.judge.freed.monomials import monomials, ordered, terms_expr
 
 MOST_FACTORS = 1_000_000
 """A larger number is a base of its own."""
@@ -15,7 +15,7 @@ def bases_of(base: Expr) -> dict[Expr, int]:
     if len(terms) != 1:
         return {terms_expr(terms): 1}
     ((monomial, c),) = terms.items()
-    found = {terms_expr(monomials(each)): n for each, n in monomial}
+    found = {terms_expr(monomials(each)): n for each, n in ordered(monomial)}
     for value, sign in ((abs(c.numerator), 1), (c.denominator, -1)):
         for prime, n in _primes(value).items():
             found[number(prime)] = found.get(number(prime), 0) + sign * n

@@ -188,7 +188,7 @@ def _whole_sides(terms: Terms, rest: Terms, signs: Signs) -> tuple[Sides | bool,
     """What compares n + t and a whole number, as what compares n; None for anything else."""
     pairs = {m: base for m in rest for base, k in m if len(m) == 1 and k == 1}
     names = {str(base.value) for base in pairs.values()}
-    text = next((n.removeprefix(WHOLE) for n in names if n.startswith(WHOLE)), None)
+    text = next((n.removeprefix(WHOLE) for n in sorted(names) if n.startswith(WHOLE)), None)
     over = terms.get(UNIT, Fraction(0)) / next(iter(rest.values()))
     # a whole part and what is above it, not the symbol itself of which it is one
     alike = len(rest) == 2 and names == {f"{WHOLE}{text}", f"{ABOVE}{text}"}

@@ -14,6 +14,7 @@ from gainproof.verify.judge.freed.monomials import (
     Monomial,
     monomial_expr,
     monomials,
+    ordered,
     terms_expr,
 )
 from gainproof.verify.judge.freed.ranges import Positive
@@ -76,7 +77,7 @@ def without_roots(expr: Expr) -> Expr:
     terms = []
     for monomial, c in monomials(expr).items():
         factors = [number(c)]
-        for base, n in monomial:
+        for base, n in ordered(monomial):
             order = base.fraction.denominator if base.kind == "pow" else 1
             if order > 1 and n % order == 0:
                 factors.append(power(base.parts[0], base.fraction * n))
@@ -114,7 +115,7 @@ def _power(base: Expr, exponent: Expr, is_positive: Positive) -> Expr | None:
     if c != 1 or not monomial or not all(_is_flat(each, is_positive) for each, _ in monomial):
         return None
     factors = []
-    for each, n in monomial:
+    for each, n in ordered(monomial):
         times = mul(number(n), exponent, each.parts[-1])
         if each.name == "exp":
             factors.append(Expr("call", "exp", (times,)))

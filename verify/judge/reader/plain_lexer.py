@@ -22,6 +22,7 @@ from gainproof.verify.judge.reader.special import (
     special_name,
     with_base,
 )
+from gainproof.verify.judge.reader.square_brackets import require_entries_apart, rows_of_lists
 from gainproof.verify.judge.reader.tokens import MARKS, FormulaToken
 from gainproof.verify.judge.reader.vocabulary import Vocabulary
 from gainproof.verify.judge.reader.words import (
@@ -248,6 +249,11 @@ class _PlainLexer:
             return "CASES_CLOSE", CASES
         if self.tokens[opening].kind == "LEFT_BRACE" and value == ")":
             return "RIGHT_BRACE", "}"
+        if value == "]" and self.tokens[opening].value == "[":
+            require_entries_apart(self.text, self.tokens, opening)
+            if (rows := rows_of_lists(self.tokens, opening)) is not None:
+                self.tokens[opening:] = rows
+                return "MATRIX_CLOSE", "matrix"
         if value != "]" or all(self.tokens[number].kind == "COMMA" for number in separators):
             return "CLOSE", value
         self.tokens[opening] = replace(self.tokens[opening], kind="MATRIX_OPEN", value="matrix")

@@ -8,6 +8,10 @@ the rest of Q is.
 
 from __future__ import annotations
 
+import os
+import subprocess
+import sys
+
 import pytest
 from claim_texts import judged
 from one_of_each import further
@@ -136,3 +140,18 @@ def test_check_says_it() -> None:
     source = {"key": "test", "title": "made for this test"}
     page = overview({"source": source, "claims": [verdict.to_json() for verdict in found]})
     assert "would hold with q^2 as the density of the process noise" in " ".join(page.split())
+
+
+def test_its_value_is_written_in_one_order_whatever_the_hash_seed() -> None:
+    """Certificates of one claim are equal in all processes."""
+    script = (
+        "from fractions import Fraction\n"
+        "from gainproof.verify.judge.exact.expression import mul, power, symbol\n"
+        "from gainproof.verify.judge.noise_strength import Strength\n"
+        "names = map(symbol, ('sampling_interval', 'measurement_noise_deviation', 'x', 'y'))\n"
+        "whole = mul(*(power(each, Fraction(2)) for each in names))\n"
+        "print(Strength('w', 2).value(Strength('w', 1), whole).key)"
+    )
+    seeds = [{**os.environ, "PYTHONHASHSEED": str(seed)} for seed in range(1, 5)]
+    run = [sys.executable, "-c", script]
+    assert len({subprocess.check_output(run, env=seed) for seed in seeds}) == 1

@@ -266,3 +266,44 @@ def test_odd_roots_of_code_have_no_negative_radicand(code: str, exponent: str) -
 def test_other_powers_of_code_are_one_power(code: str) -> None:
     graph = read_plain(f"a = {code}", SYMBOLS).readings[0].relations[0].right
     assert [node[0] for node in graph["nodes"]] == ["symbol", "pow"]
+
+
+@pytest.mark.parametrize(
+    ("lists", "rows"),
+    [
+        ("[[a, b], [x, y]]", "[a, b; x, y]"),
+        ("[[a + b, -x], [(x + y)*2, [a + b]*y]]", "[a + b, -x; (x + y)*2, (a + b)*y]"),
+        ("[[a], [b], [x]]", "[a; b; x]"),
+        ("[[a, b],\n [x, y]]'", "[a, b; x, y]'"),
+    ],
+)
+def test_lists_of_lists_are_rows_as_in_python(lists: str, rows: str) -> None:
+    found, wanted = (read_plain(f"{each} = A", SYMBOLS).readings for each in (lists, rows))
+    assert found[0].relations == wanted[0].relations
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        *(
+            "[a -b] = A",
+            "a = [x -y]*b",
+            "[a b] = A",
+            "[1 2] = A",
+            "[a, b x] = A",
+            "[x y; a, b] = A",
+        ),
+        *("[(a) -b, x] = A", "[a, sqrt(x) sqrt(y)] = A", "[[a b], [x, y]] = A", "[a, x +2] = A"),
+    ],
+)
+def test_entries_that_only_a_blank_parts_are_refused(text: str) -> None:
+    with pytest.raises(ReaderError, match=r"a blank inside \[ \] may part two entries: write"):
+        read_plain(text, SYMBOLS)
+
+
+@pytest.mark.parametrize(
+    "text",
+    ["a = [x - y]*b", "a = [x-y] b", "a = [x + 2 y] b", "[a - b, -x; - y, 1] = A", "a = [-x] b"],
+)
+def test_brackets_of_numbers_stay(text: str) -> None:
+    assert read_plain(text, SYMBOLS).readings
