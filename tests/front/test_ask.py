@@ -222,7 +222,6 @@ def test_which_text_is_latex(formula: str, plain: bool) -> None:
         (r"\frac{e^{-x} sin x}{2} = xlog y", {}, r"write \\sin"),
         (r"\sqrt{x^2} = abs x", {}, r"write \\left\|"),
         ("d/dx tan(x) = 1 + tan(x)^2", {}, r"a derivative is written diff\(f, x\)"),
-        ("(K H)^T = H^T K^T", {}, "in a claim file, whose settings may be of kind matrices"),
     ],
 )
 def test_bad_input_is_told(

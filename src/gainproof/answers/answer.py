@@ -7,6 +7,7 @@ from dataclasses import asdict, dataclass
 from math import prod
 from typing import Any
 
+from gainproof.answers.matrix_question import ANY_SIZE
 from gainproof.answers.question import DEFINITION, FILTER, NO_FILTER, SEARCHED, Assumed, Question
 from gainproof.notebook.markup import html_escaped
 from gainproof.terminal_text import WIDTH, filled
@@ -16,9 +17,12 @@ from gainproof.verdicts.verdict_reason import is_contradicted, reasons
 FORMAT = "gainproof answers 1"
 BEST = ("proved", DEFINITION, "conditional")
 """Verdicts for which one way to understand a formula is preferred to others, the best first."""
-OPEN = (SEARCHED, NO_FILTER)
+OPEN = (SEARCHED, NO_FILTER, ANY_SIZE)
 """What the words on a filter that name none hold."""
-ANY_NUMBERS = " as a statement about any numbers"
+ANY = {
+    NO_FILTER: " as a statement about any numbers",
+    ANY_SIZE: " as a statement about any matrices",
+}
 ONLY_DEFINES = (
     "nothing is known of the number on one side: the formula can only say what it is; what it is "
     "meant to be can be said"
@@ -142,7 +146,7 @@ class Answer:
             is_open = any(words in self._filter() for words in OPEN)
             kinds.append(FILTER if is_open else self._filter())
         if self.verdict == "refuted" and FILTER in guessed and self.claim["convention"] is None:
-            words += ANY_NUMBERS if NO_FILTER in self._filter() else f" for a {self._filter()}"
+            words += ANY.get(self._filter(), f" for a {self._filter()}")
         return f"{words}; assumed: {' and '.join(kinds)}" if kinds else words
 
     def _filter(self) -> str:

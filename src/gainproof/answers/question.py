@@ -11,7 +11,16 @@ from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from typing import Any
 
-from gainproof.answers.typed import Typed, condition, definition, symbol_name, typed
+from gainproof.answers.matrix_question import MATRICES, matrix_question, transposes
+from gainproof.answers.matrix_shapes import says_matrix
+from gainproof.answers.typed import (
+    NoMatrixError,
+    Typed,
+    condition,
+    definition,
+    symbol_name,
+    typed,
+)
 from gainproof.bad_input import BadInputError, unknown_name
 from gainproof.claims.template import FORMAT_LINE
 from gainproof.claims.toml_text import quoted
@@ -106,7 +115,15 @@ def question(formula: str, options: Options, models: Sequence[Mapping[str, objec
         if value not in CONVENTIONS[name]:
             raise unknown_name(f"value of the convention {name}", value, CONVENTIONS[name])
     names = {symbol_name(name): text for name, text in options.symbols.items()}
-    read = typed(formula, names)
+    if options.model == MATRICES or any(map(says_matrix, names.values())):
+        return _about_matrices(formula, names, options)
+    try:
+        read = typed(formula, names)
+    except BadInputError as error:
+        has_mark = isinstance(error, NoMatrixError) or transposes(formula)
+        if not has_mark or options.model or options.conventions or options.domain:
+            raise
+        return _about_matrices(formula, names, options)
     said = {token: _meaning_of(token, text, names, read) for token, text in names.items()}
     domain = condition(options.domain, "domain", said, read) if options.domain else None
     given = [condition(each, "given", said, read) for each in options.given]
@@ -145,6 +162,31 @@ def question(formula: str, options: Options, models: Sequence[Mapping[str, objec
         for number, candidate in enumerate(candidates, 1)
     }
     return Question(formula.strip(), text, assumed)
+
+
+def _about_matrices(formula: str, names: Mapping[str, str], options: Options) -> Question:
+    """The question where letters are matrices of any size. Raises BadInputError."""
+    for option, stated in (("domain", options.domain), ("convention", options.conventions)):
+        if stated:
+            raise BadInputError(f"--{option}: a formula about matrices has none; say --given")
+    if options.model not in ("", MATRICES):
+        raise BadInputError(f"--model {options.model}: letters that are matrices have none")
+    found = matrix_question(formula, names, options.given)
+    options_of = {FILTER: "--model", "inverse": "--given"}
+    assumed = {
+        number: tuple(
+            Assumed(
+                of,
+                meaning,
+                guessed,
+                options_of.get(of, f"--symbol '{of}: ...'"),
+            )
+            for of, meaning, guessed in each
+        )
+        + tuple(Assumed("given", relation, False, "--given") for relation in options.given)
+        for number, each in found.assumed.items()
+    }
+    return Question(formula.strip(), found.text, assumed)
 
 
 def _has_angles(formula: Formula) -> bool:

@@ -41,10 +41,11 @@ Words = dict[str, str] | None
 ARGUMENTS = f"""
 
 formula: LaTeX or plain text. symbols: by symbol a quantity (filter_gain.1), a unit with a condition
-(m > 0), integer with a condition, or a definition (= a + b). model: a name of list_models, search,
-fixed (any gains) or none (real numbers). domain: conditions under which the formula is claimed.
-given: equations and inequalities that are hypotheses. conventions: such as gain = predictor.
-seconds: processor time for the formula, at most {MOST_SECONDS:g}."""
+(m > 0), integer with a condition, a definition (= a + b), or a matrix (n x m, symmetric). model: a
+name of list_models, search, fixed (any gains), none (real numbers) or matrices (of any size).
+domain: conditions under which the formula is claimed. given: equations and inequalities that are
+hypotheses. conventions: such as gain = predictor. seconds: processor time for
+the formula, at most {MOST_SECONDS:g}."""
 
 
 class JudgingProcess:

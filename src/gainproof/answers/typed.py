@@ -5,7 +5,7 @@ from __future__ import annotations
 import contextlib
 import re
 import unicodedata
-from collections.abc import Collection, Sequence
+from collections.abc import Callable, Collection, Sequence
 from dataclasses import dataclass, replace
 
 from gainproof.bad_input import BadInputError
@@ -71,13 +71,20 @@ class Typed:
     taken: tuple[tuple[str, str], ...]
 
 
-def typed(formula: str, said: Collection[str]) -> Typed:
-    """Read a formula; `said` are the symbols of which the user says what they are. Raises
-    BadInputError, with a mark under the place.
+class NoMatrixError(BadInputError):
+    """A letter under a transpose was read as a number."""
+
+
+def typed(
+    formula: str, said: Collection[str], is_number: Callable[[str], bool] = lambda _: True
+) -> Typed:
+    """Read a formula; `said` are the symbols of which the user says what they are; letters are
+    matrices where `is_number` denies it. Raises BadInputError, with a mark under the place, and
+    NoMatrixError.
     """
     if not formula.strip():
         raise BadInputError("a formula is wanted, got an empty one")
-    text, plain, met, products = _met(formula, said)
+    text, plain, met, products = _met(formula, said, is_number=is_number)
     taken = [(word, f"product {' '.join(word)}") for word in products]
     return Typed(text, plain, _read(met), met.symbols, tuple(taken + _meant(text, met)))
 
@@ -129,7 +136,10 @@ def symbol_name(name: str) -> str:
 
 
 def _met(
-    formula: str, said: Collection[str], products: Sequence[str] = ()
+    formula: str,
+    said: Collection[str],
+    products: Sequence[str] = (),
+    is_number: Callable[[str], bool] = lambda _: True,
 ) -> tuple[str, bool, Met, tuple[str, ...]]:
     """The text as the reader has it, whether it is plain, what is met in it, and which words are
     products there: those of `products` too. Raises BadInputError.
@@ -143,12 +153,13 @@ def _met(
     plain = is_plain(text) and "^{" not in text
     if not plain:
         _refuse_words(text, said)
-    met = symbols_met(text, plain=plain, known=_known(text, said))
+    met = symbols_met(text, plain=plain, known=_known(text, said), is_number=is_number)
     if not plain:
         return text, plain, met, ()
-    words = tuple(
-        dict.fromkeys((*_products(met.symbols, said), *(w for w in products if w in met.symbols)))
-    )
+    # of matrices capital letters beside each other are a product, whatever else the formula has
+    capitals = [w for w in met.symbols if re.fullmatch("[A-Z]{2,4}", w) and not is_number(w)]
+    also = [word for word in (*capitals, *products) if word in met.symbols and word not in said]
+    words = tuple(dict.fromkeys((*_products(met.symbols, said), *also)))
     for word in words:
         place = rf"(?<![A-Za-z_]){word}(?![A-Za-z_])"
         if re.search(rf"[\^/]\s*{place}", text):
@@ -158,7 +169,7 @@ def _met(
             )
         text = re.sub(place, " ".join(word), text)
     if words:
-        met = symbols_met(text, plain=plain, known=_known(text, said))
+        met = symbols_met(text, plain=plain, known=_known(text, said), is_number=is_number)
     return text, plain, met, words
 
 
@@ -199,7 +210,7 @@ def _read(met: Met) -> Formula:
     if met.formula is None:
         problem = met.problem or ""
         if "declared as a matrix" in problem:
-            problem += "; that is done in a claim file, whose settings may be of kind matrices"
+            raise NoMatrixError(f"not read: {problem}\n{met.caret}")
         raise BadInputError(f"not read: {problem}\n{met.caret}")
     return met.formula
 

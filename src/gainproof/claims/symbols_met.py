@@ -5,7 +5,7 @@ until it reads the equation or says what it cannot read.
 from __future__ import annotations
 
 import re
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, field
 
@@ -46,20 +46,29 @@ class Met:
 
 
 def symbols_met(
-    text: str, *, plain: bool = False, known: Sequence[str] = (), transposes: bool = False
+    text: str,
+    *,
+    plain: bool = False,
+    known: Sequence[str] = (),
+    transposes: bool = False,
+    is_number: Callable[[str], bool] = lambda _: True,
 ) -> Met:
     """Read an equation in LaTeX, or as `plain` text, declaring its symbols as they come; `known`
     are names that it may hold besides, such as those of several letters. With `transposes` what
-    stands under one is declared as a matrix.
+    stands under one is declared as a matrix, and so is each letter that `is_number` denies.
     """
-    declared = {name: Free() for name in known}
+
+    def free(name: str) -> Free:
+        return Free() if is_number(name) else Free(shape=(1, 1))
+
+    declared = {name: free(name) for name in known}
     read = read_plain if plain else read_formula
     for _ in range(MOST_NEW_SYMBOLS):
         try:
             formula = read(text, declared)
         except ReaderError as error:
             met = _names(error.token) if not plain else _plain_names(error)
-            new = {name: Free() for name in met if name not in declared}
+            new = {name: free(name) for name in met if name not in declared}
             if transposes and error.token == "^T":
                 new = _transposed(text[: error.position], declared)
             if not new:

@@ -34,14 +34,15 @@ def configure(parser: argparse.ArgumentParser) -> None:
         metavar="'NAME: MEANING'",
         action="append",
         default=[],
-        help=r"'\alpha: filter_gain.1', 'x: m > 0', 'n: integer > 0', 'r: = a/b'; may be repeated",
+        help=r"'\alpha: filter_gain.1', 'x: m > 0', 'n: integer > 0', 'r: = a/b', "
+        "'P: n x n, symmetric'; may be repeated",
     )
     parser.add_argument(
         "--model",
         metavar="NAME",
         default="",
         help="a model of `gainproof list`, a file of your own model (FILE.py, which is executed), "
-        "search (the one that fits), fixed (any gains) or none",
+        "search (the one that fits), fixed (any gains), none, or matrices (of any size)",
     )
     parser.add_argument("--domain", metavar="CONDITION", default="", help="where it is claimed")
     parser.add_argument(

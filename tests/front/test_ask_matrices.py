@@ -1,0 +1,164 @@
+"""Formulas about matrices of any size, asked for in a line: shapes follow from the formula, letters
+are what they usually are in a filter, and what is said of them counts.
+
+What is true is in any textbook on matrices or Kalman filters; what is false is checked here against
+NumPy at random matrices of the shapes that the answer names.
+"""
+
+from __future__ import annotations
+
+import tomllib
+from collections.abc import Iterator, Mapping
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+
+import gainproof
+from gainproof.answers.judge import Judge
+from gainproof.answers.question import Options
+from gainproof.bad_input import BadInputError
+
+OPTIMAL = "K = P H^T (H P H^T + R)^{-1}"
+JOSEPH = "(I - K H) P (I - K H)^T + K R K^T"
+
+
+@pytest.fixture(scope="module")
+def judge() -> Iterator[Judge]:
+    with Judge(fresh=True) as judge:
+        yield judge
+
+
+@pytest.mark.parametrize(
+    ("formula", "said", "assumed"),
+    [
+        (f"{JOSEPH} = P - K H P", {}, OPTIMAL),
+        (f"{JOSEPH} = P - P H^T K^T", {}, OPTIMAL),
+        ("K = (P^{-1} + H^T R^{-1} H)^{-1} H^T R^{-1}", {}, OPTIMAL),
+        ("(P^{-1} + H^T R^{-1} H)^{-1} = (I - K H) P", {}, OPTIMAL),
+        ("K S K^T = P H^T S^{-1} H P", {}, "K = P H^T S^{-1}"),
+        (r"P C^\top (C P C^\top + R)^{-1} = K", {}, "K = P C^T (C P C^T + R)^{-1}"),
+        ("K = P*H'*inv(H*P*H' + R)", {}, OPTIMAL),
+        ("K = P @ H.T @ inv(H @ P @ H.T + R)", {}, OPTIMAL),
+        ("PH' = (HP)'", {}, "P: n x n, positive definite"),
+        ("(K H)^T = H^T K^T", {}, "K: n x m"),
+        ("F P F^T + G Q G^T >= 0", {}, "Q: l x l, positive semidefinite"),
+        ("x^T P x >= 0", {}, "x: n x 1"),
+        ("x' P y = y' P x", {}, "y: n x 1"),
+        ("(A B)^{-1} = B^{-1} A^{-1}", {"model": "matrices"}, "inverse: that of A B exists"),
+        (
+            "(A + B D E)^{-1} = A^{-1} - A^{-1} B (D^{-1} + E A^{-1} B)^{-1} E A^{-1}",
+            {"model": "matrices"},
+            "inverse: that of A + B D E exists",
+        ),
+        (r"\lambda P + (1 - \lambda) P = P", {"model": "matrices"}, r"\lambda: number"),
+        ("A^T = A", {"symbols": {"A": "3 x 3, symmetric"}}, "A: 3 x 3, symmetric"),
+        ("a A = A a", {"symbols": {"a": "number", "A": "n x m"}}, "a: number"),
+        ("D H P = 0", {"symbols": {"D": "n x m"}, "given": ("P H^T = 0",)}, "given: P H^T = 0"),
+        ("W = W^T", {"symbols": {"W": "= A^T R A"}}, "W: short for A^T R A"),
+        ("(I - K H) K = K (I - H K)", {"model": "matrices"}, "n x m"),
+    ],
+)
+def test_what_is_true_is_proved(
+    judge: Judge, formula: str, said: Mapping[str, Any], assumed: str
+) -> None:
+    found = judge.ask(formula, **said)
+    assert found.verdict == "proved", found
+    assert assumed in "; ".join(f"{each.of}: {each.meaning}" for each in found.assumed)
+    tomllib.loads(found.text)
+
+
+def _definite(rng: np.random.Generator, size: int) -> Any:
+    root = rng.normal(size=(size, size))
+    return root @ root.T + np.eye(size)
+
+
+def _kalman(p: Any, h: Any, r: Any) -> Any:
+    return p @ h.T @ np.linalg.inv(h @ p @ h.T + r)
+
+
+@pytest.mark.parametrize(
+    ("formula", "difference"),
+    [
+        (f"{JOSEPH} = P + K H P", lambda p, h, r, k: _joseph(p, h, r, k) - (p + k @ h @ p)),
+        (
+            "(I - K H) P (I - K H)^T - K R K^T = P - K H P",
+            lambda p, h, r, k: _joseph(p, h, -r, k) - (p - k @ h @ p),
+        ),
+        (
+            "K = (P^{-1} + H^T R^{-1} H)^{-1} H^T R",
+            lambda p, h, r, k: k - np.linalg.inv(_information(p, h, r)) @ h.T @ r,
+        ),
+        (
+            "P^{-1} + H^T R^{-1} H = (P + K H P)^{-1}",
+            lambda p, h, r, k: _information(p, h, r) - np.linalg.inv(p + k @ h @ p),
+        ),
+        ("K H = H^T K^T", lambda _p, h, _r, k: k @ h - h.T @ k.T),
+        ("K H P = P H^T K", None),
+    ],
+)
+def test_what_is_false_is_refuted(judge: Judge, formula: str, difference: Any) -> None:
+    found = judge.ask(formula)
+    if difference is None:  # sizes are one, and K and P do not commute
+        assert found.verdict == "refuted"
+        return
+    rng = np.random.default_rng(1)
+    p, r, h = _definite(rng, 3), _definite(rng, 2), rng.normal(size=(2, 3))
+    assert np.abs(difference(p, h, r, _kalman(p, h, r))).max() > 1e-3
+    assert found.verdict == "refuted"
+    assert found.witness
+
+
+def _joseph(p: Any, h: Any, r: Any, k: Any) -> Any:
+    left = np.eye(len(p)) - k @ h
+    return left @ p @ left.T + k @ r @ k.T
+
+
+def _information(p: Any, h: Any, r: Any) -> Any:
+    return np.linalg.inv(p) + h.T @ np.linalg.inv(r) @ h
+
+
+def test_without_a_gain_of_its_own_a_letter_is_any_matrix(judge: Judge) -> None:
+    """Of any gain the short form of the covariance is false, and K may be said to be any."""
+    found = judge.ask(f"{JOSEPH} = P - K H P", symbols={"K": "n x m"})
+    assert found.verdict == "refuted"
+    assert all(other[0] != OPTIMAL for other in found.others)
+
+
+def test_what_is_alone_on_one_side_is_defined(judge: Judge) -> None:
+    assert judge.ask("P_k = F P_{k-1} F^T + Q").verdict == "definition"
+    assert judge.ask("P_k = F P_{k-1} F^T + Q", given=["P_k > 0"]).verdict != "definition"
+
+
+@pytest.mark.parametrize(
+    ("formula", "said", "message"),
+    [
+        ("A^T B = C", {"symbols": {"A": "2 x 3", "B": "3 x 2"}}, "a product: sizes do not fit"),
+        ("A^T = A", {"symbols": {"A": "2 x 3"}}, "both sides: sizes do not fit, 2 beside 3"),
+        ("A^T = A", {"symbols": {"A": "n x n, round"}}, "of a matrix a shape is wanted"),
+        ("A^T = A", {"symbols": {"B": "n x n"}}, "the formula has no B; its symbols: A"),
+        ("e^{aT} = b^T", {}, r"an exponent T is written \^\{\(T\)\}"),
+        ("E[x x^T] = P", {}, "expectation in a formula about matrices of any size"),
+        ("A^T = A", {"domain": "a > 0", "model": "matrices"}, "--domain: a formula about matrices"),
+        ("A^T = A", {"model": "random-velocity", "symbols": {"A": "n x n"}}, "--model random-vel"),
+        ("(" * 300 + "A" + ")" * 300 + "^T = A", {}, "deep|nested|too many"),
+    ],
+)
+def test_bad_input_is_told(
+    judge: Judge, formula: str, said: Mapping[str, Any], message: str
+) -> None:
+    with pytest.raises(BadInputError, match=message):
+        judge.ask(formula, **said)
+
+
+def test_a_prime_of_a_number_stays_one(judge: Judge) -> None:
+    assert "matrices" not in str(judge.ask("x' - x = v*T").assumed)
+
+
+def test_the_saved_file_says_the_same(tmp_path: Path, judge: Judge) -> None:
+    asked = judge.question("P - K H P = (P^{-1} + H^T R^{-1} H)^{-1}", Options())
+    file = tmp_path / "asked.toml"
+    file.write_text(asked.text, encoding="utf-8")
+    verdicts = [claim.verdict for claim in gainproof.check(str(file), seconds=20)]
+    assert verdicts == ["proved", "refuted"]
