@@ -23,7 +23,7 @@ from gainproof.verify.judge.fixed_gain.matrices import gain_model, gain_model_ke
 from gainproof.verify.judge.setting.environment import Environment, NotEstablished, algebra
 from gainproof.verify.judge.setting.own_matrices import model_key
 from gainproof.verify.judge.setting.own_model import own_environment
-from gainproof.verify.judge.setting.quantities import memory, steady_state
+from gainproof.verify.judge.setting.quantities import fading, memory, steady_state
 
 Model = Mapping[str, Any]
 MOST_CONVENTIONS = 400
@@ -91,10 +91,11 @@ def _bases(
     match setting.kind:
         case "algebra":
             yield algebra()
-        case "growing_memory":
-            key = ("memory", setting.degree)
+        case "growing_memory" | "fading_memory":
+            key = (setting.kind, setting.degree)
             if key not in solved:
-                solved[key] = memory(setting.degree if setting.degree is not None else -1)
+                fitted = memory if setting.kind == "growing_memory" else fading
+                solved[key] = fitted(setting.degree if setting.degree is not None else -1)
             yield solved[key]
         case "fixed_gain":
             yield _free(setting, solved)

@@ -22,6 +22,7 @@ from gainproof.verify.judge.claim.settings import CONVENTIONS
 from gainproof.verify.judge.claim.units import read_unit
 from gainproof.verify.judge.formula import Formula, Graph
 from gainproof.verify.judge.quantity_names import quantity_names
+from gainproof.verify.judge.setting.growing_memory import MOST_DEGREE
 
 DEFINITION = "definition"
 WHOLE = "whole number"
@@ -248,15 +249,18 @@ def _candidates(
         states = max([2, *orders])
         fixed = ('kind = "fixed_gain"', f"states = {states}", *_conventions(options, meant))
         return [Candidate(fixed, meant, f"a filter of {states} states with any gains")]
-    if any(map(letters.is_numbered, tokens)) and model == SEARCH:
-        least = max(orders, default=1) - 1
+    fading = any(each.quantity == "forgetting_factor" for each in meant.values())
+    if (fading or any(map(letters.is_numbered, tokens))) and model == SEARCH:
+        kind = "fading_memory" if fading else "growing_memory"
+        words = "fading-memory filter" if fading else "least squares over all samples"
+        least = max(1, _states(meant)) - 1
         return [
             Candidate(
-                ('kind = "growing_memory"', f"degree = {degree}", *_conventions(options, meant)),
+                (f'kind = "{kind}"', f"degree = {degree}", *_conventions(options, meant)),
                 meant,
-                f"least squares over all samples, polynomial of degree {degree}",
+                f"{words}, polynomial of degree {degree}",
             )
-            for degree in range(least, 3)
+            for degree in range(least, MOST_DEGREE + 1)
         ]
     strengths = [token for token in tokens if meant[token].role in ("deviation", "density")]
     if not strengths:
@@ -292,9 +296,14 @@ def _candidates(
 
 def _searched(meant: Mapping[str, Meaning]) -> str:
     """Among which models the judge searches: as many states as the highest component named."""
-    parts = (part for each in meant.values() for part in each.quantity.split(".") if part.isdigit())
-    states = max(map(int, parts), default=0)
+    states = _states(meant)
     return f" among models of {states} states" if states > 1 else ""
+
+
+def _states(meant: Mapping[str, Meaning]) -> int:
+    """The highest number of a component; 0 if there is none."""
+    parts = (part for each in meant.values() for part in each.quantity.split(".") if part.isdigit())
+    return max(map(int, parts), default=0)
 
 
 def _alone(formula: Formula, token: str) -> bool:

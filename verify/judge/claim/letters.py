@@ -96,6 +96,7 @@ _NOT_IN: Mapping[str, frozenset[str]] = MappingProxyType(
     {
         "steady_state": frozenset(),
         "growing_memory": frozenset(("tracking_index",)),
+        "fading_memory": frozenset(("tracking_index",)),
         "fixed_gain": frozenset(("tracking_index",)),
     }
 )

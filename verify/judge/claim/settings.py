@@ -27,7 +27,16 @@ from gainproof.verify.judge.matrices.declare import read_letters, read_sizes
 
 MOST_SETTINGS = 100
 MOST_DEGREE = 8
-SETTING_KINDS = ("steady_state", "growing_memory", "fixed_gain", "algebra", "matrices")
+SETTING_KINDS = (
+    "steady_state",
+    "growing_memory",
+    "fading_memory",
+    "fixed_gain",
+    "algebra",
+    "matrices",
+)
+FITTED = ("growing_memory", "fading_memory")
+"""The kinds of a polynomial fitted to all samples, which has a degree."""
 MOST_STATES = 3
 MOST_FILTERS = 20
 MOST_EQUATIONS = 3
@@ -288,9 +297,9 @@ def _check_kind(
         raise fields.fail("model", "wanted: either `model` or the four matrices of a model")
     if kind != "steady_state" and (model is not None or given):
         raise fields.fail("model", f"a setting of kind {kind} has no model")
-    if kind == "growing_memory" and degree is None:
+    if kind in FITTED and degree is None:
         raise fields.fail("degree", "this field is missing: the degree of the polynomial")
-    if kind != "growing_memory" and degree is not None:
+    if kind not in FITTED and degree is not None:
         raise fields.fail("degree", f"a setting of kind {kind} has no degree")
 
 
