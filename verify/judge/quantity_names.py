@@ -111,6 +111,11 @@ def quantity_names() -> Mapping[str, QuantityName]:
             for m in _ORDERS
         ]
         found += [
+            QuantityName(
+                f"continuous_gain.{i}",
+                Unit(second=Fraction(-i)),
+                f"component {i} of the gain of a Kalman-Bucy filter",
+            ),
             QuantityName(f"gain.{i}", _ONE, f"gain {i}, by the conventions of the setting"),
             QuantityName(f"filter_gain.{i}", _ONE, f"component {i} of K, times T^{i - 1}"),
             QuantityName(f"predictor_gain.{i}", _ONE, f"component {i} of F K, times T^{i - 1}"),

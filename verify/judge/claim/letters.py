@@ -137,7 +137,8 @@ def filter_meanings(tokens: Sequence[str]) -> Mapping[str, Meaning]:
 
 def is_anchor(meaning: Meaning) -> bool:
     """Whether a formula that holds this is about a filter: times and noises alone are not."""
-    return meaning.quantity.startswith(("gain.", "filter_gain.", "predictor_gain.", *_ENTRIES))
+    gains = ("gain.", "filter_gain.", "predictor_gain.", "continuous_gain.")
+    return meaning.quantity.startswith((*gains, *_ENTRIES))
 
 
 def is_sound(meanings: Collection[Meaning]) -> bool:

@@ -193,7 +193,8 @@ def test_cubic_fitted_to_all_samples() -> None:
         ("identity", r"u = \frac{480}{(n+1)(n+2)(n+3)(n+4)}"),
     )
     assert good.verdict == variance.verdict == "proved"
-    assert bad.verdict == "refuted" and "840" in (bad.repair or {})["latex"]
+    assert bad.verdict == "refuted"
+    assert "840" in (bad.repair or {})["latex"]
 
 
 def test_a_fading_memory_has_no_tracking_index() -> None:
@@ -201,7 +202,8 @@ def test_a_fading_memory_has_no_tracking_index() -> None:
     text = HEAD + text + "[settings.s]\ntitle = 's'\nkind = 'fading_memory'\ndegree = 1\n"
     text += "[[claims]]\nid = 'c'\nplace = 'p'\nkind = 'identity'\nsetting = 's'\nlatex = 'g = q'\n"
     (found,) = judge_file(read_claim_text(text), ())
-    assert found.verdict == "undecided" and "no tracking index" in found.reason
+    assert found.verdict == "undecided"
+    assert "no tracking index" in found.reason
 
 
 @pytest.mark.parametrize("wrong", ["_moment", "_power_sums", "inverse"])
