@@ -186,7 +186,11 @@ def test_units_of_densities_are_compared() -> None:
 REFUSED: list[tuple[Model, str, str]] = [
     (([["0"]], [["0"]], [["1"]], "r"), "qr", "the eigenvalue 0, which no noise drives"),
     (([["0", "1"], ["0", "0"]], [["q", "0"], ["0", "0"]], FIRST, "r"), "qr", "the eigenvalue 0"),
-    (([["0", "1"], ["-a^2", "0"]], [["0", "0"], ["0", "0"]], FIRST, "r"), "ar", "imaginary"),
+    (
+        ([["0", "1"], ["-a^2", "0"]], [["0", "0"], ["0", "0"]], FIRST, "r"),
+        "ar",
+        "A has imaginary eigenvalues",
+    ),
     (([["0", "1"], ["0", "0"]], ACCELERATION, [["0", "1"]], "r"), "qr", "not observable"),
     (MODELS["random walk"], "q", "density of the measurement noise has to be positive: r > 0"),
     (MODELS["random walk"], "r", "process noise has to have a density: q >= 0"),
@@ -208,15 +212,16 @@ def test_where_there_is_no_steady_state_the_reason_is_told(
 
 @pytest.mark.parametrize("name", ["decaying", "white acceleration", "oscillator", "white jerk"])
 @pytest.mark.parametrize("which", [0, 1])
-def test_another_root_is_not_established(
-    monkeypatch: pytest.MonkeyPatch, name: str, which: int
+@pytest.mark.parametrize("factor", [-1, 2])
+def test_other_roots_are_not_established(
+    monkeypatch: pytest.MonkeyPatch, name: str, which: int, factor: int
 ) -> None:
     right = module._poles
 
     def changed(*args: Any) -> Any:
         coefficients, roots = right(*args)
         last = [*roots][min(which, len(roots) - 1)]
-        return coefficients, {**roots, last: -roots[last]}
+        return coefficients, {**roots, last: factor * roots[last]}
 
     monkeypatch.setattr(module, "_poles", changed)
     with pytest.raises(NotEstablished):
