@@ -50,6 +50,10 @@ NONE = (
     "there is no steady state: A has {}, which no noise drives, so that the Riccati equation has "
     "no stabilising solution"
 )
+UNSOLVED = (
+    "a Kalman-Bucy filter with {} states: covered are up to two, and three integrators in a row of "
+    "which the last is driven"
+)
 METHOD = "tower of radicals, domains of the symbols"
 
 
@@ -104,6 +108,8 @@ def _solved(
 ) -> tuple[Exprs, Exprs, tuple[Fact, ...]]:
     """Gain, covariance and what was shown of them."""
     size = len(a)
+    if size > MOST_STATES:
+        raise Undecided(UNSOLVED.format(size))
     domain.require(r, ">", "the density of the measurement noise has to be positive")
     _require_density(q, domain)
     observed = [h]
@@ -224,7 +230,4 @@ def _poles(
     if size == MOST_STATES and spectrum[1] == spectrum[2] == ZERO:
         bandwidth = power(first, Fraction(1, 6))
         return [power(low, 3), 2 * power(low, 2), 2 * low], {low.name: bandwidth}
-    raise Undecided(
-        f"a Kalman-Bucy filter with {size} states is covered for three integrators in a row of "
-        "which the last is driven, and for up to two states"
-    )
+    raise Undecided(UNSOLVED.format(size))

@@ -62,7 +62,7 @@ def read(model: Model, *claims: str, units: bool = False, domains: str = "qrab")
     text += f"[settings.s]\ntitle = 's'\nkind = 'kalman_bucy'\ntransition = {a}\n"
     text += f"process_noise = {q}\nmeasurement = {h}\nmeasurement_noise = {[[r]]}\n"
     text += "[settings.s.symbols]\n"
-    for i in range(1, len(a) + 1):
+    for i in range(1, min(len(a), 3) + 1):
         text += f"'K_{i}' = {{ quantity = 'continuous_gain.{i}', meaning = 'g' }}\n"
         text += f"'P_{i}' = {{ quantity = 'covariance.{i}.{i}', meaning = 'v' }}\n"
     for at, latex in enumerate(claims or ("q = q",)):
@@ -183,6 +183,8 @@ def test_units_of_densities_are_compared() -> None:
         read(([["-q"]], [["q"]], [["1"]], "r"), units=True)
 
 
+WIDE = [["q" if i == j else "0" for j in range(12)] for i in range(12)]
+TWELVE: Model = (WIDE, WIDE, WIDE[:1], "r")
 REFUSED: list[tuple[Model, str, str]] = [
     (([["0"]], [["0"]], [["1"]], "r"), "qr", "the eigenvalue 0, which no noise drives"),
     (([["0", "1"], ["0", "0"]], [["q", "0"], ["0", "0"]], FIRST, "r"), "qr", "the eigenvalue 0"),
@@ -196,7 +198,12 @@ REFUSED: list[tuple[Model, str, str]] = [
     (MODELS["random walk"], "r", "process noise has to have a density: q >= 0"),
     (([["0"]], [["q"]], [["u"]], "r"), "qr", "has to be observable: u != 0"),
     (([["u"]], [["0"]], [["1"]], "r"), "r", "noise has to drive an eigenvalue 0 of A: u^2 > 0"),
-    ((THREE, [["q", "0", "0"], *JERK[1:]], [["1", "0", "0"]], "r"), "qr", "3 states"),
+    (
+        (THREE, [["q", "0", "0"], *JERK[1:]], [["1", "0", "0"]], "r"),
+        "qr",
+        "3 states: covered are up to two",
+    ),
+    (TWELVE, "qr", "12 states"),
     (([["0", "1"], ["0", "0"]], [["0", "q"], ["0", "q"]], FIRST, "r"), "qr", "not symmetric"),
 ]
 
