@@ -153,6 +153,7 @@ SLIPS = [
 ]
 
 
+@pytest.mark.alike
 @pytest.mark.parametrize(("degree", "latex"), TRUE)
 def test_published_formulas_are_proved(degree: int, latex: str) -> None:
     (found,) = judged("fading_memory", degree, ("identity", latex), more="third_gain = '1/2'")
@@ -160,6 +161,7 @@ def test_published_formulas_are_proved(degree: int, latex: str) -> None:
     assert not found.any_filter
 
 
+@pytest.mark.alike
 @pytest.mark.parametrize(("degree", "latex", "repaired"), SLIPS)
 def test_misprints_are_refuted_and_mended(degree: int, latex: str, repaired: str | None) -> None:
     (found,) = judged("fading_memory", degree, ("identity", latex), more="third_gain = '1/2'")

@@ -90,6 +90,7 @@ def numbers(rows: Rows, at: dict[str, float]) -> Any:
     return np.array([[one(entry) for entry in row] for row in rows])
 
 
+@pytest.mark.alike
 @pytest.mark.parametrize("name", MODELS)
 @pytest.mark.parametrize("point", POINTS)
 def test_agrees_with_the_riccati_solver_of_scipy(name: str, point: dict[str, str]) -> None:
@@ -154,6 +155,7 @@ SLIPS = [
 """Among them other solutions of the Riccati equation, which stabilise nothing."""
 
 
+@pytest.mark.alike
 @pytest.mark.parametrize(("name", "latex"), [(n, c) for n, found in TRUE.items() for c in found])
 def test_published_formulas_are_proved(name: str, latex: str) -> None:
     # q is the density of an acceleration
@@ -163,6 +165,7 @@ def test_published_formulas_are_proved(name: str, latex: str) -> None:
         assert not found.any_filter
 
 
+@pytest.mark.alike
 @pytest.mark.parametrize(("name", "latex", "repaired"), SLIPS)
 def test_misprints_are_refuted_and_mended(name: str, latex: str, repaired: str | None) -> None:
     (found,) = judged(MODELS[name], latex)
