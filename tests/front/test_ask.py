@@ -173,8 +173,34 @@ def test_a_statement_about_any_numbers_is_refuted_as_one(judge: Judge) -> None:
 def test_ways_to_understand_it_are_all_told(judge: Judge) -> None:
     found = judge.ask(r"\alpha_k = \frac{2(2k+1)}{(k+1)(k+2)}")
     assert "degree 1" in found.headline()
-    assert [verdict for _, verdict in found.others] == ["refuted", "refuted"]
+    assert [verdict for _, verdict in found.others] == ["refuted", "refuted", "refuted"]
     assert "degree 0: refuted" in " ".join(str(found).split())
+
+
+def test_a_weight_makes_a_filter_one_of_fading_memory(judge: Judge) -> None:
+    weight = {r"\theta": "forgetting_factor"}
+    found = judge.ask(r"\alpha = 1 - \theta^2, \beta = (1 - \theta)^2", symbols=weight)
+    assert found.verdict == "proved"
+    assert "fading-memory filter, polynomial of degree 1" in " ".join(str(found).split())
+    # of the degrees the one in which it is a misprint
+    wrong = r"P_{11} = R \frac{(1 - \theta)(1 + 4\theta + 5\theta^2)}{(1 + \theta)^2}"
+    found = judge.ask(wrong, symbols=weight)
+    assert found.verdict == "refuted"
+    assert "degree 1" in found.headline()
+    assert "^{3}" in found.repairs[0]["latex"]
+
+
+def test_densities_make_a_filter_one_in_continuous_time(judge: Judge) -> None:
+    said = {"q": "m^2 s^-3 > 0", "r": "m^2 s > 0"}
+    found = judge.ask(r"K_1 = \sqrt{2} (q/r)^{1/4}, K_2 = \sqrt{q/r}", symbols=said)
+    assert found.verdict == "proved"
+    assert "white acceleration" in found.headline()
+    found = judge.ask(r"P_{22} = \sqrt{2} q^{3/4} r^{3/4}", symbols=said)
+    assert found.verdict == "refuted"
+    found = judge.ask(r"K_1 = \sqrt{q/r}", symbols={"q": "m^2/s > 0", "r": "m^2 s > 0"})
+    assert found.verdict == "proved"
+    with pytest.raises(BadInputError, match="density of the process noise is"):
+        judge.ask("K_1 = 1/r", symbols={"r": "m^2 s > 0"})
 
 
 @pytest.mark.parametrize(

@@ -111,7 +111,7 @@ def test_the_example_is_read() -> None:
     assert len(claim_file.read_claim_text(short).claims) == 3
     more = [one for one in blocks if "format =" not in one]
     file = claim_file.read_claim_text("\n".join((example, *more)))
-    assert [claim.id for claim in file.claims] == ["1", "2", "3", "4"]
+    assert [claim.id for claim in file.claims] == [str(n) for n in range(1, 7)]
     assert claim_file.FORMAT in example
 
 

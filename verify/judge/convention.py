@@ -4,7 +4,7 @@ what the source calls gain, noise and covariance, number of the first sample, re
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from typing import Any
 
@@ -21,9 +21,10 @@ from gainproof.verify.judge.exact.limits import Malformed, Undecided
 from gainproof.verify.judge.fixed_gain.environment import fixed_gain
 from gainproof.verify.judge.fixed_gain.matrices import gain_model, gain_model_key
 from gainproof.verify.judge.setting.environment import Environment, NotEstablished, algebra
+from gainproof.verify.judge.setting.kalman_bucy import kalman_bucy
 from gainproof.verify.judge.setting.own_matrices import model_key
 from gainproof.verify.judge.setting.own_model import own_environment
-from gainproof.verify.judge.setting.quantities import memory, steady_state
+from gainproof.verify.judge.setting.quantities import fading, memory, steady_state
 
 Model = Mapping[str, Any]
 MOST_CONVENTIONS = 400
@@ -91,15 +92,18 @@ def _bases(
     match setting.kind:
         case "algebra":
             yield algebra()
-        case "growing_memory":
-            key = ("memory", setting.degree)
+        case "growing_memory" | "fading_memory":
+            key = (setting.kind, setting.degree)
             if key not in solved:
-                solved[key] = memory(setting.degree if setting.degree is not None else -1)
+                fitted = memory if setting.kind == "growing_memory" else fading
+                solved[key] = fitted(setting.degree if setting.degree is not None else -1)
             yield solved[key]
         case "fixed_gain":
             yield _free(setting, solved)
+        case "kalman_bucy":
+            yield _established(setting, solved, kalman_bucy)
         case "steady_state" if setting.own_model is not None:
-            yield _own(setting, solved)
+            yield _established(setting, solved, own_environment)
         case "steady_state":
             for model in _models(setting, models):
                 yield _steady(model, solved)
@@ -138,11 +142,14 @@ def _last_component(setting: Setting) -> int:
     )
 
 
-def _own(setting: Setting, solved: dict[Any, Environment]) -> Environment | Unusable:
-    key = ("own", model_key(setting))
+def _established(
+    setting: Setting, solved: dict[Any, Environment], made: Callable[[Setting], Environment]
+) -> Environment | Unusable:
+    """The environment of matrices of the setting's own."""
+    key = (setting.kind, model_key(setting))
     try:
         if key not in solved:
-            solved[key] = own_environment(setting)
+            solved[key] = made(setting)
     except (Undecided, Malformed, NotEstablished) as reason:
         return Unusable(setting.name, str(reason))
     return solved[key]

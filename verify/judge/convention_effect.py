@@ -19,7 +19,7 @@ from gainproof.verify.judge.setting.environment import (
     Environment,
 )
 
-STATES = range(1, 4)
+STATES = range(1, 5)
 PREDICTOR = "predictor (F K)"
 
 

@@ -18,8 +18,8 @@ from types import MappingProxyType
 
 from gainproof.verify.judge.claim.record import Unit
 
-_MOST_STATES = 3
-_ORDERS = range(4)
+_MOST_STATES = 4
+_ORDERS = range(5)
 _ONE = Unit()
 _METRE = Unit(metre=Fraction(1))
 _COVARIANCES = {
@@ -50,6 +50,9 @@ def quantity_names() -> Mapping[str, QuantityName]:
     """All names that `quantity = "..."` accepts."""
     found = [
         QuantityName("sample_number", _ONE, "number k of the newest sample, the first being 0"),
+        QuantityName(
+            "forgetting_factor", _ONE, "weight of a sample over that of the next newer one"
+        ),
         QuantityName("sampling_interval", Unit(second=Fraction(1)), "time T between samples"),
         QuantityName("tracking_index", _ONE, "square root of the dimensionless noise ratio"),
         QuantityName(
@@ -108,6 +111,11 @@ def quantity_names() -> Mapping[str, QuantityName]:
             for m in _ORDERS
         ]
         found += [
+            QuantityName(
+                f"continuous_gain.{i}",
+                Unit(second=Fraction(-i)),
+                f"component {i} of the gain of a Kalman-Bucy filter",
+            ),
             QuantityName(f"gain.{i}", _ONE, f"gain {i}, by the conventions of the setting"),
             QuantityName(f"filter_gain.{i}", _ONE, f"component {i} of K, times T^{i - 1}"),
             QuantityName(f"predictor_gain.{i}", _ONE, f"component {i} of F K, times T^{i - 1}"),

@@ -15,7 +15,7 @@ from gainproof.verify.judge.reach import graphs_of_claim, reached
 from gainproof.verify.judge.scope import Scope, UndefinedSymbol
 from gainproof.verify.judge.setting.environment import NotEstablished, algebra
 
-WITH_MODEL = ("steady_state", "growing_memory", "fixed_gain")
+WITH_MODEL = ("steady_state", "growing_memory", "fading_memory", "kalman_bucy", "fixed_gain")
 EQUATIONS, ORDERS = "identity", "inequality"
 FEW = 2
 """Symbols of an order that is looked at: it is decided over cells, which takes time."""

@@ -196,12 +196,16 @@ def _one_of(part: Sequence[str]) -> str:
 
 
 def answer_of(asked: Question, claims: Sequence[Mapping[str, Any]]) -> Answer:
-    """The answer from the verdicts on all ways to understand the formula: the best of them."""
+    """The answer from the verdicts on all ways to understand the formula: the best of them. Of a
+    formula that is false in each the one in which it looks like a misprint.
+    """
 
     def rank(claim: Mapping[str, Any]) -> int:
         return BEST.index(claim["verdict"]) if claim["verdict"] in BEST else len(BEST)
 
     best = min(claims, key=rank)
+    if all(claim["verdict"] == "refuted" for claim in claims):
+        best = next((claim for claim in claims if claim["repairs"]), best)
     others = tuple(
         (_filter(asked.assumed[claim["id"]]), claim["verdict"])
         for claim in claims

@@ -31,6 +31,7 @@ from gainproof.verify.judge.claim.settings import CONVENTIONS
 from gainproof.verify.judge.claim.units import read_unit
 from gainproof.verify.judge.formula import Formula, Graph
 from gainproof.verify.judge.quantity_names import quantity_names
+from gainproof.verify.judge.setting.growing_memory import MOST_DEGREE
 
 DEFINITION = "definition"
 WHOLE = "whole number"
@@ -290,15 +291,21 @@ def _candidates(
         states = max([2, *orders])
         fixed = ('kind = "fixed_gain"', f"states = {states}", *_conventions(options, meant))
         return [Candidate(fixed, meant, f"a filter of {states} states with any gains")]
-    if any(map(letters.is_numbered, tokens)) and model == SEARCH:
-        least = max(orders, default=1) - 1
+    densities = _densities(meant) if model == SEARCH else None
+    if densities is not None:
+        return [_continuous(meant, *densities)]
+    fading = any(each.quantity == "forgetting_factor" for each in meant.values())
+    if (fading or any(map(letters.is_numbered, tokens))) and model == SEARCH:
+        kind = "fading_memory" if fading else "growing_memory"
+        words = "fading-memory filter" if fading else "least squares over all samples"
+        least = max(1, _states(meant)) - 1
         return [
             Candidate(
-                ('kind = "growing_memory"', f"degree = {degree}", *_conventions(options, meant)),
+                (f'kind = "{kind}"', f"degree = {degree}", *_conventions(options, meant)),
                 meant,
-                f"least squares over all samples, polynomial of degree {degree}",
+                f"{words}, polynomial of degree {degree}",
             )
-            for degree in range(least, 3)
+            for degree in range(least, MOST_DEGREE + 1)
         ]
     strengths = [token for token in tokens if meant[token].role in ("deviation", "density")]
     if not strengths:
@@ -332,11 +339,62 @@ def _candidates(
     return found
 
 
+def _densities(meant: Mapping[str, Meaning]) -> tuple[str, str, int] | None:
+    """Symbols that are said to be the densities of the noises of a position and of its derivative
+    of some order, and this order; None where no measurement in continuous time is spoken of.
+    """
+    units = {t: read_unit(each.unit) for t, each in meant.items() if each.role == "free"}
+    by_unit = {unit: token for token, unit in units.items()}
+    measured = by_unit.get(read_unit("m^2 s"))
+    if measured is None:
+        return None
+    for order in range(1, 4):
+        driving = by_unit.get(read_unit(f"m^2 s^{1 - 2 * order}"))
+        if driving is not None:
+            return measured, driving, order
+    raise BadInputError(
+        f"{measured} in m^2 s is taken for the density of a measurement in continuous time: say "
+        "what the density of the process noise is, --symbol 'q: m^2 s^-3 > 0' for a white "
+        "acceleration, m^2 s^-1 for a white velocity"
+    )
+
+
+def _continuous(meant: Mapping[str, Meaning], measured: str, driving: str, order: int) -> Candidate:
+    """A Kalman-Bucy filter of a position and its derivatives, of which the last is driven."""
+    names = quantity_names()
+    declared = {
+        token: letters.quantity(f"continuous_{name}", names[f"continuous_{name}"].meaning)
+        if (name := each.quantity).startswith("gain.")
+        else each
+        for token, each in meant.items()
+    }
+    size = range(order)
+
+    def matrix(name: str, entry: Callable[[int, int], str], rows: Collection[int] = size) -> str:
+        found = [f"[{', '.join(quoted(entry(i, j)) for j in size)}]" for i in rows]
+        return f"{name} = [{', '.join(found)}]"
+
+    lines = (
+        'kind = "kalman_bucy"',
+        matrix("transition", lambda i, j: str(int(j == i + 1))),
+        matrix("process_noise", lambda i, j: driving if i == j == order - 1 else "0"),
+        matrix("measurement", lambda _, j: str(int(j == 0)), (0,)),
+        f"measurement_noise = [[{quoted(measured)}]]",
+    )
+    noise = ("velocity", "acceleration", "jerk")[order - 1]
+    return Candidate(lines, declared, f"Kalman-Bucy filter in its steady state, white {noise}")
+
+
 def _searched(meant: Mapping[str, Meaning]) -> str:
     """Among which models the judge searches: as many states as the highest component named."""
-    parts = (part for each in meant.values() for part in each.quantity.split(".") if part.isdigit())
-    states = max(map(int, parts), default=0)
+    states = _states(meant)
     return f" among models of {states} states" if states > 1 else ""
+
+
+def _states(meant: Mapping[str, Meaning]) -> int:
+    """The highest number of a component; 0 if there is none."""
+    parts = (part for each in meant.values() for part in each.quantity.split(".") if part.isdigit())
+    return max(map(int, parts), default=0)
 
 
 def _alone(formula: Formula, token: str) -> bool:

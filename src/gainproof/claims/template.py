@@ -14,7 +14,9 @@ SETTINGS_COMMENT = """\
 #   steady_state    a Kalman filter in its steady state, with
 #                   model = "random-velocity", "random-acceleration", ... (gainproof list),
 #                   or "search" where the source does not say, or matrices of its own
-#   growing_memory  least squares over all samples, with degree = 0, 1 or 2
+#   growing_memory  least squares over all samples, with degree = 0, 1, 2 or 3
+#   fading_memory   the same with weights that fall with age, after many samples
+#   kalman_bucy     a steady state in continuous time, with matrices of its own
 #   fixed_gain      a filter with any gains, with states = 1, 2 or 3
 #   algebra         no filter: the claims follow from the definitions of their symbols
 #   matrices        letters that are matrices of any size, with sizes = ['n', 'm']

@@ -96,6 +96,7 @@ _NOT_IN: Mapping[str, frozenset[str]] = MappingProxyType(
     {
         "steady_state": frozenset(),
         "growing_memory": frozenset(("tracking_index",)),
+        "fading_memory": frozenset(("tracking_index",)),
         "fixed_gain": frozenset(("tracking_index",)),
     }
 )
@@ -136,7 +137,8 @@ def filter_meanings(tokens: Sequence[str]) -> Mapping[str, Meaning]:
 
 def is_anchor(meaning: Meaning) -> bool:
     """Whether a formula that holds this is about a filter: times and noises alone are not."""
-    return meaning.quantity.startswith(("gain.", "filter_gain.", "predictor_gain.", *_ENTRIES))
+    gains = ("gain.", "filter_gain.", "predictor_gain.", "continuous_gain.")
+    return meaning.quantity.startswith((*gains, *_ENTRIES))
 
 
 def is_sound(meanings: Collection[Meaning]) -> bool:

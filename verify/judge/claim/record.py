@@ -104,7 +104,9 @@ class Setting:
     """What claims are about.
 
     `kind` is `steady_state` (`model` is a catalogue name, `search`, or None with `own_model`),
-    `growing_memory` (least squares over all samples with a polynomial of `degree`), `fixed_gain`
+    `growing_memory` (least squares over all samples with a polynomial of `degree`), `fading_memory`
+    (the same with weights that fall with the age of a sample, in the steady state), `kalman_bucy`
+    (the steady state in continuous time: `own_model` holds A and densities), `fixed_gain`
     (a filter with any gains: of `states`, position with its derivatives, or of `gain_matrices`),
     `algebra` (no model: identities that follow from the definitions), or `matrices` (letters that
     are matrices of any size: these are in `matrices`, and `symbols` is empty). `symbols` holds

@@ -27,7 +27,19 @@ from gainproof.verify.judge.matrices.declare import read_letters, read_sizes
 
 MOST_SETTINGS = 100
 MOST_DEGREE = 8
-SETTING_KINDS = ("steady_state", "growing_memory", "fixed_gain", "algebra", "matrices")
+SETTING_KINDS = (
+    "steady_state",
+    "growing_memory",
+    "fading_memory",
+    "kalman_bucy",
+    "fixed_gain",
+    "algebra",
+    "matrices",
+)
+OWN = ("steady_state", "kalman_bucy")
+"""The kinds that may have four matrices of their own."""
+FITTED = ("growing_memory", "fading_memory")
+"""The kinds of a polynomial fitted to all samples, which has a degree."""
 MOST_STATES = 3
 MOST_FILTERS = 20
 MOST_EQUATIONS = 3
@@ -178,7 +190,7 @@ def _built(
         filters=_filters(fields, symbols),
         note=note,
         matrices=None,
-        **_conventions(fields, symbols),
+        **_conventions(fields, kind, symbols),
     )
     if says_units(setting):
         return setting
@@ -223,7 +235,7 @@ def _of_matrices(fields: Fields, name: str, title: str, note: str | None) -> Set
     return Setting(name, "matrices", title, {}, note=note, matrices=letters)
 
 
-def _conventions(fields: Fields, symbols: Mapping[str, SymbolEntry]) -> dict[str, str]:
+def _conventions(fields: Fields, kind: str, symbols: Mapping[str, SymbolEntry]) -> dict[str, str]:
     """The conventions that the setting states, as texts; whole numbers may stand without quotes.
 
     One that is not stated is not searched for either, unless a symbol depends on it.
@@ -232,7 +244,8 @@ def _conventions(fields: Fields, symbols: Mapping[str, SymbolEntry]) -> dict[str
     found = {
         name: CONVENTIONS[name][0]
         for name in ("gain", "covariance")
-        if not any(quantity.startswith(f"{name}.") for quantity in quantities)
+        if kind == "kalman_bucy"
+        or not any(quantity.startswith(f"{name}.") for quantity in quantities)
     }
     for name, choices in CONVENTIONS.items():
         if not fields.has(name):
@@ -286,11 +299,14 @@ def _check_kind(
             raise fields.fail(name, f"a setting of kind {kind} does not take this field")
     if kind == "steady_state" and (model is None) == (not given):
         raise fields.fail("model", "wanted: either `model` or the four matrices of a model")
-    if kind != "steady_state" and (model is not None or given):
+    if kind == "kalman_bucy" and not given:
+        problem = "this matrix is missing: a Kalman-Bucy filter has four"
+        raise fields.fail(MATRICES[0], problem)
+    if (kind != "steady_state" and model is not None) or (given and kind not in OWN):
         raise fields.fail("model", f"a setting of kind {kind} has no model")
-    if kind == "growing_memory" and degree is None:
+    if kind in FITTED and degree is None:
         raise fields.fail("degree", "this field is missing: the degree of the polynomial")
-    if kind != "growing_memory" and degree is not None:
+    if kind not in FITTED and degree is not None:
         raise fields.fail("degree", f"a setting of kind {kind} has no degree")
 
 

@@ -30,6 +30,14 @@ from gainproof.verify.judge.meaning.reach import names_in
 
 NOISES = ("process_noise", "measurement_noise")
 ONE = Fraction(1)
+CONTINUOUS = "kalman_bucy"
+SECOND = Unit(second=ONE)
+PER_TIME = {
+    "transition": SECOND,
+    "process_noise": SECOND,
+    "measurement_noise": Unit() / SECOND,
+}
+"""What makes a matrix in continuous time, or a density, one of a transition or a covariance."""
 Rows = Sequence[Sequence[Graph]]
 
 
@@ -63,13 +71,32 @@ def says_units(setting: Setting) -> bool:
     own = setting.own_model
     if own is None:
         return True
+    if setting.kind == CONTINUOUS:
+        return _counts_positions(setting)
     if _unit(own.measurement_noise[0][0], setting) != Unit(metre=Fraction(2)):
         return False
     matrices = (own.transition, own.process_noise, own.measurement)
     trees = [read_tree(entry) for rows in matrices for row in rows for entry in row]
     names = {name for tree in trees for name in names_in(tree)}
-    times = [e for t, e in setting.symbols.items() if t in names and e.unit == Unit(second=ONE)]
+    times = [e for t, e in setting.symbols.items() if t in names and e.unit == SECOND]
     return len(own.transition) == 1 or bool(times)
+
+
+def _counts_positions(setting: Setting) -> bool:
+    """Whether the symbols of a model in continuous time are those of a position with its
+    derivatives: that of each noise has the unit of its density, all others fit.
+    """
+    said = set()
+    for name, i, j, entry in _entries(setting):
+        unit = _unit(entry, setting)
+        metres = Fraction(2 if name in NOISES else 0)
+        # of i - j derivatives in F, of i + j in Q
+        seconds = {"transition": j - i, "process_noise": -i - j, "measurement": j}.get(name, 0)
+        wanted = Unit(metre=metres, second=Fraction(seconds)) / PER_TIME.get(name, Unit())
+        if unit is not None and unit != wanted:
+            return False
+        said |= {name} if unit is not None else set()
+    return said >= set(NOISES)
 
 
 def shared_fault(symbols: Mapping[str, SymbolEntry]) -> Fault | None:
@@ -134,6 +161,21 @@ def _differs(graph: Graph, wanted: Dimensions, what: str, names: Names) -> str |
 
 def _model_faults(setting: Setting) -> Iterator[Fault]:
     """Entries of F, Q, H and R from which no units of states and measurements follow."""
+    solver = _Solver()
+    continuous = setting.kind == CONTINUOUS
+    if continuous and all(_unit(e, setting) in (None, Unit()) for *_, e in _entries(setting)):
+        return  # all of it, times too, is counted in units of its own
+    for name, i, j, entry in _entries(setting):
+        unit = _unit(entry, setting)
+        if unit is not None and continuous:
+            unit = unit * PER_TIME.get(name, Unit())
+        if unit is not None and not solver.agrees(_equation(name, i, j), unit):
+            problem = f"the entry in row {i + 1}, column {j + 1} has a unit that fits no state"
+            yield Fault(None, name, problem)
+
+
+def _entries(setting: Setting) -> Iterator[tuple[str, int, int, Graph]]:
+    """The matrices of the setting, entry by entry, with the place."""
     matrices: dict[str, Rows] = dict(setting.gain_matrices)
     if setting.own_model is not None:
         own = setting.own_model
@@ -143,16 +185,10 @@ def _model_faults(setting: Setting) -> Iterator[Fault]:
             "transition": own.transition,
             "process_noise": own.process_noise,
         }
-    solver = _Solver()
     for name, rows in matrices.items():
         for i, row in enumerate(rows):
             for j, entry in enumerate(row):
-                unit = _unit(entry, setting)
-                if unit is not None and not solver.agrees(_equation(name, i, j), unit):
-                    problem = (
-                        f"the entry in row {i + 1}, column {j + 1} has a unit that fits no state"
-                    )
-                    yield Fault(None, name, problem)
+                yield name, i, j, entry
 
 
 def _unit(entry: Graph, setting: Setting) -> Unit | None:

@@ -34,9 +34,11 @@ def inverse(value: Value) -> Value:
 
 
 def determinant(value: Value) -> Expr:
-    """The determinant by the first row."""
+    """The determinant by the first row; that of no rows, the cofactor of a single entry, is 1."""
     if isinstance(value, Expr):
         return value
+    if not value:
+        return number(1)
     size = _square(value, "the determinant of")
     if size == 1:
         return value[0][0]

@@ -1,3 +1,3 @@
-"""What the quantities of a setting are: steady states and growing memories, solved and established
-here.
+"""What the quantities of a setting are: steady states, growing and fading memories, solved and
+established here.
 """

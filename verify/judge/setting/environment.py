@@ -18,6 +18,7 @@ DEVIATION = "measurement_noise_deviation"
 INDEX = "tracking_index"
 RATIO = "velocity_deviation_ratio"
 SAMPLE = "sample_number"
+WEIGHT = "forgetting_factor"
 POSITIVE = Box(lower=Fraction(0))
 ANY_REAL = Box(stated=False)
 
@@ -89,7 +90,7 @@ class Environment:
 
     def own_variables(self) -> frozenset[str]:
         """The base variables that stand for the tracking index and other parameters of a model."""
-        if self.parameter == SAMPLE:
+        if self.parameter in (SAMPLE, WEIGHT):
             return frozenset()
         known = (self.parameter, *self.coordinates, *symbols_of(*self.squares.values()))
         return frozenset(name for name in known if name is not None)

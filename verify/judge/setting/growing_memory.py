@@ -1,4 +1,4 @@
-"""Least squares over all samples 0..k with a polynomial of degree 0, 1 or 2, symbolic in the sample
+"""Least squares over all samples 0..k with a polynomial of degree 0 to 3, symbolic in the sample
 number k.
 
 With phi(j)' = H F^j, j = i - k <= 0, the normal matrix is J(k) = sum of phi phi'. Its closed form
@@ -10,7 +10,7 @@ identically in k, the previous state and the new measurement.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 from itertools import pairwise
@@ -32,9 +32,20 @@ from gainproof.verify.judge.exact.limits import Undecided
 from gainproof.verify.judge.exact.poly import fraction, rational
 from gainproof.verify.judge.exact.statement import Rel, Statement
 from gainproof.verify.judge.setting.environment import ANY_REAL, SAMPLE, Fact, NotEstablished
-from gainproof.verify.judge.setting.matrix import Exprs, exprs, minus, plus, times, transposed
+from gainproof.verify.judge.setting.matrix import (
+    Exprs,
+    Numbers,
+    exprs,
+    minus,
+    plus,
+    times,
+    transposed,
+)
 
 Polynomial = list[Fraction]
+Shown = Callable[[str, Exprs, str], Fact]
+"""That all entries of a matrix compare so with 0. Raises NotEstablished."""
+MOST_DEGREE = 3
 
 
 @dataclass(frozen=True)
@@ -95,8 +106,8 @@ def _expr(p: Polynomial) -> Expr:
 
 
 def growing_memory(degree: int) -> GrowingMemory:
-    """Gain and covariance, established. Raises Undecided beyond degree 2."""
-    if degree not in (0, 1, 2):
+    """Gain and covariance, established. Raises Undecided beyond degree 3."""
+    if not 0 <= degree <= MOST_DEGREE:
         raise Undecided(f"least squares of degree {degree} is not covered")
     size = degree + 1
     normal = [
@@ -115,12 +126,22 @@ def growing_memory(degree: int) -> GrowingMemory:
         for a in range(size)
     )
     j = tuple(tuple(_expr(p) for p in row) for row in normal)
-    f = exprs(_taylor(size, 1))
+    f = exprs(taylor(size, 1))
     gain = tuple(row[0] for row in inverse)
     continued = tuple(_cancelled(_minor(normal, 0, a), determinant, (-1) ** a) for a in range(size))
-    facts = _establish(degree, j, _expr(determinant), f, gain, inverse)
-    same = (tuple(a - b for a, b in zip(gain, continued, strict=True)),)
-    facts = (*facts, _shown("the gains with common factors cancelled", same, degree))
+    boxes = {SAMPLE: Box(lower=Fraction(degree), lower_open=False)}
+
+    def shown(sentence: str, entries: Exprs, operator: str = "=") -> Fact:
+        return shown_of(SAMPLE, boxes, sentence, entries, operator)
+
+    start = tuple(tuple(substituted(e, {SAMPLE: number(0)}) for e in row) for row in j)
+    before = tuple(tuple(substituted(e, {SAMPLE: symbol(SAMPLE) - 1}) for e in row) for row in j)
+    facts = (
+        shown("J(0) = H'H", minus(start, times(transposed(first(size)), first(size)))),
+        *of_recursion("J(k) = F^-T J(k-1) F^-1 + H'H for every k", j, before, inverse, shown),
+        shown(f"det J(k) > 0 for k >= {degree}", ((_expr(determinant),),), ">"),
+        shown("the gains with common factors cancelled", minus((gain,), (continued,))),
+    )
     return GrowingMemory(degree, f, gain, continued, inverse, j, facts)
 
 
@@ -138,7 +159,8 @@ def _minor(rows: Sequence[Sequence[Polynomial]], i: int, j: int) -> Polynomial:
     )
 
 
-def _taylor(size: int, step: int) -> tuple[tuple[Fraction, ...], ...]:
+def taylor(size: int, step: int) -> Numbers:
+    """The transition of a position and its derivatives over so many intervals."""
     return tuple(
         tuple(
             Fraction(step ** (c - r), factorial(c - r)) if c >= r else Fraction(0)
@@ -148,45 +170,50 @@ def _taylor(size: int, step: int) -> tuple[tuple[Fraction, ...], ...]:
     )
 
 
-def _establish(
-    degree: int, j: Exprs, determinant: Expr, f: Exprs, gain: tuple[Expr, ...], inverse: Exprs
+def first(size: int) -> Exprs:
+    """The position is measured."""
+    return (tuple(number(int(c == 0)) for c in range(size)),)
+
+
+def of_recursion(
+    sentence: str, j: Exprs, before: Exprs, inverse: Exprs, shown: Shown
 ) -> tuple[Fact, ...]:
-    size = degree + 1
-    back = exprs(_taylor(size, -1))
-    h = (tuple(number(int(c == 0)) for c in range(size)),)
-    measured = times(transposed(h), h)
-    before = tuple(tuple(substituted(e, {SAMPLE: symbol(SAMPLE) - 1}) for e in row) for row in j)
+    """That J = F^-T before F^-1 + H'H, as the `sentence` has it, and that the recursion with the
+    gain J^-1 H' solves J x = F^-T before x_before + H'y, whatever the state before and the new
+    measurement. Raises NotEstablished, Undecided.
+    """
+    size = len(j)
+    f, back, h = exprs(taylor(size, 1)), exprs(taylor(size, -1)), first(size)
     moved = times(times(transposed(back), before), back)
     state = tuple((symbol(f"state {i}"),) for i in range(size))
     y = symbol("measured")
     forward = times(f, state)
     innovation = y - forward[0][0]
-    new = tuple((p[0] + g * innovation,) for p, g in zip(forward, gain, strict=True))
+    new = tuple((p[0] + row[0] * innovation,) for p, row in zip(forward, inverse, strict=True))
     left = times(j, new)
     right = plus(
         times(times(transposed(back), before), state), tuple((e[0] * y,) for e in transposed(h))
     )
-    start = [substituted(e, {SAMPLE: number(0)}) for row in minus(j, measured) for e in row]
+    unit = exprs(taylor(size, 0))
     return (
-        _shown("F F^-1 = I", minus(times(f, back), exprs(_taylor(size, 0))), degree),
-        _shown("J(0) = H'H", (tuple(start),), degree),
-        _shown(
-            "J(k) = F^-T J(k-1) F^-1 + H'H for every k", minus(j, plus(moved, measured)), degree
-        ),
-        _shown("J J^-1 = I", minus(times(j, inverse), exprs(_taylor(size, 0))), degree),
-        _shown(f"det J(k) > 0 for k >= {degree}", ((determinant,),), degree, ">"),
-        _shown(
-            "the recursion solves the normal equations of the batch", minus(left, right), degree
-        ),
+        shown("F F^-1 = I", minus(times(f, back), unit), "="),
+        shown(sentence, minus(j, plus(moved, times(transposed(h), h))), "="),
+        shown("J J^-1 = I", minus(times(j, inverse), unit), "="),
+        shown("the recursion solves the normal equations of the batch", minus(left, right), "="),
     )
 
 
-def _shown(sentence: str, entries: Exprs, degree: int, operator: str = "=") -> Fact:
-    boxes = {SAMPLE: Box(lower=Fraction(degree), lower_open=False), "measured": ANY_REAL}
-    boxes |= {f"state {i}": ANY_REAL for i in range(degree + 1)}
+def shown_of(
+    parameter: str, boxes: Mapping[str, Box], sentence: str, entries: Exprs, operator: str
+) -> Fact:
+    """The fact that all entries compare so with 0, for all values of the parameter in its box.
+    Raises NotEstablished, Undecided.
+    """
+    free = ("measured", *(f"state {i}" for i in range(MOST_DEGREE + 1)))
     outcome = None
     for entry in (e for row in entries for e in row):
-        outcome = decide(Statement((Rel(operator, entry, number(0)),)), boxes, SAMPLE)
+        statement = Statement((Rel(operator, entry, number(0)),))
+        outcome = decide(statement, {**dict.fromkeys(free, ANY_REAL), **boxes}, parameter)
         if outcome.verdict != "proved":
             raise NotEstablished(f"{sentence}: {outcome.reason}")
-    return Fact(sentence, "identity in the sample number", outcome.certificate if outcome else {})
+    return Fact(sentence, f"identity in {parameter}", outcome.certificate if outcome else {})

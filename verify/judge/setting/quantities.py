@@ -1,5 +1,5 @@
-"""Environments of settings: the quantities of a steady state or a growing memory in the source's
-units.
+"""Environments of settings: the quantities of a steady state, of a growing or a fading memory in
+the source's units.
 """
 
 from __future__ import annotations
@@ -32,13 +32,16 @@ from gainproof.verify.judge.setting.environment import (
     INTERVAL,
     POSITIVE,
     SAMPLE,
+    WEIGHT,
     Environment,
 )
-from gainproof.verify.judge.setting.growing_memory import GrowingMemory, growing_memory
+from gainproof.verify.judge.setting.fading_memory import WITHIN, fading_memory
+from gainproof.verify.judge.setting.growing_memory import first, growing_memory
 from gainproof.verify.judge.setting.matrix import Exprs, model_matrices, times, transposed
 from gainproof.verify.judge.setting.steady_state import SteadyState, solve
 
 T, SIGMA = symbol(INTERVAL), symbol(DEVIATION)
+POLYNOMIALS = ("mean", "line", "parabola", "cubic")
 
 
 def steady_state(model: Mapping[str, Any], squared_index: Fraction | None = None) -> Environment:
@@ -149,25 +152,15 @@ def model_data(environment: Environment, meanings: Mapping[str, Expr]) -> dict[s
 
 
 def memory(degree: int) -> Environment:
-    """Least squares over all samples with a polynomial of this degree."""
-    fit: GrowingMemory = growing_memory(degree)
+    """Least squares over all samples with a polynomial of this degree. Raises Undecided."""
+    fit = growing_memory(degree)
     size = degree + 1
-    predictor = tuple(row[0] for row in times(fit.transition, tuple((g,) for g in fit.gain)))
     before = tuple(
         tuple(substituted(e, {SAMPLE: symbol(SAMPLE) - 1}) for e in row) for row in fit.updated
     )
     predicted = times(times(fit.transition, before), transposed(fit.transition))
-    quantities = common_quantities()
-    for i in range(size):
-        quantities[f"gain.{i + 1}"] = fit.gain[i]
-        quantities[f"filter_gain.{i + 1}"] = fit.gain[i]
-        quantities[f"predictor_gain.{i + 1}"] = predictor[i]
-    quantities |= covariances_in_units("predicted", predicted) | covariances_in_units(
-        "updated", fit.updated
-    )
-    quantities["innovation_variance"] = (predicted[0][0] + 1) * power(SIGMA, 2)
+    quantities = _fitted(fit.transition, fit.gain, predicted, fit.updated)
     quantities |= covariances_in_units("information", fit.information)
-    quantities |= filter_states(fit.transition, fit.gain, _first(size))
     quantities[SAMPLE] = symbol(SAMPLE)
     missing = {}
     if degree == 0:
@@ -178,15 +171,49 @@ def memory(degree: int) -> Environment:
         SAMPLE: Box(lower=Fraction(degree), lower_open=False, integer=True),
         **base_boxes(size),
     }
-    what = {0: "mean", 1: "line", 2: "parabola"}[degree]
     continued = {f"filter_gain.{i + 1}": gain for i, gain in enumerate(fit.continued_gain)}
-    name = f"least squares, {what}"
+    name = f"least squares, {POLYNOMIALS[degree]}"
     return Environment(name, quantities, boxes, SAMPLE, fit.facts, missing, continued)
 
 
-def _first(size: int) -> Exprs:
-    """The position is measured."""
-    return (tuple(number(int(i == 0)) for i in range(size)),)
+def fading(degree: int) -> Environment:
+    """Weighted least squares over all samples of the past with a polynomial of this degree, in the
+    weight. Raises Undecided.
+    """
+    fit = fading_memory(degree)
+    size = degree + 1
+    quantities = _fitted(fit.transition, fit.gain, fit.predicted, fit.updated)
+    del quantities[INDEX]
+    quantities[WEIGHT] = symbol(WEIGHT)
+    quantities |= {f"closed_loop_coefficient.{i}": c for i, c in enumerate(fit.closed_loop)}
+    quantities[f"closed_loop_coefficient.{size}"] = number(1)
+    motion = symbol(f"target_motion.{size}")
+    quantities[f"target_motion.{size}"] = motion
+    for which, lags in (("predicted", fit.predicted_lag), ("updated", fit.updated_lag)):
+        for i, lag in enumerate(lags):
+            found = {m: number(0) for m in range(size)}
+            found[size] = lag * motion * whole_power(T, size - i)
+            quantities |= {f"{which}_lag.{i + 1}.{m}": value for m, value in found.items()}
+    boxes = {WEIGHT: WITHIN, f"target_motion.{size}": ANY_REAL, **base_boxes(size)}
+    missing = {INDEX: "a fading memory has no tracking index"}
+    name = f"fading memory, {POLYNOMIALS[degree]}"
+    return Environment(name, quantities, boxes, WEIGHT, fit.facts, missing)
+
+
+def _fitted(
+    transition: Exprs, gain: tuple[Expr, ...], predicted: Exprs, updated: Exprs
+) -> dict[str, Expr]:
+    """The quantities of a polynomial fitted to positions, by its gain and covariances in units."""
+    predictor = tuple(row[0] for row in times(transition, tuple((g,) for g in gain)))
+    quantities = common_quantities()
+    for i in range(len(gain)):
+        quantities[f"gain.{i + 1}"] = gain[i]
+        quantities[f"filter_gain.{i + 1}"] = gain[i]
+        quantities[f"predictor_gain.{i + 1}"] = predictor[i]
+    quantities |= covariances_in_units("predicted", predicted)
+    quantities |= covariances_in_units("updated", updated)
+    quantities["innovation_variance"] = (predicted[0][0] + 1) * power(SIGMA, 2)
+    return quantities | filter_states(transition, gain, first(len(gain)))
 
 
 def common_quantities() -> dict[str, Expr]:

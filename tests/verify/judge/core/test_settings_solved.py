@@ -205,4 +205,4 @@ def test_what_is_no_fit() -> None:
     assert "first_updated_state.1" in memory(1).missing
     assert memory(0).quantities["first_updated_state.1"] == symbol("first_measurement")
     with pytest.raises(Undecided):
-        memory(3)
+        memory(4)
