@@ -192,4 +192,6 @@ def _check_formula(fields: Fields, claim: Claim, reading: Reading) -> None:
         raise fields.fail(field, f"a claim of kind {claim.kind} has two parts")
     first = reading.relations[0]
     if claim.kind == "value" and first.left_decimals is None and first.right_decimals is None:
-        raise fields.fail(field, "a claim of kind value has a number on one side")
+        raise fields.fail(
+            field, "a claim of kind value has a number, or a matrix of numbers, on one side"
+        )

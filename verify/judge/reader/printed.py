@@ -9,7 +9,7 @@ from fractions import Fraction
 from itertools import takewhile
 from typing import NamedTuple
 
-from gainproof.verify.judge.formula import Graph, Relation
+from gainproof.verify.judge.formula import Decimals, Graph, Relation
 from gainproof.verify.judge.reader.decimals import power_of_ten
 from gainproof.verify.judge.reader.limits import MOST_PRINTED_CHARACTERS
 
@@ -72,10 +72,10 @@ def decimal(value: Fraction) -> str | None:
     return f"{digits[:-places]}.{digits[-places:]}" if places else digits
 
 
-def with_decimals(graph: Graph, text: str, decimals: int | None) -> str:
+def with_decimals(graph: Graph, text: str, decimals: Decimals | None) -> str:
     """A side that is one number, with as many decimals as the print showed: `0.50`, not `0.5`."""
     power = power_of_ten(graph)
-    if decimals is None or power is None or decimals + power <= 0:
+    if not isinstance(decimals, int) or power is None or decimals + power <= 0:
         return text
     sign = "-" if text.startswith("-") else ""
     digits = "".join(takewhile(lambda c: c.isdigit() or c == ".", text[len(sign) :]))
