@@ -5,7 +5,7 @@ from __future__ import annotations
 from fractions import Fraction
 
 from gainproof.verify.judge.formula import Decimals, Graph
-from gainproof.verify.judge.reader.tree import Branch, children, first_token, sole
+from gainproof.verify.judge.reader.tree import Branch, children, first_token
 
 
 def decimals_shown(tree: Branch, graph: Graph) -> Decimals | None:
@@ -18,10 +18,12 @@ def decimals_shown(tree: Branch, graph: Graph) -> Decimals | None:
 
 
 def _of_entries(tree: Branch, graph: Graph) -> tuple[int, ...] | None:
-    tree, top = sole(tree), graph["nodes"][graph["outputs"]["value"]]
-    turned = top[0] == "transpose" and tree.data == "transposed"
+    top = graph["nodes"][graph["outputs"]["value"]]
+    turned = top[0] == "transpose"
     if turned:
-        tree, top = sole(children(tree)[0]), graph["nodes"][top[1]]
+        top = graph["nodes"][top[1]]
+    while tree.data != "matrix" and len(inner := children(tree)) == 1:
+        (tree,) = inner  # in brackets, or what is transposed
     if top[0] != "matrix" or tree.data != "matrix":
         return None
     rows, columns, *parts = top[1:]

@@ -8,6 +8,10 @@ from small_claims import check, judged
 
 from gainproof.verify import check_answer
 from gainproof.verify.judge.answer_certificate import answer_certificate
+from gainproof.verify.judge.claim.record import SymbolEntry
+from gainproof.verify.judge.reader.latex import reading_to_latex
+from gainproof.verify.judge.reader.plain import reading_to_plain
+from gainproof.verify.judge.reader.reader import read_formula, read_plain
 
 EXACT = r"\begin{pmatrix} \frac{1}{3} & \sqrt{2} \\ -\frac{2}{7} & \frac{1}{1000} \end{pmatrix}"
 FRACTIONS = r"\begin{pmatrix} \frac13 & \frac23 \\ \frac17 & \frac16 \end{pmatrix}"
@@ -121,3 +125,20 @@ def test_steady_state_of_three_states() -> None:
     check(wrong, "refuted")
     assert wrong.witness is not None
     assert wrong.witness["note"] == "entry (2, 1)"
+
+
+@pytest.mark.parametrize(
+    "formula",
+    [
+        r"(a, b) \approx (0.50, -1.0260)",
+        r"(a, b)^T \approx (0.50, 1.0)^T",
+        r"(a, b) \approx \begin{pmatrix} 0.10 & 2.0 \\ 3.000 & 4 \end{pmatrix}^T",
+        r"(a, b) \approx (3.0 \times 10^{-4}, 2.50)",
+    ],
+)
+def test_zeros_at_the_end_are_written_again(formula: str) -> None:
+    symbols = {name: SymbolEntry(name, "a number", "free") for name in "ab"}
+    (reading,) = read_formula(formula, symbols).readings
+    (latex,) = read_formula(reading_to_latex(reading), symbols).readings
+    (plain,) = read_plain(reading_to_plain(reading), symbols).readings
+    assert latex == plain == reading
