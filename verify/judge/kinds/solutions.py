@@ -23,6 +23,8 @@ from gainproof.verify.judge.cells.projection import discriminants, projected, re
 from gainproof.verify.judge.claim.record import Claim
 from gainproof.verify.judge.exact.algebraic import Algebraic, compare, rational_point, real_roots
 from gainproof.verify.judge.exact.box import Box, bounds_text
+from gainproof.verify.judge.exact.calculus import substituted
+from gainproof.verify.judge.exact.constant_value import constant_value
 from gainproof.verify.judge.exact.expression import Expr, number, symbols_of
 from gainproof.verify.judge.exact.expression_text import labelled
 from gainproof.verify.judge.exact.limits import DEFAULT_LIMITS, Nowhere, Undecided
@@ -122,7 +124,8 @@ class Interval:
 @dataclass(frozen=True)
 class Equation:
     """f = 0 where none of `divisors` is zero and the unknown is within `bounds`; polynomials hold
-    the parameters `names` and then the unknown. `conditions` are on the parameters.
+    the parameters `names` and then the unknown. `conditions` are on the parameters, and others
+    are `fixed` to a number.
     """
 
     names: tuple[str, ...]
@@ -131,6 +134,7 @@ class Equation:
     divisors: tuple[Poly, ...]
     bounds: tuple[Bound, ...]
     conditions: tuple[tuple[str, Poly], ...]
+    fixed: tuple[str, ...] = ()
 
     def count(self, point: Point, at: Algebraic = NO_NUMBER) -> int | None:
         """The solutions at a rational point of the parameters, or at an algebraic value of the one
@@ -249,8 +253,14 @@ def _content(p: Poly, x: int) -> Poly:
 
 
 def _equation(rel: Rel, unknown: str, frame: Frame, needed: Iterable[Expr]) -> Equation:
-    sides = [rel.left, rel.right, *needed]
-    used = symbols_of(*sides, *(s for c in frame.conditions for s in (c.left, c.right)))
+    fixed = _fixed(frame, unknown)
+    sides = [substituted(side, fixed) for side in (rel.left, rel.right, *needed)]
+    others = [
+        Rel(c.operator, substituted(c.left, fixed), substituted(c.right, fixed))
+        for c in frame.conditions
+    ]
+    others = [c for c in others if c.left.kind != "number" or c.left != c.right]
+    used = symbols_of(*sides, *(s for c in others for s in (c.left, c.right)))
     names = tuple(sorted(used - {unknown}))
     boxes = {name: frame.boxes.get(name, Box(stated=False)) for name in (*names, unknown)}
     if any(box.integer for box in boxes.values()):
@@ -266,8 +276,8 @@ def _equation(rel: Rel, unknown: str, frame: Frame, needed: Iterable[Expr]) -> E
     ends = [(box.lower, box.lower_open, True), (box.upper, box.upper_open, False)]
     bounds = [Bound(*quotient(number(v)), o, side) for v, o, side in ends if v is not None]
     conditions = []
-    for rel_ in frame.conditions:
-        left, right, operator = rel_.left, rel_.right, rel_.operator
+    for said in others:
+        left, right, operator = said.left, said.right, said.operator
         if x not in symbols_of(left, right):
             top, bottom = quotient(left - right)
             conditions.append((operator, top * bottom))
@@ -278,8 +288,21 @@ def _equation(rel: Rel, unknown: str, frame: Frame, needed: Iterable[Expr]) -> E
             raise Undecided("a condition on the unknown that is no bound of it")
         bounds.append(Bound(*quotient(right), operator in STRICT, operator in (">", ">=")))
     below = tuple(quotient(d)[0] for d in divisors(*sides))
-    f, _ = quotient(rel.left - rel.right)
-    return Equation(names, boxes, f, below, tuple(bounds), tuple(conditions))
+    f, _ = quotient(sides[0] - sides[1])
+    return Equation(names, boxes, f, below, tuple(bounds), tuple(conditions), (*fixed,))
+
+
+def _fixed(frame: Frame, unknown: str) -> dict[str, Expr]:
+    """Parameters that have one value. Raises Nowhere where that is not in their domain."""
+    found = {n: box.lower for n, box in frame.boxes.items() if box.lower == box.upper}
+    for c in frame.conditions:
+        for side, other in ((c.left, c.right), (c.right, c.left)):
+            if c.operator == "=" and side.kind == "symbol" and found.get(side.name) is None:
+                found[side.name] = constant_value(other)
+    fixed = {n: value for n, value in found.items() if value is not None and n != unknown}
+    if not all(frame.boxes[n].holds(value) for n, value in fixed.items() if n in frame.boxes):
+        raise Nowhere
+    return {n: number(value) for n, value in fixed.items()}
 
 
 @dataclass(frozen=True)
@@ -342,8 +365,10 @@ class _Search:
                 reason = f"fails {witness.text()}; where it may hold is not determined"
                 certificate = self._certificate(cuts, [])
                 return Finding("refuted", reason, "", METHOD, witness, certificate)
-        if not inside:
+        if not inside and all(operator != "=" for operator, _ in equation.conditions):
             raise Nowhere
+        if any(operator == "=" for operator, _ in equation.conditions):
+            raise Undecided("an equation between several parameters")
         if not self._is_joined():
             raise Undecided("conditions on several parameters that are not strict")
         for wall in walls:
@@ -397,7 +422,10 @@ class _Search:
     def _domain(self) -> str:
         """Where the parameters lie."""
         equation, labels = self.equation, self.frame.labels
-        words = bounds_text({n: equation.boxes[n] for n in equation.names}, labels)
+        told = {
+            n: b for n, b in self.frame.boxes.items() if n in (*equation.names, *equation.fixed)
+        }
+        words = bounds_text(told, labels)
         words += self._words(self._on_parameters().conditions)
         return f"for {', '.join(words)}" if words else "everywhere"
 

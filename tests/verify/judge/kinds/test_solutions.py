@@ -41,6 +41,11 @@ def _judged(equation: str, count: int, domain: str = "") -> Any:
         ("x^2 + p x + q = 0", 2, "p^2 > 3 q", "refuted"),
         ("x^2 + p x + q = 0", 0, "p^2 < 4 q", "proved"),
         ("x^2 + p x + q = 0", 2, "q < 0", "proved"),
+        # parameters with one value, and an equation between them
+        ("x^2 + p x + q = 0", 2, r"q = 2, p \geq 3", "proved"),
+        ("x^2 + p x + q = 0", 2, r"q = 3, p \geq 3", "conditional"),
+        ("x^2 + p x + q = 0", 1, r"2 \leq p \leq 2, q = 1", "proved"),
+        ("x^2 + p x + q = 0", 2, "p q = 3, p > 100", "undecided"),
         ("a x^2 + p x + q = 0", 2, "p^2 > 4 a q", "refuted"),  # a = 0 leaves one
         ("a x^2 + p x + q = 0", 2, "p^2 > 4 a q, a > 0", "proved"),
         ("x^3 + p x + q = 0", 1, "p > 0", "proved"),
@@ -70,6 +75,11 @@ def _judged(equation: str, count: int, domain: str = "") -> Any:
         (r"\frac{x^2}{2 - x} = c", 1, "0 < c < 2, 0 < x < 1", "conditional"),
         ("(x^2 - 2)(x - c) = 0", 3, "c > 0", "conditional"),
         ("(x^2 - 2)^2 (x - c)^3 = 0", 3, "c > 2", "proved"),
+        # a solution that runs off to infinity at c = 2
+        ("(c - 2) x = 1", 1, "c > 0", "conditional"),
+        ("(c - 2) x^2 - x = 1", 2, "c > 3", "proved"),
+        ("(c - a) x^2 - x = 1", 2, "c > a", "proved"),
+        ("(c - a) x^2 - x = 1", 2, "c > 0, a > 0", "refuted"),
         # every number, and none
         ("c x = 0", 1, "c > 0", "proved"),
         ("c x = 0", 1, "", "conditional"),
