@@ -141,13 +141,10 @@ class Equation:
         parameter; None where there is no end of them.
         """
         field = NumberField(at)
-        interval, size = self._interval(field, point)
-        f, others = self._at(field, self.f, point), self._divisors(field, point)
-        if size < 0 or not all(others):
-            return 0  # a divisor that is zero whatever the unknown is leaves none
-        if not f:
-            return None if size else 1
-        simple, (low, high) = field.simple(f, others), (interval.low, interval.high)
+        known = self._simple(field, point)
+        if not isinstance(known, tuple):
+            return known
+        (interval, simple), (low, high) = known, (known[0].low, known[0].high)
         found = field.roots_up_to(simple, low, high)
         if high is not None and interval.high_open and not field.value(simple, high):
             found -= 1
@@ -157,24 +154,35 @@ class Equation:
 
     def near(self, point: Point) -> list[Algebraic]:
         """The solutions at a rational point, in order, each in an interval of its own."""
-        field = NumberField(NO_NUMBER)
-        interval, size = self._interval(field, point)
-        f, others = self._at(field, self.f, point), self._divisors(field, point)
-        if size < 0 or not f or not all(others):
+        known = self._simple(NumberField(NO_NUMBER), point)
+        if not isinstance(known, tuple):
             return []
-        simple = flint.fmpq_poly([c[0] for c in field.simple(f, others)]).numer()
-        roots = [root for factor, _ in simple.factor()[1] for root in real_roots(factor)]
-        low, high = (
-            None if end is None else fraction(end[0]) for end in (interval.low, interval.high)
-        )
-        box = Box(low, high, interval.low_open, interval.high_open)
+        interval, simple = known
+        ends = (interval.low, interval.high)
+        low, high = (None if end is None else fraction(end[0]) for end in ends)
+        factors = flint.fmpq_poly([c[0] for c in simple]).numer().factor()[1]
         inside = [
-            root
-            for root in roots
-            if (low is None or compare(root, low) >= (1 if box.lower_open else 0))
-            and (high is None or compare(root, high) <= (-1 if box.upper_open else 0))
+            root.refined(Fraction(1, 10**8))
+            for factor, _ in factors
+            for root in real_roots(factor)
+            if (low is None or compare(root, low) >= interval.low_open)
+            and (high is None or compare(root, high) <= -interval.high_open)
         ]
-        return sorted((r.refined(Fraction(1, 10**8)) for r in inside), key=lambda r: r.low)
+        return sorted(inside, key=lambda root: root.low)
+
+    def _simple(
+        self, field: NumberField, point: Point
+    ) -> tuple[Interval, Coefficients] | int | None:
+        """Where solutions count and a polynomial with simple roots, or how many there are where
+        that is seen without.
+        """
+        interval, size = self._interval(field, point)
+        f, *others = (self._at(field, p, point) for p in (self.f, *self.divisors))
+        if size < 0 or not all(others):
+            return 0  # a divisor that is zero whatever the unknown is leaves none
+        if not f:
+            return None if size else 1
+        return interval, field.simple(f, others)
 
     def holds(self, point: Point, at: Algebraic = NO_NUMBER) -> bool:
         """Whether the conditions on the parameters hold there."""
@@ -217,9 +225,6 @@ class Equation:
             return interval, 1
         size = field.sign(interval.high - interval.low)
         return interval, -1 if size == 0 and (interval.low_open or interval.high_open) else size
-
-    def _divisors(self, field: NumberField, point: Point) -> list[Coefficients]:
-        return [self._at(field, d, point) for d in self.divisors]
 
     def _number(self, field: NumberField, p: Poly, point: Point) -> Element:
         """The value of a polynomial without the unknown."""
