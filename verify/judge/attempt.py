@@ -31,7 +31,8 @@ def judge_claim(claim: Claim, setting: Setting, environment: Environment) -> Fin
     for reading, attempt in _attempts(claim, setting, environment):
         finding = _attempt(attempt)
         if reading is not None:
-            words = _how_read(claim, reading, setting, finding.verdict)
+            own = [finding.reading] if finding.reading else []
+            words = own + _how_read(claim, reading, setting, finding.verdict)
             finding = with_rounded(finding, claim, reading, setting, environment)
             finding = replace(finding, reading="; ".join(words) or None)
         if environment.conditions and not environment.hidden:

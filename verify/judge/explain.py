@@ -57,7 +57,7 @@ def sections(certificate: Certificate) -> list[Section]:
 
 def _proofs(certificate: Certificate) -> list[tuple[str, Certificate]]:
     """One proof, or several under names."""
-    if "statement" in certificate or "leading coefficient" in certificate:
+    if not {"statement", "leading coefficient", "places"}.isdisjoint(certificate):
         return [("", certificate)]
     return [
         (name, part)

@@ -28,6 +28,8 @@ from dataclasses import dataclass, field
 from typing import Any
 
 Graph = Mapping[str, Any]
+Decimals = int | tuple[int, ...]
+"""Decimals shown by a number, or by each entry of a matrix of numbers, row by row."""
 
 INFINITY: Graph = {"nodes": [["symbol", "infinity"]], "outputs": {"value": 0}}
 """The right side of `k \\to \\infty`. No declared symbol can have this name."""
@@ -42,14 +44,14 @@ class Relation:
 
     A chain `a = b = c` is given as `a = b` and `b = c`. Where a side is a number as printed, its
     count of decimals is kept: 2 for `0.50`, 5 for `3.0 \\times 10^{-4}`, 0 for `7`, -3 for
-    `2 \\times 10^3`.
+    `2 \\times 10^3`; of a matrix of such numbers the counts of its entries.
     """
 
     operator: str
     left: Graph
     right: Graph
-    left_decimals: int | None = None
-    right_decimals: int | None = None
+    left_decimals: Decimals | None = None
+    right_decimals: Decimals | None = None
 
 
 @dataclass(frozen=True)

@@ -80,7 +80,7 @@ def _values(relation: Printed) -> Iterator[tuple[str, bool, Printed]]:
     """The exact side mutated; one more or less in the last digit that is printed."""
     left, right = to_tree(relation.left), to_tree(relation.right)
     decimals = relation.left_decimals if right[0] != "number" else relation.right_decimals
-    if decimals is None:
+    if not isinstance(decimals, int):
         return
     exact, shown = (left, right) if right[0] == "number" else (right, left)
 

@@ -82,8 +82,8 @@ def _all_shown(subject: Subject, point: Point) -> bool | None:
         exact, shown, decimals = sides.left, sides.right, printed.right_decimals
         if decimals is None:
             exact, shown, decimals = sides.right, sides.left, printed.left_decimals
-        if decimals is None:
-            raise NotCovered("a value without digits")
+        if not isinstance(decimals, int):
+            raise NotCovered("a value without digits, or a matrix")
         try:
             away = abs(point.value(exact) - point.value(shown))
         except NoValue:

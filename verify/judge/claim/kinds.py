@@ -15,6 +15,7 @@ from gainproof.verify.judge.formula import Formula, Graph, Reading
 MOST_ABOUT = 20
 MOST_ORDER = 64
 MOST_FIXED = 3
+MOST_SOLUTIONS = 64
 
 WITHOUT_FORMULA = frozenset(
     ("determines", "monotone", "location", "stability", "ordering", "remark")
@@ -26,6 +27,7 @@ OWN_FIELDS: Mapping[str, tuple[str, ...]] = {
     "monotone": ("about", "trend"),
     "asymptotics": ("order",),
     "location": ("polynomial", "variable", "where"),
+    "solutions": ("variable", "number"),
     "steady_state": ("recursion", "previous"),
     "stability": ("sense",),
     "optimum": ("minimised", "fixed"),
@@ -40,6 +42,7 @@ _OPERATORS = {
     "recursion": frozenset(("=",)),
     "steady_state": frozenset(("=",)),
     "location": frozenset(("=",)),
+    "solutions": frozenset(("=",)),
     "value": frozenset(("=", "approx")),
     "asymptotics": frozenset(("=", "approx", "sim")),
     "inequality": INEQUALITIES,
@@ -88,6 +91,12 @@ def _own(claim: Claim, fields: Fields, symbols: Symbols) -> dict[str, Any]:
             return {"order": fields.whole_number("order", 0, MOST_ORDER)}
         case "location":
             return _location(claim, fields, symbols)
+        case "solutions":
+            token = fields.required_text("variable")
+            count = fields.whole_number("number", 0, MOST_SOLUTIONS)
+            if count is None:
+                raise fields.fail("number", "this field is missing: how many real solutions")
+            return {"variable": token_in(fields, "variable", token, symbols), "number": count}
         case "steady_state":
             previous = fields.required_text("previous")
             return {
@@ -192,4 +201,6 @@ def _check_formula(fields: Fields, claim: Claim, reading: Reading) -> None:
         raise fields.fail(field, f"a claim of kind {claim.kind} has two parts")
     first = reading.relations[0]
     if claim.kind == "value" and first.left_decimals is None and first.right_decimals is None:
-        raise fields.fail(field, "a claim of kind value has a number on one side")
+        raise fields.fail(
+            field, "a claim of kind value has a number on one side, or a matrix of numbers"
+        )

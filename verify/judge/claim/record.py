@@ -186,6 +186,7 @@ class Claim:
     polynomial: Graph | None = None
     variable: str | None = None
     where: str | None = None
+    number: int | None = None
     recursion: Formula | None = None
     previous: str | None = None
     sense: str | None = None

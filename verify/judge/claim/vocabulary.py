@@ -14,6 +14,7 @@ CLAIM_KINDS = (
     "value",
     "monotone",
     "location",
+    "solutions",
     "steady_state",
     "implication",
     "equivalence",
@@ -38,6 +39,7 @@ CLAIM_KINDS = (
 * `value`: the number printed is the exact value, rounded to the digits shown;
 * `monotone`: the first of `about` grows or falls, as `trend` says, with the second;
 * `location`: the roots of `polynomial` in `variable`, or those that the formula lists, lie `where`;
+* `solutions`: the equation has `number` different real solutions in `variable`;
 * `steady_state`: the formula is a fixed point of `recursion`, in which `previous` is the value
   before;
 * `implication`: the relations printed first imply those of the trailing parenthesis (or of the

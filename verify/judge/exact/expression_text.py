@@ -16,6 +16,13 @@ TERM = "term "
 """Begins the name of calls that stand for terms of sequences."""
 HOLE = "*"
 """Stands for the index in the name of a term."""
+SERIES = ("sum", "product")
+"""Calls over an index, which is bound in their first part."""
+
+
+def is_series(node: Expr) -> bool:
+    """Whether a sum or product over an index."""
+    return node.kind == "call" and node.name in SERIES
 
 
 def written(*exprs: Expr, names: Mapping[Expr, str] | None = None) -> tuple[list[str], list[str]]:
@@ -82,10 +89,10 @@ def _text(node: Expr, texts: dict[bytes, tuple[str, int]]) -> tuple[str, int]:
 
 
 def _call(name: str, inner: list[str]) -> str:
-    """A function as one writes it: sums with their index, terms of a sequence with theirs."""
-    if name == "sum":
-        summand, index, first, last = inner
-        return f"sum({summand}, {index} = {first}..{last})"
+    """A function as one writes it: sums and products with their index, terms of a sequence too."""
+    if name in SERIES:
+        body, index, first, last = inner
+        return f"{name}({body}, {index} = {first}..{last})"
     if name.startswith(TERM):
         (index,) = inner
         plain = index.isalnum()

@@ -13,6 +13,7 @@ from gainproof.verify.judge.exact.constant_value import constant_value
 from gainproof.verify.judge.exact.enclose import Balls, NoValue, Unresolved, compared, enclosed
 from gainproof.verify.judge.exact.enclosure import enclosure, separated, value_shown
 from gainproof.verify.judge.exact.expression import Expr, number, walk
+from gainproof.verify.judge.exact.expression_text import is_series
 from gainproof.verify.judge.exact.poly import Ball
 from gainproof.verify.judge.exact.simple_points import at_bounds, at_ends, simple_points
 from gainproof.verify.judge.exact.statement import (
@@ -66,7 +67,7 @@ def without_value(
     """
     names = sorted(statement.symbols())
     # the index of a sum is no symbol of a point: it runs between bounds
-    sums = any(node.kind == "call" and node.name == "sum" for node in walk(*statement.exprs()))
+    sums = any(map(is_series, walk(*statement.exprs())))
     stated = all(n in boxes and boxes[n].stated for n in names)
     if statement.connective != "if" or sums or not stated:
         return None

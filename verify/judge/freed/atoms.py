@@ -18,7 +18,7 @@ from gainproof.verify.judge.exact.expression import (
     symbols_of,
     walk,
 )
-from gainproof.verify.judge.exact.expression_text import written
+from gainproof.verify.judge.exact.expression_text import SERIES, is_series, written
 from gainproof.verify.judge.exact.limits import Undecided
 from gainproof.verify.judge.exact.statement import Rel
 from gainproof.verify.judge.freed.bases import bases_of
@@ -175,12 +175,12 @@ class Atoms:
             )
         if node.name == "log" and not self.is_positive(node.parts[0]):
             raise Undecided("a logarithm of something that is not known to be positive")
-        if node.name not in ("log", "atan", "sum", "erf") or (
-            _nested(node) and node.name not in ("sum", "log")
+        if node.name not in ("log", "atan", *SERIES, "erf") or (
+            _nested(node) and node.name not in (*SERIES, "log")
         ):
             raise Undecided(f"the function {node.name} of this argument is not covered")
         plain = _with_plain_index(node)
-        if node.name != "sum":
+        if not is_series(node):
             with suppress(Undecided):  # too long
                 # equal arguments written otherwise; that they have values is asked for by itself
                 plain = Expr("call", node.name, tuple(terms_expr(monomials(p)) for p in node.parts))
@@ -211,16 +211,17 @@ def _nested(node: Expr) -> bool:
 
 
 def _with_plain_index(expr: Expr) -> Expr:
-    """Sums with their indices named by how deep they nest, so that equal sums are one."""
+    """Sums and products with their indices named by how deep they nest, so that equal ones are
+    one.
+    """
     depths: dict[bytes, int] = {}
 
     def change(node: Expr, parts: tuple[Expr, ...]) -> Expr | None:
         depth = max((depths[p.key] for p in node.parts), default=0)
-        is_sum = node.kind == "call" and node.name == "sum"
-        depths[node.key] = depth + is_sum
-        if not is_sum:
+        depths[node.key] = depth + is_series(node)
+        if not is_series(node):
             return None
         plain = {node.parts[1].name: symbol(f"index {depth}")}
-        return Expr("call", "sum", tuple(substituted(p, plain) for p in parts))
+        return Expr("call", node.name, tuple(substituted(p, plain) for p in parts))
 
     return rebuilt(expr, change)

@@ -18,7 +18,7 @@ from gainproof.verify.judge.exact.points import (
 from gainproof.verify.judge.exact.statement import Outcome, Rel, Statement
 from gainproof.verify.judge.freed.circle import LABEL, PI, VARIABLE, as_variable, pi_box
 from gainproof.verify.judge.freed.domain_words import domain_text
-from gainproof.verify.judge.freed.numbers import at_number, first_numbers
+from gainproof.verify.judge.freed.numbers import TRIED, at_number, first_numbers
 from gainproof.verify.judge.freed.rewriting import (
     Freed,
     arguments,
@@ -147,7 +147,8 @@ def refuse_without_value(
     """Raises Undecided unless the statement is seen to have a value at a point: function values
     that were freed may cancel in a divisor everywhere.
     """
-    for name, value in [("", 0), *first_numbers(statement, boxes)]:
+    first = [(name, n) for name, few, _ in first_numbers(statement, boxes) for n in few[:TRIED]]
+    for name, value in [("", 0), *first]:
         part = at_number(statement, name, value)
         try:
             found = (

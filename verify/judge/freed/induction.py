@@ -1,4 +1,4 @@
-"""Identities with sums up to a symbol, by induction over it."""
+"""Identities with sums and products up to a symbol, by induction over it."""
 
 from __future__ import annotations
 
@@ -9,15 +9,26 @@ from fractions import Fraction
 from gainproof.verify.judge.exact.box import Box
 from gainproof.verify.judge.exact.calculus import rebuilt, substituted
 from gainproof.verify.judge.exact.constant_value import constant_value
-from gainproof.verify.judge.exact.expression import Expr, add, neg, number, symbol, symbols_of, walk
+from gainproof.verify.judge.exact.expression import (
+    Expr,
+    add,
+    mul,
+    neg,
+    number,
+    symbol,
+    symbols_of,
+    walk,
+)
+from gainproof.verify.judge.exact.expression_text import is_series
 from gainproof.verify.judge.exact.limits import Undecided
 from gainproof.verify.judge.exact.statement import Rel, Statement
-from gainproof.verify.judge.meaning.sums import sum_of
+from gainproof.verify.judge.meaning.expansion import coefficients
+from gainproof.verify.judge.meaning.sums import MOST_SHIFT, series_of
 
 
 def open_sums(statement: Statement) -> list[Expr]:
-    """The sums that have no closed form here."""
-    return [n for n in walk(*statement.exprs()) if n.kind == "call" and n.name == "sum"]
+    """The sums and products that have no closed form here."""
+    return [n for n in walk(*statement.exprs()) if is_series(n)]
 
 
 def induction(
@@ -39,12 +50,17 @@ def induction(
     if box.lower_open and start == box.lower:
         start += 1
     first = statement.mapped(lambda e: _written_out(e, name, start))
-    steps = tuple(
-        Rel("=", _step(add(r.left, neg(r.right)), name), number(0)) for r in statement.relations
-    )
+    steps, needed = [], list(statement.needed)
+    for difference in (add(r.left, neg(r.right)) for r in statement.relations):
+        if any(n.name == "product" for n in walk(difference) if is_series(n)):
+            rels, values = _product_step(difference, name)
+            steps += rels
+            needed += values
+        else:
+            steps.append(Rel("=", _step(difference, name), number(0)))
     later = replace(box, lower=start + 1, lower_open=False)
     others = {n: b for n, b in boxes.items() if n != name}
-    step = Statement(steps, statement.conditions, "if", statement.needed)
+    step = Statement(tuple(steps), statement.conditions, "if", tuple(needed))
     return [
         (f"for the first number {start}", first, others),
         ("from each number to the next", step, {**boxes, name: later}),
@@ -54,17 +70,15 @@ def induction(
 def _variable(sums: list[Expr], boxes: Mapping[str, Box]) -> str:
     names = {n for s in sums for n in symbols_of(s.parts[3]) if boxes.get(n, Box()).integer}
     if len(names) != 1:
-        raise Undecided("sums whose upper bounds hold several symbols or none")
+        raise Undecided("sums or products whose upper bounds hold several symbols or none")
     return names.pop()
 
 
 def _written_out(expr: Expr, name: str, value: Fraction) -> Expr:
-    """The expression at one number; all sums must have numbers as bounds then."""
+    """The expression at one number; all bounds must be numbers then."""
 
     def change(node: Expr, parts: tuple[Expr, ...]) -> Expr | None:
-        if node.kind == "call" and node.name == "sum":
-            return sum_of(parts[0], parts[1].name, parts[2], parts[3])[0]
-        return None
+        return series_of(node.name, parts)[0] if is_series(node) else None
 
     return rebuilt(substituted(expr, {name: number(value)}), change)
 
@@ -92,6 +106,38 @@ def _step(expr: Expr, name: str) -> Expr:
         return last.get(node.key)
 
     return expr - rebuilt(before, change)
+
+
+def _product_step(expr: Expr, name: str) -> tuple[list[Rel], list[Expr]]:
+    """That expr(k) = 0 follows from expr(k - 1) = 0, for an expression a p + b of one product p,
+    and what must have values for it: b(k - 1) a'(k) = a(k - 1) b(k) with a(k - 1) not zero, where
+    a' holds the factors that p(k) has more.
+    """
+    (node, *others) = dict.fromkeys(n for n in walk(expr) if is_series(n))
+    if others:
+        raise Undecided("an induction over several products, or a product beside a sum")
+    factor, index, low, high = node.parts
+    line = coefficients(high, name) or {}
+    more = constant_value(line.get(1, number(0))) or Fraction(0)
+    if set(line) - {0, 1} or more.denominator != 1 or not 1 <= more <= MOST_SHIFT:
+        raise Undecided("a product whose upper bound does not rise by a few with the number")
+    if name in symbols_of(low) or name in symbols_of(factor):
+        raise Undecided("a product whose factors or lower bound depend on its upper bound")
+    so_far = symbol("product so far")
+    known = coefficients(
+        rebuilt(expr, lambda n, _: so_far if n.key == node.key else None), so_far.name
+    )
+    if known is None or set(known) - {0, 1}:
+        raise Undecided("a product that stands in a divisor, root, power or function")
+    slope, rest = (known.get(power, number(0)) for power in (1, 0))
+    earlier = {name: symbol(name) - 1}
+    slope_before, rest_before = substituted(slope, earlier), substituted(rest, earlier)
+    last = [substituted(factor, {index.name: high - j if j else high}) for j in range(int(more))]
+    steps = [
+        Rel("=", mul(rest_before, slope, *last), mul(slope_before, rest)),
+        Rel("!=", slope_before, number(0)),
+    ]
+    return steps, [*last, slope, rest, rest_before]
 
 
 def _is_line(expr: Expr, name: str) -> bool:

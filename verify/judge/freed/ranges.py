@@ -17,6 +17,7 @@ from gainproof.verify.judge.exact.box import Box
 from gainproof.verify.judge.exact.calculus import rebuilt
 from gainproof.verify.judge.exact.enclose import NoValue, Unresolved, enclosed
 from gainproof.verify.judge.exact.expression import Expr, neg, number, symbol, symbols_of, walk
+from gainproof.verify.judge.exact.expression_text import is_series
 from gainproof.verify.judge.exact.poly import exact_value
 from gainproof.verify.judge.freed.circle import VARIABLE
 from gainproof.verify.judge.freed.half_tangent import half_tangent, half_tangent_of_turns
@@ -113,7 +114,7 @@ class Ranges:
         box = Box(stated=False) if self._is_open(node) else self._any(node)
         most = MOST.get(node.name)
         least = None if most is None else -most
-        if node.name == "sum" or (not box.stated and node.name != "atan"):
+        if is_series(node) or (not box.stated and node.name != "atan"):
             return replace(box, lower=least, upper=most)
         over = node.parts[0] - (1 if node.name == "log" else 0)
         if self.is_positive(over):

@@ -8,6 +8,7 @@ from dataclasses import dataclass, replace
 from gainproof.verify.judge.exact.box import Box
 from gainproof.verify.judge.exact.calculus import rebuilt
 from gainproof.verify.judge.exact.expression import Expr, mul, number, power, symbols_of, walk
+from gainproof.verify.judge.exact.expression_text import is_series
 from gainproof.verify.judge.exact.limits import Undecided
 from gainproof.verify.judge.exact.statement import STRICT, Statement
 from gainproof.verify.judge.exact.total import is_total
@@ -67,7 +68,7 @@ def freed(
         return rebuilt(expr, lambda node, _: _free(node, atoms) if is_open(node) else None)
 
     def is_open(node: Expr) -> bool:
-        return node.kind == "call" and (node.name == "sum" or not symbols_of(node) & bound)
+        return node.kind == "call" and (is_series(node) or not symbols_of(node) & bound)
 
     moved = statement.mapped(changed)
     if VARIABLE.name in moved.symbols():
@@ -84,16 +85,15 @@ def freed(
 
 
 def bound_names(statement: Statement) -> set[str]:
-    """The indices of sums."""
-    calls = [n for n in walk(*statement.exprs()) if n.kind == "call"]
-    return {n.parts[1].name for n in calls if n.name == "sum"}
+    """The indices of sums and products."""
+    return {n.parts[1].name for n in walk(*statement.exprs()) if is_series(n)}
 
 
 def arguments(statement: Statement) -> list[Expr]:
     """What functions are taken of and may lack a value: of that the new variables say nothing."""
     calls = [n for n in walk(*statement.exprs()) if n.kind == "call"]
     bound = bound_names(statement)
-    found = [part for n in calls if n.name != "sum" for part in n.parts]
+    found = [part for n in calls if not is_series(n) for part in n.parts]
     return [part for part in found if not symbols_of(part) & bound and not is_total(part)]
 
 

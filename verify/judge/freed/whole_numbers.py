@@ -6,7 +6,7 @@ from collections.abc import Mapping
 from dataclasses import replace
 
 from gainproof.verify.judge.exact.box import Box
-from gainproof.verify.judge.exact.limits import Undecided
+from gainproof.verify.judge.exact.limits import Nowhere, Undecided
 from gainproof.verify.judge.exact.statement import Outcome, Statement, Witness
 from gainproof.verify.judge.freed.domain_words import domain_text
 from gainproof.verify.judge.freed.freely import VALUED, freely, where_valued
@@ -37,25 +37,46 @@ def inductively(
 def for_numbers(
     statement: Statement, boxes: Mapping[str, Box], parameter: str | None, labels: Mapping[str, str]
 ) -> Outcome:
-    """Refuted by the first whole numbers that a symbol may be, if it fails for one. Raises
-    Undecided.
+    """Refuted by the first whole numbers that a symbol may be, if it fails for one, or proved for
+    all where they are few. Raises Undecided.
     """
-    for name, value in first_numbers(statement, boxes):
-        part = at_number(statement, name, value)
-        if has_functions(part):
-            continue
-        try:
-            found = settle(part, boxes, parameter, labels)
-        except Undecided:
-            continue
-        if found.verdict in ("refuted", "conditional") and found.witness is not None:
-            nowhere = found.witness.left.undefined or found.witness.right.undefined
-            if nowhere and not boxes[name].stated:
-                continue  # of a number without a value nothing is said
-            point = {labels.get(name, name): str(value), **found.witness.point}
-            witness: Witness = replace(found.witness, point=point)
-            reason = f"fails {witness.text()}; where it may hold is not determined"
-            certificate = {**found.certificate, DECIDES: found.verdict}
-            refuted = replace(found, verdict="refuted", certificate=certificate, witness=witness)
-            return replace(refuted, domain="", reason=reason)
+    for name, values, are_all in first_numbers(statement, boxes):
+        label, proofs = labels.get(name, name), {}
+        for value in values:
+            part = at_number(statement, name, value)
+            if has_functions(part) and not are_all:
+                continue
+            try:
+                work = freely if has_functions(part) else settle
+                found = work(part, boxes, parameter, labels)
+            except Nowhere:
+                continue  # the conditions are those of other numbers
+            except Undecided:
+                are_all = False
+                continue
+            if found.verdict == "proved" and VALUED not in found.domain:
+                proofs[f"{label} = {value}"] = dict(found.certificate)
+                continue
+            are_all = False
+            refuted = _refuted(found, label, value, boxes[name])
+            if refuted is not None:
+                return refuted
+        if are_all and proofs:
+            domain = domain_text(statement, boxes, labels)
+            reason, method = "holds for each of the whole numbers", "one whole number after another"
+            return Outcome("proved", domain, reason, method, None, proofs)
     raise Undecided("")
+
+
+def _refuted(found: Outcome, label: str, value: int, box: Box) -> Outcome | None:
+    """The refutation by what was found for a whole number, if it is one."""
+    if found.verdict not in ("refuted", "conditional") or found.witness is None:
+        return None
+    if (found.witness.left.undefined or found.witness.right.undefined) and not box.stated:
+        return None  # of a number without a value nothing is said
+    point = {label: str(value), **found.witness.point}
+    witness: Witness = replace(found.witness, point=point)
+    reason = f"fails {witness.text()}; where it may hold is not determined"
+    certificate = {**found.certificate, DECIDES: found.verdict}
+    refuted = replace(found, verdict="refuted", certificate=certificate, witness=witness)
+    return replace(refuted, domain="", reason=reason)

@@ -24,6 +24,7 @@ from gainproof.verify.judge.kinds.location import judge_location
 from gainproof.verify.judge.kinds.monotone import judge_monotone
 from gainproof.verify.judge.kinds.optimum import judge_optimum
 from gainproof.verify.judge.kinds.ordering import judge_ordering
+from gainproof.verify.judge.kinds.solutions import judge_solutions
 from gainproof.verify.judge.kinds.stability import judge_stability
 from gainproof.verify.judge.kinds.steady_state import judge_steady_state
 from gainproof.verify.judge.kinds.value import judge_value
@@ -55,6 +56,7 @@ KINDS = (
     Kind("value", judge_value),
     Kind("monotone", judge_monotone, in_fields=True),
     Kind("location", judge_location, in_fields=True),
+    Kind("solutions", judge_solutions),
     Kind("steady_state", judge_steady_state),
     Kind("determines", judge_determines, in_fields=True),
     Kind("stability", judge_stability, in_fields=True),

@@ -6,15 +6,17 @@ from dataclasses import replace
 from fractions import Fraction
 
 from gainproof.verify.judge.claim.record import Claim
+from gainproof.verify.judge.domain import box_conditions
 from gainproof.verify.judge.exact.box import Box
 from gainproof.verify.judge.exact.calculus import substituted
 from gainproof.verify.judge.exact.constant_value import constant_value
 from gainproof.verify.judge.exact.expression import Expr, number, symbols_of, walk
+from gainproof.verify.judge.exact.expression_text import labelled
 from gainproof.verify.judge.exact.free_names import free_name
 from gainproof.verify.judge.exact.limit import decide_limit
 from gainproof.verify.judge.exact.limit_value import NoValueNear
 from gainproof.verify.judge.exact.limits import Undecided
-from gainproof.verify.judge.exact.statement import Enclosure, Outcome, Rel, Witness
+from gainproof.verify.judge.exact.statement import Enclosure, Outcome, Rel, Statement, Witness
 from gainproof.verify.judge.exact.tidy import tidied
 from gainproof.verify.judge.formula import Reading
 from gainproof.verify.judge.kinds.approach import (
@@ -35,14 +37,19 @@ from gainproof.verify.judge.kinds.near_limit import (
     others_frame,
     with_values,
 )
+from gainproof.verify.judge.kinds.one_way import is_one_way
+from gainproof.verify.judge.kinds.valued import where_valued
+from gainproof.verify.judge.reader.latex import graph_to_latex
 from gainproof.verify.judge.scope import Scope
 from gainproof.verify.judge.series.logarithmic import WithLogarithms, by_powers
 from gainproof.verify.judge.series.of_expression import expanded
 from gainproof.verify.judge.series.series import Series, leading
-from gainproof.verify.judge.setting.environment import POSITIVE
+from gainproof.verify.judge.setting.environment import INDEX, POSITIVE
 from gainproof.verify.judge.verdict import Finding, finding_of, of_parts
 
 DEPTHS = (Fraction(3), Fraction(8), Fraction(16))
+OPEN = {">=": ">"}
+"""Where a root stays one nearby."""
 
 
 def judge_limit(claim: Claim, reading: Reading, scope: Scope) -> Finding:
@@ -60,6 +67,20 @@ def judge_limit(claim: Claim, reading: Reading, scope: Scope) -> Finding:
         expr, claimed, frame = _unfolded(expr, claimed, frame, scope)
     else:
         scope.refuse_moving(variable, *used)
+    try:
+        return _near(expr, claimed, variable, point, frame)
+    except Undecided as reason:
+        if is_pair or isinstance(point, str) or isinstance(claimed, str):
+            raise
+        label = graph_to_latex(arrow.left)
+        try:
+            return _by_value(expr, claimed, variable, point, frame, label)
+        except Undecided:
+            raise reason from None
+
+
+def _near(expr: Expr, claimed: End, variable: Expr, point: End, frame: Frame) -> Finding:
+    """By what the expression is near the point. Raises Undecided."""
     approach = approach_of(variable, point, frame)
     if not isinstance(claimed, str) and approach.name in symbols_of(claimed):
         raise Undecided("a limit that holds the variable itself: say it as asymptotics")
@@ -71,6 +92,46 @@ def judge_limit(claim: Claim, reading: Reading, scope: Scope) -> Finding:
             if isinstance(reason, NoValueNear) or not _has_calls(expr):
                 raise
     return _by_expansion(expr, approach, claimed, frame)
+
+
+def _by_value(
+    expr: Expr, claimed: Expr, variable: Expr, point: Expr, frame: Frame, label: str
+) -> Finding:
+    """By the value at the point, which the limit is where no divisor and nothing under a root is
+    zero there. The variable, or the tracking index if it is the intensity of the noise, rises or
+    falls with one base variable throughout, while all others stay. Raises Undecided.
+    """
+    environment = frame.environment
+    is_noise = environment.intensity and variable == environment.assigned[environment.intensity]
+    moving = tidied(environment.quantities[INDEX] if is_noise else variable)
+    names = symbols_of(moving)
+    others = symbols_of(claimed, point, *(s for c in frame.conditions for s in (c.left, c.right)))
+    if len(names) != 1 or names & others or frame.boxes[min(names)].integer or _has_calls(expr):
+        raise Undecided("more than one variable, or a function that is not continuous at a glance")
+    if not is_one_way(moving, names, frame):
+        raise Undecided("a variable that does not rise or fall with one other throughout")
+    if symbols_of(point):
+        # else nothing would be said where the point is not in the domain
+        positive = (Rel(">", point, number(0)),) if is_noise else ()
+        if not is_noise and moving.kind != "symbol":
+            raise Undecided("a point that is not fixed, of a quantity")
+        inside = positive or box_conditions(moving.name, point, frame.boxes[moving.name])
+        if inside and not frame.holds(*inside):
+            raise Undecided("a point that may lie outside of the domain")
+    there = replace(frame, conditions=(*frame.conditions, Rel("=", variable, point)))
+    needed = [replace(r, operator=OPEN.get(r.operator, r.operator)) for r in where_valued(expr)]
+    if not there.holds(*needed, Rel("=", variable, variable)):
+        raise Undecided("not seen to be continuous at the point")
+    found = finding_of(there.decide(Statement((Rel("=", expr, claimed),))))
+    end = f"-> {labelled(point, frame.labels)}"
+    method = f"value at the point; {found.method}"
+    if found.verdict == "proved":
+        reason, domain = "the limit is the claimed one", f"as {label} {end}"
+        return replace(found, reason=reason, domain=domain, method=method)
+    if found.witness is not None:
+        point_told = {**found.witness.point, label: end}
+        found = replace(found, witness=replace(found.witness, point=point_told, operator="->"))
+    return replace(found, method=method)
 
 
 def _unfolded(expr: Expr, claimed: End, frame: Frame, scope: Scope) -> tuple[Expr, End, Frame]:

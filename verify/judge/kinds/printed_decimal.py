@@ -8,9 +8,9 @@ from fractions import Fraction
 from gainproof.verify.judge.claim.record import Claim, Setting
 from gainproof.verify.judge.exact.calculus import substituted
 from gainproof.verify.judge.exact.constant_value import constant_value
-from gainproof.verify.judge.exact.expression import number
+from gainproof.verify.judge.exact.expression import Expr, number
 from gainproof.verify.judge.exact.limits import Malformed, Undecided
-from gainproof.verify.judge.formula import Reading
+from gainproof.verify.judge.formula import Reading, Relation
 from gainproof.verify.judge.kinds.value import judge_value
 from gainproof.verify.judge.reader.latex import graph_to_latex
 from gainproof.verify.judge.reader.printed import with_decimals
@@ -29,7 +29,7 @@ def decimals_read(claim: Claim, reading: Reading) -> str | None:
         with_decimals(graph, graph_to_latex(graph), decimals)
         for rel in reading.relations
         for graph, decimals in ((rel.left, rel.left_decimals), (rel.right, rel.right_decimals))
-        if rel.operator == "=" and decimals is not None and decimals > 0
+        if rel.operator == "=" and isinstance(decimals, int) and decimals > 0
     ]
     if not found or claim.kind not in HOW:
         return None
@@ -42,7 +42,7 @@ def with_rounded(
     """An equation that is not true of the exact decimal, with a note if it is of a rounded one."""
     if finding.verdict not in ("refuted", "conditional") or claim.kind != "identity":
         return finding
-    if decimals_read(claim, reading) is None:
+    if not any(_has_decimals(rel) for rel in reading.relations):
         return finding
     scope = Scope(setting, environment, held=claim.held)
     try:
@@ -57,11 +57,18 @@ def with_rounded(
     return replace(finding, certificate={**finding.certificate, ROUNDED: note})
 
 
+def _has_decimals(rel: Relation) -> bool:
+    shown = [
+        d if isinstance(d, tuple) else (d or 0,) for d in (rel.left_decimals, rel.right_decimals)
+    ]
+    return rel.operator == "=" and max(map(max, shown)) > 0
+
+
 def _exact(finding: Finding, reading: Reading, scope: Scope) -> Fraction | None:
-    """The other side at the witness, where it is rational."""
+    """The other side at the witness, where it is one rational number."""
     names = {label: name for name, label in scope.labels().items()}
     point = {} if finding.witness is None else finding.witness.point
     put_in = {names.get(label, label): number(Fraction(value)) for label, value in point.items()}
     relation = reading.relations[0]
-    other = relation.left if relation.right_decimals is not None else relation.right
-    return constant_value(substituted(scope.expression(other), put_in))
+    other = scope.value(relation.left if relation.right_decimals is not None else relation.right)
+    return constant_value(substituted(other, put_in)) if isinstance(other, Expr) else None

@@ -1,12 +1,13 @@
-"""Printed numbers: the exact value lies within half a unit of the last digit shown, ties as
-`printed_number` says.
+"""Printed numbers and matrices of them: each exact value lies within half a unit of the last digit
+shown, ties as `printed_number` says.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import replace
 from fractions import Fraction
+from typing import Any
 
 import flint
 
@@ -26,8 +27,10 @@ from gainproof.verify.judge.kinds.framing import Frame, framed, only_plain
 from gainproof.verify.judge.kinds.limit import limit_by_expansion
 from gainproof.verify.judge.kinds.near_limit import open_sides, others_frame
 from gainproof.verify.judge.kinds.printed_number import PrintedNumber
+from gainproof.verify.judge.meaning.value import shape
 from gainproof.verify.judge.scope import Scope
 from gainproof.verify.judge.verdict import Finding, finding_of, of_parts
+from gainproof.verify.judge.verdict_words import Shown
 
 PRECISION = 512
 METHOD = "a ball round the value"
@@ -37,20 +40,35 @@ def judge_value(claim: Claim, reading: Reading, scope: Scope) -> Finding:
     """Whether every printed number is the rounded value of the other side."""
     if any(condition.operator == "->" for condition in reading.conditions):
         return _of_limit(claim, reading, scope)
-    printed_numbers = [_turned(relation, scope) for relation in reading.relations]
+    printed_numbers = [n for relation in reading.relations for n in _turned(relation, scope)]
     printed = tuple(scope.relation(r) for r in reading.conditions)
     only_plain(printed)
     frame = framed(claim, scope, printed)
     if not printed_numbers:
         raise Undecided("no number is printed")
-    findings = [_within(exact, shown, frame) for exact, shown in printed_numbers]
-    return of_parts(findings) or findings[-1]
+    findings = [_within(exact, shown, frame) for exact, shown, _ in printed_numbers]
+    found = _naming(findings, [entry for *_, entry in printed_numbers])
+    if found.verdict != "proved" or len(findings) == 1:
+        return found
+    # each has evidence of its own, and what is claimed is all of them
+    bounds = tuple(rel for exact, shown, _ in printed_numbers for rel in shown.bounds(exact))
+    parts = {f"number {n}": each.certificate for n, each in enumerate(findings, start=1)}
+    reason = "each exact value lies in the interval of the digits shown"
+    return replace(found, reason=reason, certificate={**parts, "asked": _asked(bounds, frame)})
+
+
+def _asked(bounds: tuple[Rel, ...], frame: Frame) -> Mapping[str, Any]:
+    whole = Statement(bounds, frame.conditions)
+    own = {name: box for name, box in frame.boxes.items() if name in whole.symbols()}
+    return statement_data(whole, own, frame.parameter, frame.labels)
 
 
 def _of_limit(claim: Claim, reading: Reading, scope: Scope) -> Finding:
     """The same for the limit of the other side, where the arrow says."""
     arrow, others = arrow_of(reading)
-    exact, shown = _turned(reading.relations[0], scope)
+    ((exact, shown, _), *more) = _turned(reading.relations[0], scope)
+    if more:
+        raise Undecided("a limit of a matrix: make a claim of each entry")
     variable, point = scope.expression(arrow.left), end_of(arrow.right, scope)
     scope.refuse_moving(variable, exact)
     printed = tuple(scope.relation(r) for r in others)
@@ -73,17 +91,36 @@ def _of_limit(claim: Claim, reading: Reading, scope: Scope) -> Finding:
     return replace(finding, domain=domain, method=f"expansion near the limit; {finding.method}")
 
 
-def _turned(relation: Relation, scope: Scope) -> tuple[Expr, PrintedNumber]:
-    """The exact side, and the number printed with its decimals."""
-    left, right = scope.expression(relation.left), scope.expression(relation.right)
-    for exact, shown, decimals in (
-        (left, right, relation.right_decimals),
-        (right, left, relation.left_decimals),
-    ):
-        value = constant_value(shown)
-        if value is not None and decimals is not None:
-            return exact, PrintedNumber(value, decimals)
-    raise Undecided("neither side is a number as printed, with its digits")
+def _turned(relation: Relation, scope: Scope) -> list[tuple[Expr, PrintedNumber, str]]:
+    """The exact side, the number printed with its decimals, and of matrices the entry's name."""
+    relations = scope.relations(replace(relation, operator="="))
+    columns = max(shape(scope.value(side))[1] for side in (relation.left, relation.right))
+    for is_right, decimals in ((True, relation.right_decimals), (False, relation.left_decimals)):
+        if decimals is None:
+            continue
+        counts = decimals if isinstance(decimals, tuple) else (decimals,)
+        if len(counts) < len(relations):
+            continue
+        found = []
+        for place, (rel, count) in enumerate(zip(relations, counts, strict=True)):
+            exact, shown = (rel.left, rel.right) if is_right else (rel.right, rel.left)
+            value = constant_value(shown)
+            assert value is not None  # decimals are told of numbers alone
+            name = f"({place // columns + 1}, {place % columns + 1})" if len(counts) > 1 else ""
+            found.append((exact, PrintedNumber(value, count), name))
+        return found
+    raise Undecided("neither side is a number as printed, with its digits, or a matrix of such")
+
+
+def _naming(findings: Sequence[Finding], entries: Sequence[str]) -> Finding:
+    """What stands against the whole, with the names of the entries of a matrix that are wrong."""
+    found = of_parts(findings) or findings[-1]
+    wrong = [name for name, each in zip(entries, findings, strict=True) if each.witness and name]
+    if found.witness is None or found.witness.left.undefined or not wrong:
+        return found
+    first, *others = wrong
+    note = f"entry {first}" + (f" (wrong too: {', '.join(others)})" if others else "")
+    return replace(found, witness=replace(found.witness, note=note, shows=Shown.ENTRY))
 
 
 def _within(exact: Expr, shown: PrintedNumber, frame: Frame) -> Finding:
@@ -143,10 +180,8 @@ def _by_ball(
     at = substituted(exact, {n: number(v) for n, v in used.items()})
     asked = statement_data(Statement(shown.bounds(at)), {}, None, {})
     certificate = {"checked": "replayed", "engine": "balls", "statement": asked}
-    whole = Statement(shown.bounds(exact), frame.conditions)
-    if whole.conditions:
-        own = {name: box for name, box in frame.boxes.items() if name in whole.symbols()}
-        certificate["asked"] = statement_data(whole, own, frame.parameter, frame.labels)
+    if frame.conditions:
+        certificate["asked"] = _asked(shown.bounds(exact), frame)
     if above > 0 and below > 0:
         certificate |= {"point": where, "value": value.to_json(), "interval": shown.text()}
         reason = f"the exact value {value.midpoint} lies in the interval of the digits shown"

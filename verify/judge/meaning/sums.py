@@ -1,8 +1,10 @@
-"""Sums: written out, in closed form for polynomials and geometric series, else kept."""
+"""Sums: written out, in closed form for polynomials and geometric series, else kept. Products:
+written out or kept.
+"""
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 
 from gainproof.verify.judge.exact.calculus import rebuilt, substituted
 from gainproof.verify.judge.exact.constant_value import constant_value
@@ -55,6 +57,25 @@ def sum_of(summand: Expr, index: str, low: Expr, high: Expr) -> tuple[Expr, tupl
         mul(c, add(_power_sum(m, high), neg(_power_sum(m, low - 1)))) for m, c in known.items()
     ]
     return (add(*terms) if terms else number(0)), ordered
+
+
+def product_of(factor: Expr, index: str, low: Expr, high: Expr) -> tuple[Expr, tuple[Rel, ...]]:
+    """The same of a product. Raises Undecided."""
+    if high == INFINITE:
+        raise Undecided("a product to infinity")
+    if constant_value(low) is not None and constant_value(high) is not None:
+        factors = [powers_put_in(factor, {index: n}) for n in range_of(low, high)]
+        return (mul(*factors) if factors else number(1)), ()
+    ordered = (Rel(">=", high - low, number(-1)),)
+    if index not in symbols_of(factor):
+        return general_power(factor, high - low + 1), ordered
+    return Expr("call", "product", (factor, symbol(index), low, high)), ordered
+
+
+def series_of(name: str, parts: Sequence[Expr]) -> tuple[Expr, tuple[Rel, ...]]:
+    """A sum or product of the parts of its call. Raises Undecided."""
+    body, index, low, high = parts
+    return (sum_of if name == "sum" else product_of)(body, index.name, low, high)
 
 
 def _kept(summand: Expr, index: str, low: Expr, high: Expr) -> Expr:

@@ -35,7 +35,7 @@ from gainproof.verify.judge.meaning.names import Marks
 from gainproof.verify.judge.meaning.noises import holds_noise, noises_in, refuse_bound
 from gainproof.verify.judge.meaning.reach import names_in
 from gainproof.verify.judge.meaning.sequences import indexed
-from gainproof.verify.judge.meaning.sums import INFINITE, range_of, sum_of
+from gainproof.verify.judge.meaning.sums import INFINITE, product_of, range_of, sum_of
 from gainproof.verify.judge.meaning.symbols import Symbols
 from gainproof.verify.judge.meaning.value import Value, entries, mapped, multiplied, put_in
 from gainproof.verify.judge.setting.environment import SAMPLE
@@ -185,10 +185,10 @@ class Table(Symbols):
         if any(fresh.name in symbols_of(e) for e in self.needed[mark:]):
             raise Undecided(f"a {kind} of derivatives over {token}")
         self.refuse_own_terms(value, token)
-        if kind == "product":
+        if kind == "product" and not isinstance(value, Expr):
             factors = [put_in(value, {fresh.name: n}) for n in range_of(first, last)]
             return multiplied(factors) if factors else number(1)
-        work = sum_of if kind == "sum" else integral_of
+        work = {"sum": sum_of, "product": product_of, "integral": integral_of}[kind]
 
         def each(entry: Expr) -> Expr:
             found, required = work(entry, fresh.name, first, last)

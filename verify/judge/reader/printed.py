@@ -9,7 +9,7 @@ from fractions import Fraction
 from itertools import takewhile
 from typing import NamedTuple
 
-from gainproof.verify.judge.formula import Graph, Relation
+from gainproof.verify.judge.formula import Decimals, Graph, Relation
 from gainproof.verify.judge.reader.decimals import power_of_ten
 from gainproof.verify.judge.reader.limits import MOST_PRINTED_CHARACTERS
 
@@ -72,15 +72,34 @@ def decimal(value: Fraction) -> str | None:
     return f"{digits[:-places]}.{digits[-places:]}" if places else digits
 
 
-def with_decimals(graph: Graph, text: str, decimals: int | None) -> str:
+def with_decimals(graph: Graph, text: str, decimals: Decimals | None) -> str:
     """A side that is one number, with as many decimals as the print showed: `0.50`, not `0.5`."""
     power = power_of_ten(graph)
-    if decimals is None or power is None or decimals + power <= 0:
+    if not isinstance(decimals, int) or power is None or decimals + power <= 0:
         return text
     sign = "-" if text.startswith("-") else ""
     digits = "".join(takewhile(lambda c: c.isdigit() or c == ".", text[len(sign) :]))
     whole, _, places = digits.partition(".")
     return f"{sign}{whole}.{places.ljust(decimals + power, '0')}{text[len(sign + digits) :]}"
+
+
+def _side_text(graph: Graph, decimals: Decimals | None, text: Callable[[Graph], str]) -> str:
+    """A side, with the decimals that it showed: also those of the entries of a matrix."""
+    if not isinstance(decimals, tuple):
+        return with_decimals(graph, text(graph), decimals)
+    nodes = [*graph["nodes"]]
+    top = nodes[graph["outputs"]["value"]]
+    turned = top[0] == "transpose"
+    kind, rows, columns, *parts = nodes[top[1]] if turned else top
+    for place, part in enumerate(parts):
+        entry = {"nodes": graph["nodes"], "outputs": {"value": part}}
+        r, c = divmod(place, columns)
+        count = decimals[c * rows + r if turned else place]
+        nodes.append(["symbol", with_decimals(entry, text(entry), count)])
+    nodes.append([kind, rows, columns, *range(len(nodes) - len(parts), len(nodes))])
+    if turned:
+        nodes.append(["transpose", len(nodes) - 1])
+    return text({"nodes": nodes, "outputs": {"value": len(nodes) - 1}})
 
 
 def is_continued(before: Relation, relation: Relation) -> bool:
@@ -98,12 +117,12 @@ def relation_texts(
     pieces: list[str] = []
     for number, relation in enumerate(relations):
         operator = operators.get(relation.operator, relation.operator)
-        right = with_decimals(relation.right, text(relation.right), relation.right_decimals)
+        right = _side_text(relation.right, relation.right_decimals, text)
         if right == "-0" and relation.operator == "->":
             right = minus_zero  # else it would say from which side
         if number and is_continued(relations[number - 1], relation):
             pieces[-1] += f" {operator} {right}"
         else:
-            left = with_decimals(relation.left, text(relation.left), relation.left_decimals)
+            left = _side_text(relation.left, relation.left_decimals, text)
             pieces.append(f"{left} {operator} {right}")
     return pieces

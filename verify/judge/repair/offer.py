@@ -17,6 +17,8 @@ from gainproof.verify.judge.verdict import ClaimVerdict
 from gainproof.verify.judge.verdict_words import NO_REPAIR
 
 NOT_TRUE = ("refuted", "conditional")
+WITHOUT_REPAIR = ("definition", "solutions")
+"""Kinds of which the formula alone is no statement that a change makes true."""
 UNCHANGED = ("definition", "dimension", "invertible")
 """Kinds of claims on matrices that no change of a formula makes true."""
 
@@ -35,7 +37,7 @@ def repair_tasks(
     for claim in claims:
         if claim.id in wrong and claim.matrices is not None and claim.kind not in UNCHANGED:
             found.append(MatrixRepairTask(claim, setting))
-        if claim.id in wrong and claim.formula is not None and claim.kind != "definition":
+        if claim.id in wrong and claim.formula is not None and claim.kind not in WITHOUT_REPAIR:
             if wrong[claim.id].only_lacks_values and not _has_conditions(claim):
                 continue
             others = tuple(c for c in claims if c.setting == claim.setting and c.id != claim.id)

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from gainproof.verify.judge.exact.expression import Expr
 from gainproof.verify.judge.exact.graph import read_graph
 from gainproof.verify.judge.exact.graph_writing import graph_of
-from gainproof.verify.judge.formula import Reading, Relation
+from gainproof.verify.judge.formula import Decimals, Reading, Relation
 
 MOST_NODES = 400
 
@@ -22,8 +22,8 @@ class Link:
     operator: str
     left: int
     right: int
-    left_decimals: int | None = None
-    right_decimals: int | None = None
+    left_decimals: Decimals | None = None
+    right_decimals: Decimals | None = None
 
 
 @dataclass(frozen=True)

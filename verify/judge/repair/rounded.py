@@ -63,7 +63,7 @@ def _failing(formula: Printed, finding: Finding) -> tuple[int, int] | None:
 
 def _numbers(link: Link) -> Iterator[tuple[int, int]]:
     for side, decimals in ((link.right, link.right_decimals), (link.left, link.left_decimals)):
-        if decimals is not None:
+        if isinstance(decimals, int):
             yield side, decimals
 
 

@@ -68,6 +68,8 @@ def environment_of(state: SteadyState, name: str) -> Environment:
     quantities["innovation_variance"] = state.innovation * power(SIGMA, 2)
     quantities["closed_loop.trace"] = -factor.coefficients[-1]
     quantities["closed_loop.determinant"] = (-1) ** size * factor.coefficients[0]
+    for j, coefficient in enumerate((*factor.coefficients, number(1))):
+        quantities[f"closed_loop_coefficient.{j}"] = coefficient
     quantities |= filter_states(state.transition, state.filter_gain, state.measurement)
     boxes = {**factor.boxes(), **base_boxes(size)}
     return Environment(
