@@ -1,0 +1,322 @@
+"""From a page to the steps and towers of a subject."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass, field, replace
+from pathlib import Path
+from typing import Any
+
+import sympy as sp
+
+from gainproof.derive.algebra.limits import End
+from gainproof.derive.algebra.tower import Generator, Parameter, Tower
+from gainproof.derive.derivation import Step
+from gainproof.derive.expression import real
+from gainproof.derive.pages.evaluation import Definition, Meanings
+from gainproof.derive.pages.formula import Formula, FormulaError, read_formula
+from gainproof.derive.pages.page import (
+    Block,
+    Include,
+    InWords,
+    Item,
+    Line,
+    Page,
+    PageBlock,
+    PageStep,
+    Place,
+    Prose,
+    Theorem,
+    read_page,
+)
+from gainproof.derive.pages.statement import relation_of
+from gainproof.derive.printer.graph import Graph
+from gainproof.derive.relation import Relation, cited, described
+from gainproof.derive.source import SOURCES
+
+FOLDER = Path(__file__).parent
+ENDS = {"0": End(), "infinity": End()}
+"""Of a tower without roots."""
+
+
+@dataclass(frozen=True)
+class Given:
+    """What a page does not say.
+
+    `models` by name. `slots`: values by group and slot, text or expressions. `hints`: what evidence
+    needs, by step (see `algebra.evidence`), formulas as text in the names of the page. `ends`: of
+    towers with roots. `programs`: the graphs of kernels; `roots`: what their named roots are.
+    """
+
+    models: Mapping[str, Mapping[str, Any]] = field(default_factory=dict)
+    slots: Mapping[str, Mapping[str, Any]] = field(default_factory=dict)
+    hints: Mapping[str, Mapping[str, Any]] = field(default_factory=dict)
+    ends: Mapping[str, Mapping[str, End]] = field(default_factory=dict)
+    programs: Mapping[str, Graph] = field(default_factory=dict)
+    roots: Mapping[str, str] = field(default_factory=dict)
+
+
+@dataclass(frozen=True)
+class Written:
+    """A page made a derivation."""
+
+    title: str
+    opening: str
+    steps: tuple[Step, ...]
+    towers: Mapping[str, Tower]
+    latex: Mapping[str, str]
+
+
+def written(name: str, given: Given, folder: Path = FOLDER) -> Written:
+    """The derivation of the page of that name. Raises PageError with the line of a mistake."""
+    page = page_of(name, folder)
+    if not isinstance(page.blocks[0], Prose) or page.blocks[0].mark != "#":
+        raise Place(page.file, 1).error("a page starts with '# Title'")
+    making = _Making(given, folder)
+    steps = tuple(making.steps(page))
+    unknown = sorted(set(given.hints) - {step.id for step in steps})
+    if unknown:
+        raise Place(page.file, 1).error(
+            f"there are hints for steps that it does not have: {unknown}"
+        )
+    head = page.blocks[0]
+    return Written(head.head, head.text, steps, making.towers, making.latex)
+
+
+def page_of(name: str, folder: Path = FOLDER, primed: frozenset[str] = frozenset()) -> Page:
+    """The page or part of that name. Raises PageError, OSError."""
+    path = folder / f"{name}.md"
+    shown = "/".join(path.parts[-3:])
+    return read_page(path.read_text(encoding="utf-8"), shown, primed)
+
+
+@dataclass
+class _Making:
+    given: Given
+    folder: Path
+    meanings: Meanings = field(default_factory=Meanings)
+    towers: dict[str, Tower] = field(default_factory=dict)
+    latex: dict[str, str] = field(default_factory=dict)
+    heading: str = ""
+    ids: set[str] = field(default_factory=set)
+
+    def __post_init__(self) -> None:
+        self.meanings = replace(self.meanings, models=self.given.models)
+
+    def steps(self, page: Page) -> Iterator[Step]:
+        for block in page.blocks:
+            try:
+                yield from self._block(block)
+            except FormulaError as error:
+                raise block.place.error(str(error)) from None
+
+    def _block(self, block: PageBlock) -> Iterator[Step]:
+        if isinstance(block, PageStep):
+            yield from self._step(block)
+        elif isinstance(block, Include):
+            yield from self._included(block)
+        elif isinstance(block, Prose):
+            self.heading = self._filled(block.head) if block.mark == "##" else ""
+        elif block.kind == "kernel":
+            yield self._kernel(block)
+        elif block.kind == "setting":
+            self.towers[block.name] = self._tower(block)
+        else:
+            for line in block.lines:
+                try:
+                    self._names(line) if block.kind == "names" else self._let(line)
+                except FormulaError as error:
+                    raise line.place.error(str(error)) from None
+
+    def _names(self, line: Line) -> None:
+        for value in line.values or ("",):
+            name, quantity = (
+                text.replace(f"_{line.variable}", f"_{value}") if value else text
+                for text in (line.name, str(line.meaning))
+            )
+            if self.meanings.knows(name):
+                raise FormulaError(f"{name!r} has a meaning already")
+            symbols = {**self.meanings.symbols, name: real(quantity)}
+            self.meanings = replace(self.meanings, symbols=symbols)
+            if shown := latex_of(name):
+                self.latex[quantity] = shown
+
+    def _let(self, line: Line) -> None:
+        assert isinstance(line.meaning, Formula)
+        self.meanings = self.meanings.define(line.name, Definition(line.arguments, line.meaning))
+
+    def _tower(self, block: Block) -> Tower:
+        parameters = tuple(
+            Parameter(self.meanings.symbol(name).name, *(("0",) if order == ">" else (None, "0")))
+            for name, order in block.parameters
+        )
+        generators: list[Generator] = []
+        elements: dict[str, sp.Expr] = {}
+        for line in block.lines:
+            formula = line.meaning
+            assert isinstance(formula, Formula)
+            try:
+                name = self.meanings.symbol(line.name).name
+                if (formula.kind, formula.text) == ("call", "sqrt"):
+                    generators.append(Generator(name, self.meanings.value(formula.parts[0])))
+                else:
+                    elements[name] = self.meanings.value(formula)
+            except FormulaError as error:
+                raise line.place.error(str(error)) from None
+        return Tower(block.name, parameters, tuple(generators), elements)
+
+    def _step(self, step: PageStep) -> Iterator[Step]:
+        if step.setting not in self.towers:
+            raise FormulaError(
+                f"no setting {step.setting!r} above; known: {', '.join(self.towers)}"
+            )
+        first = Step(
+            self._id(step.id, step.place),
+            self._filled(step.sentence),
+            self._relation(step.items[0], step.setting),
+            self._filled(step.reason),
+            step.setting,
+            shown=not step.hidden,
+            heading=self.heading,
+            essential=step.essential,
+        )
+        self.heading = ""
+        yield self._with_hint(first, step.items[0].place)
+        for item in step.items[1:]:
+            relation = self._relation(item, step.setting)
+            name = self._id(item.id, item.place)
+            joined = Step(name, "", relation, "", step.setting, shown=not item.hidden, joins=True)
+            yield self._with_hint(joined, item.place)
+
+    def _id(self, text: str, place: Place) -> str:
+        name = self._filled(text)
+        if name in self.ids:
+            raise place.error(f"there is a step {name!r} already")
+        self.ids.add(name)
+        return name
+
+    def _relation(self, item: Item, setting: str) -> Relation:
+        try:
+            return self._said(item, setting)
+        except FormulaError as error:
+            raise item.place.error(str(error)) from None
+
+    def _said(self, item: Item, setting: str) -> Relation:
+        if isinstance(item.said, InWords):
+            return described(self._filled(item.said.text))
+        if isinstance(item.said, Theorem):
+            return cited(self._filled(item.said.text), _source(item.said.source))
+        relation = relation_of(item.said, self.meanings)
+        self._require_known(relation, setting)
+        return relation
+
+    def _require_known(self, relation: Relation, setting: str) -> None:
+        """Each quantity of a statement has to be one of its setting, or stand for any."""
+        tower = self.towers[setting]
+        known = {*tower.variables, *tower.expressions, *relation.parts.get("free", ())}
+        shown = {symbol.name: name for name, symbol in self.meanings.symbols.items()}
+        for value in relation.parts.values():
+            for symbol in sorted(getattr(value, "free_symbols", ()), key=str):
+                if symbol.name not in known:
+                    raise FormulaError(f"{shown[symbol.name]!r} has no value in setting {setting}")
+
+    def _with_hint(self, step: Step, place: Place) -> Step:
+        found = dict(self.given.hints.get(step.id, {}))
+        if step.relation.kind in ("limit", "increasing_onto"):
+            found["ends"] = self.given.ends.get(step.tower, ENDS)
+        return replace(step, hint={key: self._hint(value, place) for key, value in found.items()})
+
+    def _hint(self, value: Any, place: Place) -> Any:
+        if not isinstance(value, str):
+            return value
+        try:
+            return self.meanings.value(read_formula(value, self.meanings.primed))
+        except FormulaError as error:
+            raise place.error(f"its hint {value!r}: {error}") from None
+
+    def _kernel(self, block: Block) -> Step:
+        graph = self.given.programs.get(block.name)
+        if graph is None:
+            raise FormulaError(f"no kernel {block.name!r}; known: {', '.join(self.given.programs)}")
+        outputs = {
+            line.name: self.meanings.value(line.meaning)
+            for line in block.lines
+            if isinstance(line.meaning, Formula)
+        }
+        if list(outputs) != list(graph["outputs"]):
+            raise FormulaError(
+                f"the outputs {', '.join(graph['outputs'])} are wanted, in this order"
+            )
+        named = graph.get("names", {})
+        roots = {key: text for key, text in self.given.roots.items() if key in named}
+        return Step(
+            self._id(f"kernel-{block.name.replace('_', '-')}", block.place),
+            f"The kernel {block.name} computes what it says.",
+            Relation("program", {"program": block.name, "outputs": outputs}),
+            "Evaluate the kernel's graph in the tower.",
+            block.setting,
+            {"graph": graph, "roots": {k: self._hint(x, block.place) for k, x in roots.items()}},
+            shown=False,
+        )
+
+    def _included(self, block: Include) -> Iterator[Step]:
+        if block.slots and block.slots not in self.given.slots:
+            raise FormulaError(f"no slots {block.slots!r}; known: {', '.join(self.given.slots)}")
+        path = self.folder / f"{block.part}.md"
+        if not path.is_file():
+            raise FormulaError(f"no file {path.name} beside this page")
+        outside = self.meanings
+        self.meanings = replace(outside, slots=self.given.slots.get(block.slots, {}))
+        part = page_of(block.part, self.folder, outside.primed)
+        for each in part.blocks:
+            if isinstance(each, Include) or (isinstance(each, Prose) and each.mark == "#"):
+                raise each.place.error("a part has no title and includes no other")
+        yield from self.steps(part)
+        self.meanings = outside
+
+    def _filled(self, text: str) -> str:
+        """With the values of its slots."""
+
+        def value(match: re.Match[str]) -> str:
+            found = self.meanings.slots.get(match[1])
+            if not isinstance(found, str):
+                raise FormulaError(f"{match[0]!r} is no slot of words here")
+            return found
+
+        return re.sub(r"\{([^}]*)\}", value, text)
+
+
+def latex_of(name: str) -> str:
+    """How a name of a page is printed: Greek letters by their names, what follows _ below; nothing
+    for a word.
+    """
+    match = re.fullmatch(r"([A-Za-z]+)(?:_([A-Za-z0-9_]+))?('?)", name)
+    if match is None or (len(match[1]) > 1 and match[1] not in GREEK):
+        return ""
+    below = match[2] or ""
+    short = len(below) == 1 or below in GREEK
+    subscript = f"_{_letter(below)}" if short else f"_{{{below}}}" * bool(below)
+    return f"{_letter(match[1])}{subscript}{match[3]}"
+
+
+GREEK = frozenset(
+    re.findall(
+        r"\w+",
+        """
+        alpha beta gamma delta epsilon zeta eta theta kappa lambda mu nu xi pi rho sigma tau phi chi
+        psi omega Gamma Delta Theta Lambda Xi Pi Sigma Phi Psi Omega
+        """,
+    )
+)
+
+
+def _letter(text: str) -> str:
+    return f"\\{text}" if text in GREEK else text
+
+
+def _source(key: str) -> str:
+    for source in SOURCES:
+        if source.key == key:
+            return source.text()
+    raise FormulaError(f"no source {key!r}; known: {', '.join(each.key for each in SOURCES)}")
