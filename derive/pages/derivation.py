@@ -77,9 +77,7 @@ def written(name: str, given: Given, folder: Path = FOLDER) -> Written:
     steps = tuple(making.steps(page))
     unknown = sorted(set(given.hints) - {step.id for step in steps})
     if unknown:
-        raise Place(page.file, 1).error(
-            f"there are hints for steps that it does not have: {unknown}"
-        )
+        raise Place(page.file, 1).error(f"hints for steps that are not there: {unknown}")
     head = page.blocks[0]
     return Written(head.head, head.text, steps, making.towers, making.latex)
 
@@ -135,8 +133,7 @@ class _Making:
                 text.replace(f"_{line.variable}", f"_{value}") if value else text
                 for text in (line.name, str(line.meaning))
             )
-            if self.meanings.knows(name):
-                raise FormulaError(f"{name!r} has a meaning already")
+            self.meanings.require_new(name)
             symbols = {**self.meanings.symbols, name: real(quantity)}
             self.meanings = replace(self.meanings, symbols=symbols)
             if shown := latex_of(name):

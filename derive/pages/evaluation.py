@@ -14,7 +14,7 @@ from typing import Any
 import sympy as sp
 
 from gainproof.derive.expression import real
-from gainproof.derive.pages.formula import Formula, FormulaError
+from gainproof.derive.pages.formula import RESERVED, Formula, FormulaError
 
 MAXIMUM_SIZE = 20_000
 """Nodes of a value, definitions written out."""
@@ -65,15 +65,17 @@ class Meanings:
             raise FormulaError(f"a model is wanted ({', '.join(self.models)}), {name!r} came")
         return self.models[name]
 
-    def knows(self, name: str) -> bool:
-        """Whether the name is taken."""
+    def require_new(self, name: str) -> None:
+        """Raise FormulaError for a name that is taken."""
+        if name in RESERVED:
+            raise FormulaError(f"{name!r} is a word of statements, no name")
         known = (self.symbols, self.defined, self.functions, BUILT_IN, self.models)
-        return any(name in each for each in known)
+        if any(name in each for each in known):
+            raise FormulaError(f"{name!r} has a meaning already")
 
     def define(self, name: str, definition: Definition) -> Meanings:
         """With one more definition; what it refers to has to be above it."""
-        if self.knows(name):
-            raise FormulaError(f"{name!r} has a meaning already")
+        self.require_new(name)
         if definition.arguments:
             self._require_known(definition.formula, definition.arguments)
             known = replace(definition, scope=self)
@@ -111,13 +113,14 @@ class Meanings:
         return value
 
     def _size(self, value: Any) -> int:
-        """Nodes of a value; a long number counts more than once."""
+        """Nodes of a value, powers written out; a long number counts more than once."""
         if isinstance(value, sp.MatrixBase):
             return sum(map(self._size, value.flat()))
         if isinstance(value, sp.Rational):
             return 1 + (int(value.p).bit_length() + int(value.q).bit_length()) // 64
         if value not in self.sizes:
-            self.sizes[value] = 1 + sum(map(self._size, value.args))
+            times = abs(value.exp) if isinstance(value, sp.Pow) and value.exp.is_Integer else 1
+            self.sizes[value] = 1 + int(times) * sum(map(self._size, value.args))
         return self.sizes[value]
 
     def _worked_out(self, formula: Formula, multiplied: bool) -> Any:

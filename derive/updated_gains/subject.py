@@ -5,6 +5,8 @@ The derivation is the page `updated-gains` of `derive/pages`; here is what it do
 
 from __future__ import annotations
 
+from pathlib import Path
+
 import sympy as sp
 
 from gainproof.derive.algebra.limits import End
@@ -12,7 +14,7 @@ from gainproof.derive.derivation import Derivation
 from gainproof.derive.expression import real
 from gainproof.derive.families.random_acceleration import model
 from gainproof.derive.model import scale
-from gainproof.derive.pages.derivation import Given, written
+from gainproof.derive.pages.derivation import FOLDER, Given, written
 from gainproof.derive.printer.graph import Graph, symbols_of
 from gainproof.derive.source import KALATA, MATRICES, UPDATED
 from gainproof.derive.steady_state.names import LATEX
@@ -46,8 +48,11 @@ HINTS = {
 """Without the differences that hide a sign or a limit."""
 
 
-def build() -> Subject:
-    """Derive errors, limits and drift of first-order gains, and what wrong gains cost."""
+def build(folder: Path = FOLDER) -> Subject:
+    """Derive errors, limits and drift of first-order gains, and what wrong gains cost.
+
+    `folder`: where the page is. Raises PageError with the line of a mistake on it.
+    """
     made, scaled = graphs(), scale(model())
     given = Given(
         models={"random_acceleration": scaled.data()},
@@ -56,7 +61,7 @@ def build() -> Subject:
         programs=made,
         roots=ROOTS,
     )
-    page = written(NAME, given)
+    page = written(NAME, given, folder)
     sources = (KALATA.key, MATRICES.key, UPDATED.key)
     latex = {**LATEX, **page.latex, "root_3": r"\sqrt{3}", "root_5": r"\sqrt{5}"}
     return Subject(

@@ -24,8 +24,14 @@ def outline(state: WorkerState, name: str) -> dict[str, Any]:
 
 
 def derive(state: WorkerState, name: str) -> dict[str, Any]:
-    """Derive one subject of the catalogue: `Derived` as plain data."""
-    return state.kept(("derived", name), lambda: plain_subject(subject_of(state, name)).plain())
+    """Derive one subject of the catalogue: `Derived` as plain data.
+
+    Raises BadInputError for a mistake on its page.
+    """
+    try:
+        return state.kept(("derived", name), lambda: plain_subject(subject_of(state, name)).plain())
+    except PageError as error:
+        raise BadInputError(str(error)) from None
 
 
 def subject_of(state: WorkerState, name: str) -> Subject:
