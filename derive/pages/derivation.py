@@ -44,11 +44,13 @@ ENDS = {"0": End(), "infinity": End()}
 class Given:
     """What a page does not say.
 
-    `models` by name. `slots`: values by group and slot, text or expressions. `hints`: what evidence
-    needs, by step (see `algebra.evidence`), formulas as text in the names of the page. `ends`: of
-    towers with roots. `programs`: the graphs of kernels; `roots`: what their named roots are.
+    `towers`: settings that are not written on it. `models` by name. `slots`: values by group and
+    slot, text or expressions. `hints`: what evidence needs, by step (see `algebra.evidence`),
+    formulas as text in the names of the page. `ends`: of towers with roots. `programs`: the graphs
+    of kernels; `roots`: what their named roots are.
     """
 
+    towers: tuple[Tower, ...] = ()
     models: Mapping[str, Mapping[str, Any]] = field(default_factory=dict)
     slots: Mapping[str, Mapping[str, Any]] = field(default_factory=dict)
     hints: Mapping[str, Mapping[str, Any]] = field(default_factory=dict)
@@ -101,6 +103,7 @@ class _Making:
 
     def __post_init__(self) -> None:
         self.meanings = replace(self.meanings, models=self.given.models)
+        self.towers |= {tower.name: tower for tower in self.given.towers}
 
     def steps(self, page: Page) -> Iterator[Step]:
         for block in page.blocks:
@@ -128,16 +131,23 @@ class _Making:
                     raise line.place.error(str(error)) from None
 
     def _names(self, line: Line) -> None:
+        if line.meaning == line.name:
+            for name in line.name.split(", "):
+                self._quantity(name, name, name)
+            return
         for value in line.values or ("",):
-            name, quantity = (
-                text.replace(f"_{line.variable}", f"_{value}") if value else text
-                for text in (line.name, str(line.meaning))
+            name, quantity, printed = (
+                text.removesuffix(line.variable) + value
+                for text in (line.name, self._filled(str(line.meaning)), line.printed or line.name)
             )
-            self.meanings.require_new(name)
-            symbols = {**self.meanings.symbols, name: real(quantity)}
-            self.meanings = replace(self.meanings, symbols=symbols)
-            if shown := latex_of(name):
-                self.latex[quantity] = shown
+            self._quantity(name, quantity, printed)
+
+    def _quantity(self, name: str, quantity: str, printed: str) -> None:
+        self.meanings.require_new(name)
+        symbols = {**self.meanings.symbols, name: real(quantity)}
+        self.meanings = replace(self.meanings, symbols=symbols)
+        if shown := latex_of(printed):
+            self.latex[quantity] = shown
 
     def _let(self, line: Line) -> None:
         assert isinstance(line.meaning, Formula)
@@ -288,13 +298,13 @@ def latex_of(name: str) -> str:
     """How a name of a page is printed: Greek letters by their names, what follows _ below; nothing
     for a word.
     """
-    match = re.fullmatch(r"([A-Za-z]+)(?:_([A-Za-z0-9_]+))?('?)", name)
+    match = re.fullmatch(r"([A-Za-z]+)(?:_([A-Za-z0-9_]+)|(\d+))?('?)", name)
     if match is None or (len(match[1]) > 1 and match[1] not in GREEK):
         return ""
-    below = match[2] or ""
+    below = match[2] or match[3] or ""
     short = len(below) == 1 or below in GREEK
     subscript = f"_{_letter(below)}" if short else f"_{{{below}}}" * bool(below)
-    return f"{_letter(match[1])}{subscript}{match[3]}"
+    return f"{_letter(match[1])}{subscript}{match[4]}"
 
 
 GREEK = frozenset(

@@ -13,12 +13,11 @@ from typing import Any
 
 import sympy as sp
 
-from gainproof.derive.expression import real
 from gainproof.derive.pages.formula import RESERVED, Formula, FormulaError
 
 MAXIMUM_SIZE = 20_000
 """Nodes of a value, definitions written out."""
-BUILT_IN = ("sqrt", "derivative", "at")
+BUILT_IN = ("sqrt", "determinant", "derivative", "at")
 Model = Mapping[str, Any]
 
 
@@ -142,7 +141,7 @@ class Meanings:
                 columns = int(formula.text)
                 return sp.ImmutableDenseMatrix(len(values) // columns, columns, values)
             case "neg":
-                return _product([sp.Integer(-1), values[0]], multiplied)
+                return _negative(values[0])
             case "add":
                 return _sum(values, multiplied)
             case "mul":
@@ -180,10 +179,12 @@ class Meanings:
             return inside._value(definition.formula, multiplied=True)
         if name not in BUILT_IN:
             raise self._no_function(name)
-        first = self._value(parts[0], multiplied)
+        first = self._value(parts[0], multiplied or name == "determinant")
         match name, parts[1:]:
             case "sqrt", ():
                 return sp.sqrt(first)
+            case "determinant", ():
+                return first.det()
             case "derivative", (by, *times) if len(times) < 2:
                 variable = self.symbol(by.text)
                 if times:
@@ -191,7 +192,9 @@ class Meanings:
                 return sp.Derivative(first, variable)
             case "at", (place, value):
                 return sp.Subs(first, self.symbol(place.text), self._value(value, multiplied))
-        raise FormulaError("sqrt(x), derivative(f, x), derivative(f, x, 2) or at(f, x, value)")
+        raise FormulaError(
+            "sqrt(x), determinant(M), derivative(f, x), derivative(f, x, 2) or at(f, x, value)"
+        )
 
     def _no_function(self, name: str) -> FormulaError:
         return FormulaError(f"{name!r} is no function; a product has a blank: {name} (...)")
@@ -200,11 +203,6 @@ class Meanings:
         given = dict(zip(definition.arguments, values, strict=True))
         symbols = {name: value for name, value in self.symbols.items() if name not in given}
         return replace(self, symbols=symbols, defined={**self.defined, **given})
-
-
-def quantity(name: str) -> sp.Symbol:
-    """The symbol of a name of the certificate."""
-    return real(name)
 
 
 def _is_matrix(value: Any) -> bool:
@@ -218,6 +216,10 @@ def _sum(values: list[Any], multiplied: bool) -> Any:
     for value in values[1:]:
         total = total + value
     return total
+
+
+def _negative(value: Any) -> Any:
+    return sp.MatMul(-1, *value.args, evaluate=False) if isinstance(value, sp.MatMul) else -value
 
 
 def _product(values: list[Any], multiplied: bool) -> Any:

@@ -36,7 +36,11 @@ _ID = r"[a-z0-9{}_-]+"
 _STEP = re.compile(rf"### ({_ID})(?: \((.+)\))?")
 _ITEM = re.compile(rf"(?:({_ID})( \(hidden\))?: )?(.+)")
 _THEOREM = re.compile(r"theorem: (.+) \[([a-z0-9-]+)\]")
-_NAMES = re.compile(rf"({NAME}'?)(?: = ({NAME})(?: for ([a-z]+) in ([a-z0-9]+(?:, [a-z0-9]+)*))?)?")
+_PLAIN = re.compile(rf"{NAME}'?(?:, {NAME}'?)*")
+_NAMES = re.compile(
+    rf"(?P<name>{NAME}'?) = (?P<meaning>[A-Za-z0-9{{}}_]+)(?: as (?P<printed>{NAME}))?"
+    r"(?: for (?P<variable>[a-z]+) in (?P<values>[a-z0-9]+(?:, [a-z0-9]+)*))?"
+)
 _DEFINED = re.compile(rf"({NAME}'?)(?:\(({NAME}(?:, {NAME})*)\))? = (.+)")
 _PARAMETER = re.compile(rf"({NAME}) (>=?) 0")
 
@@ -125,11 +129,15 @@ class PageStep:
 
 @dataclass(frozen=True)
 class Line:
-    """One line of a block of names, definitions or outputs, read."""
+    """One line of a block of names, definitions or outputs, read.
+
+    Of names: `printed`, the name as which one is printed; the `values` of a `variable` at the end.
+    """
 
     name: str
     meaning: str | Formula
     arguments: tuple[str, ...] = ()
+    printed: str = ""
     variable: str = ""
     values: tuple[str, ...] = ()
     place: Place = Place("", 0)
@@ -139,7 +147,8 @@ class Line:
         if self.meaning == self.name:
             return called
         ranges = f" for {self.variable} in {', '.join(self.values)}" if self.values else ""
-        return f"{called} = {self.meaning}{ranges}"
+        printed = f" as {self.printed}" if self.printed else ""
+        return f"{called} = {self.meaning}{printed}{ranges}"
 
 
 @dataclass(frozen=True)
@@ -367,18 +376,21 @@ class _Reading:
         return tuple(found)
 
     def _name(self, number: int, text: str) -> Line:
+        if _PLAIN.fullmatch(text):
+            self.primed |= {name for name in text.split(", ") if name.endswith("'")}
+            return Line(text, text, place=self._at(number))
         match = _NAMES.fullmatch(text)
         if match is None:
             self._at_error(
                 number,
-                f"'name', 'name = quantity' or 'P_ij = p_ij for ij in 11, 12' is wanted, "
-                f"{text!r} came",
+                "'name, name', 'name = quantity' or 'P_ij = p_ij as Q_ij for ij in 11, 12' is "
+                f"wanted, {text!r} came",
             )
-        name, meaning, variable, values = match.groups()
+        name, meaning, printed, variable, values = match.groups(default="")
         if name.endswith("'"):
             self.primed |= {name}
         listed = tuple(values.split(", ")) if values else ()
-        return Line(name, meaning or name, (), variable or "", listed, self._at(number))
+        return Line(name, meaning, (), printed, variable, listed, self._at(number))
 
     def _definition(self, number: int, text: str) -> Line:
         match = _DEFINED.fullmatch(text)

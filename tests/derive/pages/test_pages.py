@@ -114,7 +114,7 @@ def test_a_missing_page_says_so(tmp_path: Path) -> None:
 
 MISTAKES = [
     ("# A filter", "A filter", 1, "a block is wanted that starts with #, ##, ###"),
-    ("    a\n", "    a b\n", 5, "'name', 'name = quantity' or"),
+    ("    a\n", "    a b\n", 5, "'name, name', 'name = quantity' or"),
     ("    a\n", "    in\n", 5, "'in' is a word of statements"),
     ("    b\n", "    a\n", 6, "'a' has a meaning already"),
     ("double(x) = 2 x", "double(x) = 2 y", 10, "'y' is neither a quantity nor a definition"),
