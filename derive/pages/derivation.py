@@ -131,7 +131,7 @@ class _Making:
                     raise line.place.error(str(error)) from None
 
     def _names(self, line: Line) -> None:
-        if line.meaning == line.name:
+        if line.is_plain:
             for name in line.name.split(", "):
                 self._quantity(name, name, name)
             return
@@ -174,16 +174,15 @@ class _Making:
         return Tower(block.name, parameters, tuple(generators), elements)
 
     def _step(self, step: PageStep) -> Iterator[Step]:
-        if step.setting not in self.towers:
-            raise FormulaError(
-                f"no setting {step.setting!r} above; known: {', '.join(self.towers)}"
-            )
+        setting = self._filled(step.setting)
+        if setting not in self.towers:
+            raise FormulaError(f"no setting {setting!r} above; known: {', '.join(self.towers)}")
         first = Step(
             self._id(step.id, step.place),
             self._filled(step.sentence),
-            self._relation(step.items[0], step.setting),
+            self._relation(step.items[0], setting),
             self._filled(step.reason),
-            step.setting,
+            setting,
             shown=not step.hidden,
             heading=self.heading,
             essential=step.essential,
@@ -191,9 +190,9 @@ class _Making:
         self.heading = ""
         yield self._with_hint(first, step.items[0].place)
         for item in step.items[1:]:
-            relation = self._relation(item, step.setting)
+            relation = self._relation(item, setting)
             name = self._id(item.id, item.place)
-            joined = Step(name, "", relation, "", step.setting, shown=not item.hidden, joins=True)
+            joined = Step(name, "", relation, "", setting, shown=not item.hidden, joins=True)
             yield self._with_hint(joined, item.place)
 
     def _id(self, text: str, place: Place) -> str:

@@ -142,9 +142,14 @@ class Line:
     values: tuple[str, ...] = ()
     place: Place = Place("", 0)
 
+    @property
+    def is_plain(self) -> bool:
+        """Whether it is of names, apart by commas, that certificates have too."""
+        return self.meaning == self.name and not self.values
+
     def __str__(self) -> str:
         called = f"{self.name}({', '.join(self.arguments)})" if self.arguments else self.name
-        if self.meaning == self.name:
+        if self.is_plain:
             return called
         ranges = f" for {self.variable} in {', '.join(self.values)}" if self.values else ""
         printed = f" as {self.printed}" if self.printed else ""
@@ -284,7 +289,7 @@ class _Reading:
         if match is None:
             self._at_error(number, f"### id (in NAME, hidden, essential) is wanted, {first!r} came")
         setting, said = "main", match[2].split(", ") if match[2] else []
-        if said and re.fullmatch(rf"in {NAME}", said[0]):
+        if said and re.fullmatch(r"in [A-Za-z0-9{}_]+", said[0]):
             setting = said.pop(0)[3:]
         if said not in ([], ["hidden"], ["essential"], ["hidden", "essential"]):
             self._at_error(number, f"(in NAME, hidden, essential) is wanted, ({match[2]}) came")
