@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import re
 from pathlib import Path
 from typing import Any
 
@@ -15,6 +16,8 @@ from gainproof.derive.updated_gains.subject import NAME, build
 from gainproof.verify.certificate import check_statement
 
 TEXT = (FOLDER / f"{NAME}.md").read_text(encoding="utf-8")
+DOCUMENT = (FOLDER.resolve().parents[1] / "docs" / "edit-a-page.md").read_text(encoding="utf-8")
+(ADDED,) = re.findall(r"```text\n(### sum.*?)```", DOCUMENT, re.DOTALL)
 
 
 def edited(folder: Path, right: str, wrong: str) -> Subject:
@@ -37,16 +40,19 @@ def test_a_sentence_is_the_teachers(tmp_path: Path) -> None:
     assert status(subject, "second") == "proved"
 
 
-def test_a_step_is_added_and_proved(tmp_path: Path) -> None:
-    added = (
-        "### sum (essential)\nBoth gains together:\n\n"
-        "    alpha + beta = e (2 + 3 e)/(1 + e)^2\n"
-        "    sum-grows: alpha + beta grows with Lambda\n\n"
-        "because Add.\n\n### second\n"
-    )
-    subject = edited(tmp_path, "### second\n", added)
+def test_the_documentation_adds_a_step_that_is_proved(tmp_path: Path) -> None:
+    subject = edited(tmp_path, "### second\n", f"{ADDED}\n### second\n")
     assert [step.id for step in subject.derivation.steps if step.essential] == ["sum"]
     assert (status(subject, "sum"), status(subject, "sum-grows")) == ("proved", "proved")
+
+
+def test_the_documentation_shows_the_error_of_a_misprint(tmp_path: Path) -> None:
+    misprint = ADDED.replace("    alpha + beta =", "    alpha + bta =")
+    with pytest.raises(PageError) as caught:
+        edited(tmp_path, "### second\n", f"{misprint}\n### second\n")
+    place, _, said = str(caught.value).partition(", ")
+    assert place.endswith(f"/{NAME}.md")
+    assert f"gainproof: derive/pages/{NAME}.md, {said}" in DOCUMENT
 
 
 WRONG = [
