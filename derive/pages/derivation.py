@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import Any
@@ -47,7 +47,7 @@ class Given:
     `towers`: settings that are not written on it. `models` by name. `slots`: values by group and
     slot, text or expressions. `hints`: what evidence needs, by step (see `algebra.evidence`),
     formulas as text in the names of the page. `ends`: of towers with roots. `programs`: the graphs
-    of kernels; `roots`: what their named roots are.
+    of kernels; `roots`: what their named roots are. `steps` by name that the program makes.
     """
 
     towers: tuple[Tower, ...] = ()
@@ -57,6 +57,7 @@ class Given:
     ends: Mapping[str, Mapping[str, End]] = field(default_factory=dict)
     programs: Mapping[str, Graph] = field(default_factory=dict)
     roots: Mapping[str, str] = field(default_factory=dict)
+    steps: Mapping[str, Sequence[Step]] = field(default_factory=dict)
 
 
 @dataclass(frozen=True)
@@ -116,7 +117,7 @@ class _Making:
         if isinstance(block, PageStep):
             yield from self._step(block)
         elif isinstance(block, Include):
-            yield from self._included(block)
+            yield from self._included(block) if block.kind == "include" else self._made(block)
         elif isinstance(block, Prose):
             self.heading = self._filled(block.head) if block.mark == "##" else ""
         elif block.kind == "kernel":
@@ -174,41 +175,40 @@ class _Making:
         return Tower(block.name, parameters, tuple(generators), elements)
 
     def _step(self, step: PageStep) -> Iterator[Step]:
-        setting = self._filled(step.setting)
-        if setting not in self.towers:
-            raise FormulaError(f"no setting {setting!r} above; known: {', '.join(self.towers)}")
-        first = Step(
-            self._id(step.id, step.place),
-            self._filled(step.sentence),
-            self._relation(step.items[0], setting),
-            self._filled(step.reason),
-            setting,
-            shown=not step.hidden,
-            heading=self.heading,
-            essential=step.essential,
-        )
-        self.heading = ""
-        yield self._with_hint(first, step.items[0].place)
-        for item in step.items[1:]:
-            relation = self._relation(item, setting)
-            name = self._id(item.id, item.place)
-            joined = Step(name, "", relation, "", setting, shown=not item.hidden, joins=True)
-            yield self._with_hint(joined, item.place)
+        for number, item in enumerate(step.items):
+            mark, place = (item.mark, item.place) if number else (step.mark, step.place)
+            try:
+                made = Step(
+                    self._id(mark.id),
+                    "" if number else self._filled(step.sentence),
+                    described(""),
+                    "" if number else self._filled(step.reason),
+                    self._setting(mark.setting or step.mark.setting or "main"),
+                    shown=not mark.hidden,
+                    heading=self.heading,
+                    joins=number > 0,
+                    essential=mark.essential,
+                )
+                place = item.place
+                yield self._with_hint(replace(made, relation=self._relation(item, made.tower)))
+            except FormulaError as error:
+                raise place.error(str(error)) from None
+            self.heading = ""
 
-    def _id(self, text: str, place: Place) -> str:
+    def _setting(self, text: str) -> str:
+        name = self._filled(text)
+        if name not in self.towers:
+            raise FormulaError(f"no setting {name!r} above; known: {', '.join(self.towers)}")
+        return name
+
+    def _id(self, text: str) -> str:
         name = self._filled(text)
         if name in self.ids:
-            raise place.error(f"there is a step {name!r} already")
+            raise FormulaError(f"there is a step {name!r} already")
         self.ids.add(name)
         return name
 
     def _relation(self, item: Item, setting: str) -> Relation:
-        try:
-            return self._said(item, setting)
-        except FormulaError as error:
-            raise item.place.error(str(error)) from None
-
-    def _said(self, item: Item, setting: str) -> Relation:
         if isinstance(item.said, InWords):
             return described(self._filled(item.said.text))
         if isinstance(item.said, Theorem):
@@ -227,19 +227,19 @@ class _Making:
                 if symbol.name not in known:
                     raise FormulaError(f"{shown[symbol.name]!r} has no value in setting {setting}")
 
-    def _with_hint(self, step: Step, place: Place) -> Step:
+    def _with_hint(self, step: Step) -> Step:
         found = dict(self.given.hints.get(step.id, {}))
         if step.relation.kind in ("limit", "increasing_onto"):
             found["ends"] = self.given.ends.get(step.tower, ENDS)
-        return replace(step, hint={key: self._hint(value, place) for key, value in found.items()})
+        return replace(step, hint={key: self._hint(value) for key, value in found.items()})
 
-    def _hint(self, value: Any, place: Place) -> Any:
+    def _hint(self, value: Any) -> Any:
         if not isinstance(value, str):
             return value
         try:
             return self.meanings.value(read_formula(value, self.meanings.primed))
         except FormulaError as error:
-            raise place.error(f"its hint {value!r}: {error}") from None
+            raise FormulaError(f"its hint {value!r}: {error}") from None
 
     def _kernel(self, block: Block) -> Step:
         graph = self.given.programs.get(block.name)
@@ -257,14 +257,23 @@ class _Making:
         named = graph.get("names", {})
         roots = {key: text for key, text in self.given.roots.items() if key in named}
         return Step(
-            self._id(f"kernel-{block.name.replace('_', '-')}", block.place),
+            self._id(f"kernel-{block.name.replace('_', '-')}"),
             f"The kernel {block.name} computes what it says.",
             Relation("program", {"program": block.name, "outputs": outputs}),
             "Evaluate the kernel's graph in the tower.",
             block.setting,
-            {"graph": graph, "roots": {k: self._hint(x, block.place) for k, x in roots.items()}},
+            {"graph": graph, "roots": {k: self._hint(x) for k, x in roots.items()}},
             shown=False,
         )
+
+    def _made(self, block: Include) -> tuple[Step, ...]:
+        if block.part not in self.given.steps:
+            known = ", ".join(self.given.steps)
+            raise FormulaError(f"no steps {block.part!r} of the program; known: {known}")
+        found = tuple(self.given.steps[block.part])
+        for step in found:
+            self._id(step.id)
+        return found
 
     def _included(self, block: Include) -> Iterator[Step]:
         if block.slots and block.slots not in self.given.slots:

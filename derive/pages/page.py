@@ -9,10 +9,11 @@ A blank line stands between blocks; the first line of a block says what it is.
     ## Heading
     ### id (in NAME, hidden, essential)   one step, with its sentence beneath
         statement                     indented: what it says, see `statement`
-        id: statement                 more, shown together with the first
+        id (...): statement           more, shown together with the first
     because ...                       why it follows
     kernel NAME (in NAME)             what the outputs of a kernel are
     include PART (SLOTS)              the blocks of another file, with values for its slots
+    steps NAME                        steps that the program makes, of that name
 
 `in main` is not said, nor is that a step is not essential. Prose is filled to 100 columns, formulas
 are continued on lines that are indented further.
@@ -33,8 +34,10 @@ from gainproof.derive.pages.statement import Statement, read_statement
 MAXIMUM_LINES = 5000
 WIDTH = 100
 _ID = r"[a-z0-9{}_-]+"
-_STEP = re.compile(rf"### ({_ID})(?: \((.+)\))?")
-_ITEM = re.compile(rf"(?:({_ID})( \(hidden\))?: )?(.+)")
+_MARK = re.compile(
+    rf"({_ID})(?: \((?=\w)(?:in ([A-Za-z0-9{{}}_]+))?(?:, |\b)?(hidden)?(?:, |\b)?(essential)?\))?"
+)
+_ITEM = re.compile(rf"(?:({_ID}(?: \([^)]*\))?): )?(.+)")
 _THEOREM = re.compile(r"theorem: (.+) \[([a-z0-9-]+)\]")
 _PLAIN = re.compile(rf"{NAME}'?(?:, {NAME}'?)*")
 _NAMES = re.compile(
@@ -94,36 +97,45 @@ class InWords:
 
 
 @dataclass(frozen=True)
-class Item:
-    """One statement of a step; the first has no id of its own."""
+class Mark:
+    """The id of a statement and what is said of it; no setting: main, or that of the step."""
 
-    id: str
-    hidden: bool
+    id: str = ""
+    setting: str = ""
+    hidden: bool = False
+    essential: bool = False
+
+    def __str__(self) -> str:
+        said = [f"in {self.setting}"] if self.setting else []
+        said += ["hidden"] * self.hidden + ["essential"] * self.essential
+        return f"{self.id} ({', '.join(said)})" if said else self.id
+
+
+@dataclass(frozen=True)
+class Item:
+    """One statement of a step; the first is marked by the step."""
+
+    mark: Mark
     said: Statement | Theorem | InWords
     place: Place
 
     def __str__(self) -> str:
-        return f"{self.id}{' (hidden)' * self.hidden}: {self.said}" if self.id else str(self.said)
+        return f"{self.mark}: {self.said}" if self.mark.id else str(self.said)
 
 
 @dataclass(frozen=True)
 class PageStep:
     """One step: the statements that are shown together under a sentence, with one reason."""
 
-    id: str
-    setting: str
-    hidden: bool
-    essential: bool
+    mark: Mark
     sentence: str
     items: tuple[Item, ...]
     reason: str
     place: Place
 
     def __str__(self) -> str:
-        said = [f"in {self.setting}"] if self.setting != "main" else []
-        said += ["hidden"] * self.hidden + ["essential"] * self.essential
-        head = f"### {self.id} ({', '.join(said)})" if said else f"### {self.id}"
-        texts = [f"{head}\n{_filled(self.sentence)}", "\n".join(map(_indented, self.items))]
+        head = f"### {self.mark}\n{_filled(self.sentence)}"
+        texts = [head, "\n".join(map(_indented, self.items))]
         return "\n\n".join([*texts, *([_filled(f"because {self.reason}")] if self.reason else [])])
 
 
@@ -178,14 +190,15 @@ class Block:
 
 @dataclass(frozen=True)
 class Include:
-    """The blocks of a part, with values for its slots."""
+    """The blocks of a part, with values for its slots; or steps that the program makes."""
 
+    kind: str
     part: str
     slots: str
     place: Place
 
     def __str__(self) -> str:
-        return f"include {self.part}" + (f" ({self.slots})" if self.slots else "")
+        return f"{self.kind} {self.part}" + (f" ({self.slots})" if self.slots else "")
 
 
 PageBlock = Prose | PageStep | Block | Include
@@ -252,13 +265,13 @@ class _Reading:
                     yield Prose(kind, first[len(kind) + 1 :], _joined(rest[1:]), self._at(number))
                 case "names" | "let" | "setting" | "kernel":
                     yield self._block(kind, rest)
-                case "include":
-                    yield self._include(number, first)
+                case "include" | "steps":
+                    yield self._include(kind, rest)
                 case _:
                     self._at_error(
                         number,
                         "a block is wanted that starts with #, ##, ###, names, let, setting, "
-                        f"kernel or include, {first.strip()[:40]!r} came",
+                        f"kernel, include or steps, {first.strip()[:40]!r} came",
                     )
 
     def _chunks(self, text: str) -> Iterator[Numbered]:
@@ -285,51 +298,42 @@ class _Reading:
 
     def _step(self, chunks: list[Numbered]) -> PageStep:
         (number, first), *beneath = chunks[0]
-        match = _STEP.fullmatch(first)
-        if match is None:
-            self._at_error(number, f"### id (in NAME, hidden, essential) is wanted, {first!r} came")
-        setting, said = "main", match[2].split(", ") if match[2] else []
-        if said and re.fullmatch(r"in [A-Za-z0-9{}_]+", said[0]):
-            setting = said.pop(0)[3:]
-        if said not in ([], ["hidden"], ["essential"], ["hidden", "essential"]):
-            self._at_error(number, f"(in NAME, hidden, essential) is wanted, ({match[2]}) came")
+        mark = self._mark(number, first.removeprefix("### "))
         if not beneath:
-            self._at_error(number, f"a sentence is wanted beneath ### {match[1]}")
+            self._at_error(number, f"a sentence is wanted beneath ### {mark.id}")
         if len(chunks) < 2 or not chunks[1][0][1].startswith(" "):
             self._at_error(
                 beneath[-1][0] + 1, "an indented statement is wanted, after a blank line"
             )
-        items = tuple(self._items(chunks[1]))
         if len(chunks) > 3 or (len(chunks) == 3 and chunks[2][0][1].startswith(" ")):
             self._at_error(chunks[-1][0][0], "one block of statements and one reason are wanted")
+        items = tuple(self._items(chunks[1]))
         reason = _joined(chunks[2]).removeprefix("because ") if len(chunks) == 3 else ""
-        return PageStep(
-            match[1],
-            setting,
-            "hidden" in said,
-            "essential" in said,
-            _joined(beneath),
-            items,
-            reason,
-            self._at(number),
-        )
+        return PageStep(mark, _joined(beneath), items, reason, self._at(number))
+
+    def _mark(self, number: int, text: str) -> Mark:
+        match = _MARK.fullmatch(text)
+        mark = match and Mark(match[1], match[2] or "", bool(match[3]), bool(match[4]))
+        if mark is None or str(mark) != text:
+            self._at_error(number, f"'id (in NAME, hidden, essential)' is wanted, {text!r} came")
+        return mark
 
     def _items(self, chunk: Numbered) -> Iterator[Item]:
         for place, (number, text) in enumerate(self._lines(chunk)):
             if text.startswith(("theorem: ", "in words: ")):
-                yield Item("", False, self._told(number, text), self._at(number))
+                yield Item(Mark(), self._told(number, text), self._at(number))
                 continue
             match = _ITEM.fullmatch(text)
             assert match is not None
             if bool(match[1]) is (place == 0):
                 wanted = "'id: statement'" if place else "a statement without an id"
                 self._at_error(number, f"{wanted} is wanted, {text[:40]!r} came")
-            with_id = match[1] or ""
+            mark = self._mark(number, match[1]) if match[1] else Mark()
             try:
-                said = read_statement(match[3], self.primed)
+                said = read_statement(match[2], self.primed)
             except FormulaError as error:
                 self._at_error(number, str(error))
-            yield Item(with_id, bool(match[2]), said, self._at(number))
+            yield Item(mark, said, self._at(number))
 
     def _told(self, number: int, text: str) -> Theorem | InWords:
         if text.startswith("in words: "):
@@ -408,11 +412,13 @@ class _Reading:
             self._at_error(number, str(error))
         return Line(match[1], formula, arguments, place=self._at(number))
 
-    def _include(self, number: int, text: str) -> Include:
-        match = re.fullmatch(rf"include ([a-z0-9-]+)(?: \(({NAME})\))?", text)
-        if match is None:
-            self._at_error(number, f"'include part (slots)' is wanted, {text!r} came")
-        return Include(match[1], match[2] or "", self._at(number))
+    def _include(self, kind: str, chunk: Numbered) -> Include:
+        number, text = chunk[0]
+        slots = rf"(?: \(({NAME})\))?" if kind == "include" else "()"
+        match = re.fullmatch(rf"{kind} ([a-z0-9-]+){slots}", text)
+        if match is None or len(chunk) > 1:
+            self._at_error(number, f"{kind} NAME is wanted, alone, {text!r} came")
+        return Include(kind, match[1], match[2] or "", self._at(number))
 
 
 def _joined(lines: Numbered) -> str:

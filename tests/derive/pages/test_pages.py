@@ -123,7 +123,7 @@ MISTAKES = [
     ("P_11 = double(a)", "Q_11 = double(a)", 14, "'Q_11' is no quantity"),
     ("P_11 = double(a)", "P_11 = duoble(a)", 14, "'duoble' is no function"),
     ("P_11 = double(a)", "P_11 = double(a, b)", 14, "double(x) is wanted, 2 arguments came"),
-    ("(essential)", "(important)", 18, "(in NAME, hidden, essential) is wanted"),
+    ("(essential)", "(important)", 18, "'id (in NAME, hidden, essential)' is wanted"),
     ("(essential)", "(in other)", 18, "no setting 'other' above; known: main"),
     ("    P_11 = 2 a\n", "    P_11 = 2 (a\n", 21, "wanted ')' after '2 ( a'"),
     ("    P_11 = 2 a\n", "    P_11 = 2 (a)\n", 21, "read as 'P_11 = 2 a', written"),
