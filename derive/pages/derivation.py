@@ -155,9 +155,14 @@ class _Making:
         self.meanings = self.meanings.define(line.name, Definition(line.arguments, line.meaning))
 
     def _tower(self, block: Block) -> Tower:
+        if not block.parameters:
+            if block.name not in self.towers:
+                known = ", ".join(tower.name for tower in self.given.towers)
+                raise FormulaError(f"no setting {block.name!r} of the program; known: {known}")
+            return self.towers.pop(block.name)
         parameters = tuple(
-            Parameter(self.meanings.symbol(name).name, *(("0",) if order == ">" else (None, "0")))
-            for name, order in block.parameters
+            Parameter(self.meanings.symbol(name).name, *((at,) if order == ">" else (None, at)))
+            for name, order, at in block.parameters
         )
         generators: list[Generator] = []
         elements: dict[str, sp.Expr] = {}

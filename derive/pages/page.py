@@ -5,7 +5,8 @@ A blank line stands between blocks; the first line of a block says what it is.
     # Title                             and beneath it what the page is about
     names                             quantities, and what certificates call them: one a line
     let                               names for formulas, and functions of them
-    setting NAME                      parameters, then what quantities are in them
+    setting NAME                      parameters, then what quantities are in them; with no line
+                                      beneath one that the program makes
     ## Heading
     ### id (in NAME, hidden, essential)   one step, with its sentence beneath
         statement                     indented: what it says, see `statement`
@@ -45,7 +46,7 @@ _NAMES = re.compile(
     r"(?: for (?P<variable>[a-z]+) in (?P<values>[a-z0-9]+(?:, [a-z0-9]+)*))?"
 )
 _DEFINED = re.compile(rf"({NAME}'?)(?:\(({NAME}(?:, {NAME})*)\))? = (.+)")
-_PARAMETER = re.compile(rf"({NAME}) (>=?) 0")
+_PARAMETER = re.compile(rf"({NAME}) (>=?) (0|[1-9]\d*)")
 
 
 @dataclass(frozen=True)
@@ -175,7 +176,7 @@ class Block:
     kind: str
     name: str
     setting: str
-    parameters: tuple[tuple[str, str], ...]
+    parameters: tuple[tuple[str, str, str], ...]
     lines: tuple[Line, ...]
     place: Place
 
@@ -183,7 +184,7 @@ class Block:
         head = " ".join(filter(None, (self.kind, self.name)))
         lines: list[object] = list(self.lines)
         if self.parameters:
-            lines.insert(0, ", ".join(f"{name} {order} 0" for name, order in self.parameters))
+            lines.insert(0, ", ".join(map(" ".join, self.parameters)))
         place = f" (in {self.setting})" if self.setting != "main" else ""
         return "\n".join([f"{head}{place}", *map(_indented, lines)])
 
@@ -366,14 +367,14 @@ class _Reading:
             wanted = f"{kind}{' NAME' * named}{' (in NAME)' * placed}"
             self._at_error(number, f"{wanted} is wanted, {first!r} came")
         lines = self._lines(beneath)
-        if not lines:
+        if not lines and kind != "setting":
             self._at_error(number, f"indented lines are wanted beneath {first!r}")
-        parameters = self._parameters(lines.pop(0)) if kind == "setting" else ()
+        parameters = self._parameters(lines.pop(0)) if kind == "setting" and lines else ()
         read = {"names": self._name}.get(kind, self._definition)
         made = tuple(read(*line) for line in lines)
         return Block(kind, match[1] or "", match[2] or "main", parameters, made, self._at(number))
 
-    def _parameters(self, line: tuple[int, str]) -> tuple[tuple[str, str], ...]:
+    def _parameters(self, line: tuple[int, str]) -> tuple[tuple[str, str, str], ...]:
         found = []
         for text in line[1].split(", "):
             match = _PARAMETER.fullmatch(text)
@@ -381,7 +382,7 @@ class _Reading:
                 self._at_error(
                     line[0], f"parameters are wanted as in 'x > 0, y >= 0', {text!r} came"
                 )
-            found.append((match[1], match[2]))
+            found.append((match[1], match[2], match[3]))
         return tuple(found)
 
     def _name(self, number: int, text: str) -> Line:

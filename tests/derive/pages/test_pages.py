@@ -6,10 +6,12 @@ from pathlib import Path
 
 import pytest
 
-from gainproof.derive.derivation import PageError
+from gainproof.derive.algebra.tower import Parameter, Tower
+from gainproof.derive.derivation import PageError, Step
 from gainproof.derive.expression import real
 from gainproof.derive.pages.derivation import FOLDER, Given, page_of, written
 from gainproof.derive.pages.page import read_page
+from gainproof.derive.relation import described
 
 A, B = real("a"), real("b")
 PAGES = sorted(FOLDER.glob("*.md"))
@@ -73,10 +75,12 @@ def on_disk(folder: Path, page: str = PAGE, part: str = PART) -> Path:
 
 
 GIVEN = Given(
+    towers=(Tower("given", (Parameter("b"),), (), {}),),
+    steps={"more": (Step("from-program", "Made.", described(""), "", "given"),)},
     slots={
         "one": {"key": "one", "word": "the first", "value": A + 1},
         "other": {"key": "two", "word": "the second", "value": B + 3},
-    }
+    },
 )
 
 
@@ -101,6 +105,18 @@ def test_a_page_with_parts_becomes_steps(tmp_path: Path) -> None:
     assert made.towers["main"].expressions == {"entry_11": 2 * A}
 
 
+def test_steps_and_settings_of_the_program_are_where_the_page_has_them(tmp_path: Path) -> None:
+    page = PAGE.replace("setting main", "setting given\n\nsetting main", 1)
+    page = page.replace("    second (hidden):", "    second (in given): b > 0\n    third (hidden):")
+    made = written("page", GIVEN, on_disk(tmp_path, f"{page}\nsteps more\n"))
+    assert list(made.towers) == ["given", "main"]
+    assert [(step.id, step.tower) for step in made.steps][1:3] == [
+        ("second", "given"),
+        ("third", "main"),
+    ]
+    assert made.steps[-1].sentence == "Made."
+
+
 def test_what_a_part_defines_stays_in_it(tmp_path: Path) -> None:
     part = "let\n    own = a + 1\n\n### {key}\nA sentence.\n\n    own = a + 1\n"
     made = written("page", GIVEN, on_disk(tmp_path, part=part))
@@ -119,12 +135,12 @@ MISTAKES = [
     ("    b\n", "    a\n", 6, "'a' has a meaning already"),
     ("double(x) = 2 x", "double(x) = 2 y", 10, "'y' is neither a quantity nor a definition"),
     ("double(x) = 2 x", "double(x) : 2 x", 10, "'name = formula' is wanted"),
-    ("a > 0, b >= 0", "a > 1, b >= 0", 13, "parameters are wanted as in 'x > 0, y >= 0'"),
+    ("a > 0, b >= 0", "a > b, b >= 0", 13, "parameters are wanted as in 'x > 0, y >= 0'"),
     ("P_11 = double(a)", "Q_11 = double(a)", 14, "'Q_11' is no quantity"),
     ("P_11 = double(a)", "P_11 = duoble(a)", 14, "'duoble' is no function"),
     ("P_11 = double(a)", "P_11 = double(a, b)", 14, "double(x) is wanted, 2 arguments came"),
     ("(essential)", "(important)", 18, "'id (in NAME, hidden, essential)' is wanted"),
-    ("(essential)", "(in other)", 18, "no setting 'other' above; known: main"),
+    ("(essential)", "(in other)", 18, "no setting 'other' above; known: given, main"),
     ("    P_11 = 2 a\n", "    P_11 = 2 (a\n", 21, "wanted ')' after '2 ( a'"),
     ("    P_11 = 2 a\n", "    P_11 = 2 (a)\n", 21, "read as 'P_11 = 2 a', written"),
     ("    P_11 = 2 a\n", "    P_11 = 2*a\n", 21, "'*' is no part of a formula"),
@@ -141,6 +157,20 @@ MISTAKES = [
     ("because Reason.", "Reason.", 24, "a block is wanted"),
     ("Reason.", "Reason {why}.", 18, "'{why}' is no slot of words here"),
     ("include part (one)", "include parts (one)", 26, "no file parts.md beside this page"),
+    ("include part (one)", "steps part", 26, "no steps 'part' of the program; known: more"),
+    ("include part (one)", "include part one", 26, "include NAME is wanted, alone"),
+    (
+        "    second (hidden)",
+        "    second (in no, hidden)",
+        22,
+        "no setting 'no' above; known: given, main",
+    ),
+    (
+        "setting main\n    a > 0, b >= 0\n    P_11",
+        "setting main\n\nlet\n    P",
+        12,
+        "no setting 'main'",
+    ),
     ("include part (one)", "include part (two)", 26, "no slots 'two'; known: one, other"),
     ("A sentence.", "A sentence. ", 19, "blanks at the end of the line"),
     ("A sentence.", "A\tsentence.", 19, "a sign that is not printed"),
