@@ -6,13 +6,12 @@ what the kernels compute, is made in `derive/fixed_gain`.
 
 from __future__ import annotations
 
+from typing import Any
+
 from gainproof.derive.derivation import Derivation
 from gainproof.derive.fixed_gain.loop import Loop
 from gainproof.derive.fixed_gain.names import LATEX
-from gainproof.derive.fixed_gain.steps_answer import answer_steps
-from gainproof.derive.fixed_gain.steps_filter import filter_steps
-from gainproof.derive.fixed_gain.steps_lag import lag_steps
-from gainproof.derive.fixed_gain.steps_variance import variance_steps
+from gainproof.derive.fixed_gain.page_slots import page_slots
 from gainproof.derive.fixed_gain.two_module import kernel_module
 from gainproof.derive.fixed_gain.two_programs import SYMBOLS, graphs, kernel_steps
 from gainproof.derive.pages.derivation import Given, written
@@ -21,13 +20,18 @@ from gainproof.derive.subject import Program, Subject
 
 NAME = "alpha-beta"
 LOOP = Loop(2)
-FORMS = {
-    "random-velocity-stable": "4 (x + root_two)/(x (x + 2))",
-    "random-velocity-stable-alpha": "2 root_two (root_two - 1)/(x + 2)",
-    "order-at-equal-lag": "((1 + y + g) (1/(g + 1 + r))/(g y second remainder)) "
-    "(((2 + y + 2 g)^2 - (2 + 2 y + 2 g))/(2 + y + 2 g + r) + second/(g + 1 + r))",
-    "order-at-equal-lag-best": "(1 + y + g) (((1 + y + g)/(r + n))/third)^2/(second remainder)",
-    "order-at-equal-smaller-alpha": "(1 + x)^3 2 (1 + w)/(x^2 w (1 + x + w)^2)",
+HINTS: dict[str, dict[str, Any]] = {
+    "random-velocity-stable": {"form": "4 (x + root_two)/(x (x + 2))"},
+    "random-velocity-stable-alpha": {"form": "2 root_two (root_two - 1)/(x + 2)"},
+    "order-at-equal-lag": {
+        "form": "((1 + y + g) (1/(g + 1 + r))/(g y second remainder)) "
+        "(((2 + y + 2 g)^2 - (2 + 2 y + 2 g))/(2 + y + 2 g + r) + second/(g + 1 + r))"
+    },
+    "order-at-equal-lag-best": {
+        "form": "(1 + y + g) (((1 + y + g)/(r + n))/third)^2/(second remainder)"
+    },
+    "order-at-equal-smaller-alpha": {"form": "(1 + x)^3 2 (1 + w)/(x^2 w (1 + x + w)^2)"},
+    "predicted-definite": {"minors": ()},
 }
 """Without the differences that hide a sign."""
 
@@ -39,13 +43,8 @@ def build() -> Subject:
     lecture = (2 * alpha**2 + 2 * beta + alpha * beta) / (alpha * (4 - 2 * alpha - beta))
     given = Given(
         models={"fixed_gains": LOOP.model},
-        hints={name: {"form": form} for name, form in FORMS.items()},
-        steps={
-            "filter": filter_steps(LOOP),
-            "answer": answer_steps(LOOP),
-            "variance": variance_steps(LOOP, lecture),
-            "lag": lag_steps(LOOP),
-        },
+        hints=HINTS,
+        slots={"": page_slots(LOOP, lecture)},
     )
     page = written(NAME, given)
     return Subject(

@@ -11,10 +11,7 @@ import sympy as sp
 from gainproof.derive.derivation import Derivation
 from gainproof.derive.expression import real
 from gainproof.derive.fixed_gain.names import LATEX
-from gainproof.derive.fixed_gain.steps_answer import answer_steps
-from gainproof.derive.fixed_gain.steps_filter import filter_steps
-from gainproof.derive.fixed_gain.steps_lag import lag_steps
-from gainproof.derive.fixed_gain.steps_variance import variance_steps
+from gainproof.derive.fixed_gain.page_slots import page_slots
 from gainproof.derive.fixed_gain.three_curve_towers import curve_towers
 from gainproof.derive.fixed_gain.three_kernels import graphs
 from gainproof.derive.fixed_gain.three_module import SYMBOLS, kernel_module, kernel_steps
@@ -33,13 +30,9 @@ def build() -> Subject:
     given = Given(
         towers=(main_tower(), noise_tower(), *curve_towers()),
         models={"fixed_gains": LOOP.model},
-        steps={
-            "filter": filter_steps(LOOP),
-            "answer": answer_steps(LOOP),
-            "variance": variance_steps(LOOP, lecture_variance(), _minors()),
-            "noises": noise_steps(),
-            "lag": lag_steps(LOOP),
-        },
+        slots={"": page_slots(LOOP, lecture_variance())},
+        hints={"predicted-definite": {"minors": _minors()}},
+        steps={"noises": noise_steps()},
     )
     page = written(NAME, given)
     return Subject(

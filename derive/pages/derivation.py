@@ -45,9 +45,10 @@ class Given:
     """What a page does not say.
 
     `towers`: settings that are not written on it. `models` by name. `slots`: values by group and
-    slot, text or expressions. `hints`: what evidence needs, by step (see `algebra.evidence`),
-    formulas as text in the names of the page. `ends`: of towers with roots. `programs`: the graphs
-    of kernels; `roots`: what their named roots are. `steps` by name that the program makes.
+    slot, text or expressions; those of the page itself have the group "". `hints`: what evidence
+    needs, by step (see `algebra.evidence`), formulas as text in the names of the page. `ends`: of
+    towers with roots. `programs`: the graphs of kernels; `roots`: what their named roots are.
+    `steps`: by name, that the program makes.
     """
 
     towers: tuple[Tower, ...] = ()
@@ -103,7 +104,8 @@ class _Making:
     ids: set[str] = field(default_factory=set)
 
     def __post_init__(self) -> None:
-        self.meanings = replace(self.meanings, models=self.given.models)
+        slots = self.given.slots.get("", {})
+        self.meanings = replace(self.meanings, models=self.given.models, slots=slots)
         self.towers |= {tower.name: tower for tower in self.given.towers}
 
     def steps(self, page: Page) -> Iterator[Step]:

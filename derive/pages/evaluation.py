@@ -58,6 +58,12 @@ class Meanings:
             raise FormulaError(f"{name!r} is no quantity of this page")
         return self.symbols[name]
 
+    def slot(self, name: str) -> Any:
+        """The value of a slot. Raises FormulaError for another name."""
+        if name not in self.slots:
+            raise FormulaError(f"no slot {name!r}; known: {', '.join(self.slots)}")
+        return self.slots[name]
+
     def model(self, name: str) -> Model:
         """A model by its name. Raises FormulaError for another name."""
         if name not in self.models:
@@ -130,9 +136,7 @@ class Meanings:
             case "name":
                 return self._named(formula.text)
             case "slot":
-                if formula.text not in self.slots:
-                    raise FormulaError(f"no slot {formula.text!r}; known: {', '.join(self.slots)}")
-                return self.slots[formula.text]
+                return self.slot(formula.text)
             case "call":
                 return self._called(formula.text, parts, multiplied)
         values = [self._value(part, multiplied) for part in parts]

@@ -112,6 +112,13 @@ class Reader:
         self.place += 1
         return self.tokens[self.place - 1].text
 
+    def slot(self) -> Formula:
+        """Go past a slot."""
+        self.take("{")
+        name = self.name()
+        self.take("}")
+        return Formula("slot", name)
+
     def error(self, wanted: str) -> FormulaError:
         """What was wanted here, and what came."""
         came = repr(self.next) if self.next else "the end of the line"
@@ -184,10 +191,7 @@ class Reader:
             self.take(")")
             return inside
         if text == "{":
-            self.place += 1
-            slot = self.name()
-            self.take("}")
-            return Formula("slot", slot)
+            return self.slot()
         name = self.name()
         if self.next == "(" and self.tokens[self.place].close:
             self.place += 1

@@ -94,12 +94,16 @@ def _part(reader: Reader, word: str) -> Formula:
     if word == "NAME":
         return Formula("name", reader.name())
     if word == "NAMES":
-        names = [Formula("name", reader.name())]
+        names = [_name_or_slot(reader)]
         while reader.next == ",":
             reader.place += 1
-            names.append(Formula("name", reader.name()))
+            names.append(_name_or_slot(reader))
         return Formula("names", "", tuple(names))
     return reader.formula()
+
+
+def _name_or_slot(reader: Reader) -> Formula:
+    return reader.slot() if reader.next == "{" else Formula("name", reader.name())
 
 
 def relation_of(statement: Statement, meanings: Meanings) -> Relation:
@@ -108,7 +112,12 @@ def relation_of(statement: Statement, meanings: Meanings) -> Relation:
 
 
 def _free(meanings: Meanings, left: Formula, right: Formula, names: Formula) -> Relation:
-    free = tuple(meanings.symbol(each.text).name for each in names.parts)
+    listed = [
+        name
+        for each in names.parts
+        for name in (meanings.slot(each.text).split(", ") if each.kind == "slot" else [each.text])
+    ]
+    free = tuple(meanings.symbol(name).name for name in listed)
     return equal(meanings.value(left), meanings.value(right), free)
 
 
