@@ -226,13 +226,17 @@ class _Making:
 
     def _require_known(self, relation: Relation, setting: str) -> None:
         """Each quantity of a statement has to be one of its setting, or stand for any."""
-        tower = self.towers[setting]
-        known = {*tower.variables, *tower.expressions, *relation.parts.get("free", ())}
+        tower, free = self.towers[setting], relation.parts.get("free", ())
+        known = {*tower.variables, *tower.expressions}
         shown = {symbol.name: name for name, symbol in self.meanings.symbols.items()}
+        for quantity in free:
+            if quantity in known:
+                raise FormulaError(f"{shown[quantity]!r} has a value in setting {setting}, not any")
         for value in relation.parts.values():
             for symbol in sorted(getattr(value, "free_symbols", ()), key=str):
-                if symbol.name not in known:
-                    raise FormulaError(f"{shown[symbol.name]!r} has no value in setting {setting}")
+                if symbol.name not in known and symbol.name not in free:
+                    name = shown.get(symbol.name, symbol.name)
+                    raise FormulaError(f"{name!r} has no value in setting {setting}")
 
     def _with_hint(self, step: Step) -> Step:
         found = dict(self.given.hints.get(step.id, {}))

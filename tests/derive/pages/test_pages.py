@@ -7,11 +7,13 @@ from pathlib import Path
 import pytest
 
 from gainproof.derive.algebra.tower import Parameter, Tower
+from gainproof.derive.catalogue import CATALOGUE
 from gainproof.derive.derivation import PageError, Step
 from gainproof.derive.expression import real
 from gainproof.derive.pages.derivation import FOLDER, Given, page_of, written
 from gainproof.derive.pages.page import read_page
 from gainproof.derive.relation import described
+from gainproof.jobs.code_digest import modules_below
 
 A, B = real("a"), real("b")
 PAGES = sorted(FOLDER.glob("*.md"))
@@ -21,6 +23,16 @@ PAGES = sorted(FOLDER.glob("*.md"))
 def test_a_page_is_printed_back_as_it_is_written(path: Path) -> None:
     text = path.read_text(encoding="utf-8")
     assert str(read_page(text, path.name, frozenset())) == text
+
+
+SUBJECTS = [path.stem for path in PAGES if path.read_text(encoding="utf-8").startswith("# ")]
+
+
+@pytest.mark.parametrize("name", SUBJECTS)
+def test_a_page_that_was_edited_is_derived_anew(name: str) -> None:
+    """What is kept of a subject depends on the files in the folder of `gainproof.derive.pages`."""
+    (module,) = (entry.module for entry in CATALOGUE if entry.name == name)
+    assert modules_below(module)["gainproof.derive.pages"].parent.resolve() == FOLDER.resolve()
 
 
 def test_a_page_of_too_many_lines_is_refused() -> None:
@@ -145,6 +157,7 @@ MISTAKES = [
     ("    P_11 = 2 a\n", "    P_11 = 2 (a)\n", 21, "read as 'P_11 = 2 a', written"),
     ("    P_11 = 2 a\n", "    P_11 = 2*a\n", 21, "'*' is no part of a formula"),
     ("    P_11 = 2 a\n", "    P_12 = 2 a\n", 21, "'P_12' has no value in setting main"),
+    ("    P_11 = 2 a\n", "    P_11 = 2 a for any a\n", 21, "'a' has a value in setting main"),
     ("    P_11 = 2 a\n", "    P_11 = a/2 b\n", 21, "parentheses around the quotient"),
     ("    P_11 = 2 a\n", "    P_11 is 2 a\n", 21, "wanted 'positive' after 'P_11 is'"),
     ("    P_11 = 2 a\n", "    P_11 2 a\n", 21, "wanted '=' or '>'"),
