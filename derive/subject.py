@@ -11,7 +11,7 @@ import sympy as sp
 from gainproof.derive.algebra.evidence import evidence
 from gainproof.derive.algebra.plain import tower_data
 from gainproof.derive.algebra.positive import NoPlainSign
-from gainproof.derive.algebra.tower import Tower
+from gainproof.derive.algebra.tower import NoValue, Tower
 from gainproof.derive.derivation import Derivation, PageError, Step
 from gainproof.derive.model import ScaledModel
 from gainproof.derive.printer.graph import Graph
@@ -97,7 +97,7 @@ class Subject:
     def certificate(self) -> dict[str, Any]:
         """Towers, programs, and every step's claim with its evidence.
 
-        Raises PageError for a sign that none of the forms tried shows.
+        Raises PageError for a sign that none of the forms tried shows, and for what has no value.
         """
         claims = self.claims()
         return {
@@ -127,7 +127,7 @@ class Subject:
             return dict(step.hint.get("evidence", {}))
         try:
             return evidence(step, self.towers[step.tower])
-        except NoPlainSign as error:
+        except (NoPlainSign, NoValue, ZeroDivisionError) as error:
             raise PageError(
                 f"{self.name}, step {step.id}: nothing shows that this is so: {error}"
             ) from error

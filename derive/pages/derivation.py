@@ -11,7 +11,7 @@ from typing import Any
 import sympy as sp
 
 from gainproof.derive.algebra.limits import End
-from gainproof.derive.algebra.tower import Generator, Parameter, Tower
+from gainproof.derive.algebra.tower import Generator, NoValue, Parameter, Tower
 from gainproof.derive.derivation import Step
 from gainproof.derive.expression import real
 from gainproof.derive.pages.evaluation import Definition, Meanings
@@ -32,12 +32,17 @@ from gainproof.derive.pages.page import (
 )
 from gainproof.derive.pages.statement import relation_of
 from gainproof.derive.printer.graph import Graph
-from gainproof.derive.relation import Relation, cited, described
+from gainproof.derive.relation import INFINITY, Relation, cited, described
 from gainproof.derive.source import SOURCES
 
 FOLDER = Path(__file__).parent
 ENDS = {"0": End(), "infinity": End()}
 """Of a tower without roots."""
+STATED = (
+    *("left", "right", "expression", "value", "from", "to", "variable"),
+    *("matrix", "predicted", "updated", "gain", "index"),
+)
+"""The parts of relations that are made of quantities."""
 
 
 @dataclass(frozen=True)
@@ -75,14 +80,14 @@ class Written:
 def written(name: str, given: Given, folder: Path = FOLDER) -> Written:
     """The derivation of the page of that name. Raises PageError with the line of a mistake."""
     page = page_of(name, folder)
-    if not isinstance(page.blocks[0], Prose) or page.blocks[0].mark != "#":
+    head = page.blocks[0] if page.blocks else None
+    if not isinstance(head, Prose) or head.mark != "#":
         raise Place(page.file, 1).error("a page starts with '# Title'")
     making = _Making(given, folder)
     steps = tuple(making.steps(page))
     unknown = sorted(set(given.hints) - {step.id for step in steps})
     if unknown:
         raise Place(page.file, 1).error(f"hints for steps that are not there: {unknown}")
-    head = page.blocks[0]
     return Written(head.head, head.text, steps, making.towers, making.latex)
 
 
@@ -90,7 +95,11 @@ def page_of(name: str, folder: Path = FOLDER, primed: frozenset[str] = frozenset
     """The page or part of that name. Raises PageError, OSError."""
     path = folder / f"{name}.md"
     shown = "/".join(path.parts[-3:])
-    return read_page(path.read_text(encoding="utf-8"), shown, primed)
+    try:
+        text = path.read_text(encoding="utf-8")
+    except UnicodeDecodeError:
+        raise Place(shown, 1).error("UTF-8 text is wanted") from None
+    return read_page(text, shown, primed)
 
 
 @dataclass
@@ -159,8 +168,8 @@ class _Making:
     def _tower(self, block: Block) -> Tower:
         if not block.parameters:
             if block.name not in self.towers:
-                known = ", ".join(tower.name for tower in self.given.towers)
-                raise FormulaError(f"no setting {block.name!r} of the program; known: {known}")
+                names = ", ".join(tower.name for tower in self.given.towers)
+                raise FormulaError(f"no setting {block.name!r} of the program; known: {names}")
             return self.towers.pop(block.name)
         parameters = tuple(
             Parameter(self.meanings.symbol(name).name, *((at,) if order == ">" else (None, at)))
@@ -168,18 +177,25 @@ class _Making:
         )
         generators: list[Generator] = []
         elements: dict[str, sp.Expr] = {}
+        known = {parameter.symbol for parameter in parameters}
         for line in block.lines:
-            formula = line.meaning
-            assert isinstance(formula, Formula)
+            assert isinstance(line.meaning, Formula)
             try:
                 name = self.meanings.symbol(line.name).name
-                if (formula.kind, formula.text) == ("call", "sqrt"):
-                    generators.append(Generator(name, self.meanings.value(formula.parts[0])))
+                root = (line.meaning.kind, line.meaning.text) == ("call", "sqrt")
+                value = self.meanings.value(line.meaning.parts[0] if root else line.meaning)
+                self._require_in(known, value, block.name)
+                if root:
+                    generators.append(Generator(name, value))
                 else:
-                    elements[name] = self.meanings.value(formula)
+                    elements[name] = value
             except FormulaError as error:
                 raise line.place.error(str(error)) from None
-        return Tower(block.name, parameters, tuple(generators), elements)
+            known.add(name)
+        try:
+            return Tower(block.name, parameters, tuple(generators), elements)
+        except (NoValue, ZeroDivisionError) as error:
+            raise FormulaError(str(error)) from None
 
     def _step(self, step: PageStep) -> Iterator[Step]:
         for number, item in enumerate(step.items):
@@ -228,15 +244,27 @@ class _Making:
         """Each quantity of a statement has to be one of its setting, or stand for any."""
         tower, free = self.towers[setting], relation.parts.get("free", ())
         known = {*tower.variables, *tower.expressions}
-        shown = {symbol.name: name for name, symbol in self.meanings.symbols.items()}
         for quantity in free:
             if quantity in known:
-                raise FormulaError(f"{shown[quantity]!r} has a value in setting {setting}, not any")
-        for value in relation.parts.values():
-            for symbol in sorted(getattr(value, "free_symbols", ()), key=str):
-                if symbol.name not in known and symbol.name not in free:
-                    name = shown.get(symbol.name, symbol.name)
-                    raise FormulaError(f"{name!r} has no value in setting {setting}")
+                raise FormulaError(f"{self._name(quantity)!r} has a value in setting {setting}")
+        for key in STATED:
+            self._require_in({*known, *free}, relation.parts.get(key), setting)
+        if "variable" in relation.parts:
+            try:
+                tower.parameter_of(relation.parts["variable"])
+            except ValueError as error:
+                raise FormulaError(str(error)) from None
+
+    def _require_in(self, known: set[str], value: Any, setting: str) -> None:
+        """Each quantity that a value is made of, or a list of names has, is one of these."""
+        for quantity in sorted(_quantities(value)):
+            if quantity not in known:
+                raise FormulaError(f"{self._name(quantity)!r} has no value in setting {setting}")
+
+    def _name(self, quantity: str) -> str:
+        """What the page calls it."""
+        names = (name for name, x in self.meanings.symbols.items() if x.name == quantity)
+        return next(names, quantity)
 
     def _with_hint(self, step: Step) -> Step:
         found = dict(self.given.hints.get(step.id, {}))
@@ -311,6 +339,14 @@ class _Making:
             return found
 
         return re.sub(r"\{([^}]*)\}", value, text)
+
+
+def _quantities(value: Any) -> set[str]:
+    if isinstance(value, str):
+        return {value} - {INFINITY}
+    if isinstance(value, list):
+        return {name for part in value for name in _quantities(part)}
+    return {symbol.name for symbol in getattr(value, "free_symbols", ())}
 
 
 def latex_of(name: str) -> str:

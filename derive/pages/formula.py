@@ -26,7 +26,7 @@ RESERVED = frozenset(
 )
 """What may stand behind a formula; no quantity has such a name."""
 NAME = r"[A-Za-z][A-Za-z0-9]*(?:_[A-Za-z0-9]+)*"
-_TOKEN = re.compile(rf"(?P<blank> *)(?P<text>{NAME}|\d+|->|:=|[-+/^()\[\],;'{{}}=>])")
+_TOKEN = re.compile(rf"(?P<blank> *)(?P<text>{NAME}|\d+|->|[-+/^()\[\],;'{{}}=>])")
 
 
 class FormulaError(ValueError):

@@ -63,7 +63,7 @@ class Place:
 
 @dataclass(frozen=True)
 class Prose:
-    """A title or heading, with the text beneath; or a reason."""
+    """A title or heading, with the text beneath."""
 
     mark: str
     head: str
@@ -71,8 +71,6 @@ class Prose:
     place: Place
 
     def __str__(self) -> str:
-        if self.mark == "because":
-            return _filled(f"because {self.text}")
         return "\n".join([f"{self.mark} {self.head}", *([_filled(self.text)] if self.text else [])])
 
 

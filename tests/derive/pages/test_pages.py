@@ -135,6 +135,15 @@ def test_what_a_part_defines_stays_in_it(tmp_path: Path) -> None:
     assert [step.id for step in made.steps][2:] == ["one", "two"]
 
 
+def test_an_empty_page_and_one_of_other_signs_are_refused(tmp_path: Path) -> None:
+    (tmp_path / "page.md").write_bytes(b"")
+    with pytest.raises(PageError, match="a page starts with '# Title'"):
+        written("page", GIVEN, tmp_path)
+    (tmp_path / "page.md").write_bytes(b"# \xff\n")
+    with pytest.raises(PageError, match="UTF-8 text is wanted"):
+        written("page", GIVEN, tmp_path)
+
+
 def test_a_missing_page_says_so(tmp_path: Path) -> None:
     with pytest.raises(OSError, match=r"none\.md"):
         page_of("none", tmp_path)
@@ -158,6 +167,12 @@ MISTAKES = [
     ("    P_11 = 2 a\n", "    P_11 = 2*a\n", 21, "'*' is no part of a formula"),
     ("    P_11 = 2 a\n", "    P_12 = 2 a\n", 21, "'P_12' has no value in setting main"),
     ("    P_11 = 2 a\n", "    P_11 = 2 a for any a\n", 21, "'a' has a value in setting main"),
+    ("P_11 = double(a)", "P_11 = double(P_12)", 14, "'P_12' has no value in setting main"),
+    ("P_11 = double(a)", "P_11 = sqrt(a) + 1", 12, "no value in tower main for sqrt(a)"),
+    ("    P_11 = 2 a\n", "    P_11 falls with P_12\n", 21, "'P_12' has no value in setting"),
+    ("    P_11 = 2 a\n", "    [P_12] is positive definite\n", 21, "'P_12' has no value in"),
+    ("    P_11 = 2 a\n", "    [2] is positive definite\n", 21, "a matrix of quantities is wanted"),
+    ("    P_11 = 2 a\n", "    gain [a] is stable in model\n", 21, "a model is wanted"),
     ("    P_11 = 2 a\n", "    P_11 = a/2 b\n", 21, "parentheses around the quotient"),
     ("    P_11 = 2 a\n", "    P_11 is 2 a\n", 21, "wanted 'positive' after 'P_11 is'"),
     ("    P_11 = 2 a\n", "    P_11 2 a\n", 21, "wanted '=' or '>'"),
