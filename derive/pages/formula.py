@@ -19,8 +19,9 @@ from typing import TypeVar
 Read = TypeVar("Read")
 MAXIMUM_CHARACTERS = 4000
 MAXIMUM_DEPTH = 40
-MAXIMUM_EXPONENT = 64
+MAXIMUM_EXPONENT = 16
 MAXIMUM_DIGITS = 40
+AROUND = 30
 RESERVED = frozenset(
     ["and", "as", "falls", "for", "from", "grows", "has", "in", "infinity", "is", "to", "with"]
 )
@@ -230,8 +231,14 @@ def whole(text: str, primed: frozenset[str], read: Callable[[Reader], Read]) -> 
     found = read(reader)
     if reader.next:
         raise reader.error("the end")
-    if str(found) != text:
-        raise FormulaError(f"read as {str(found)!r}, written {text!r}: write it as it is read")
+    printed = str(found)
+    if printed != text:
+        pairs = enumerate(zip(printed, text, strict=False))
+        start = next((n for n, (one, other) in pairs if one != other), min(len(printed), len(text)))
+        here = slice(max(0, start - AROUND), start + AROUND)
+        raise FormulaError(
+            f"read as {printed[here]!r}, written {text[here]!r}: write it as it is read"
+        )
     return found
 
 
