@@ -9,6 +9,10 @@ from typing import Any
 from gainproof.derive.relation import Relation
 
 
+class PageError(ValueError):
+    """A page that cannot be read; says file, line, what was wanted and what came."""
+
+
 @dataclass(frozen=True)
 class Step:
     """One step.
@@ -18,7 +22,8 @@ class Step:
 
     `heading` opens a part of the derivation under this title. A step that `joins` is shown with the
     one before it, whose sentence and reason speak for both. In sentences and reasons a formula
-    stands between backticks and `@id` is the number of another step.
+    stands between backticks and `@id` is the number of another step. `essential`: belongs to the
+    short way through the page.
     """
 
     id: str
@@ -30,6 +35,7 @@ class Step:
     shown: bool = True
     heading: str = ""
     joins: bool = False
+    essential: bool = False
 
 
 def joined(

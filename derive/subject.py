@@ -10,8 +10,9 @@ import sympy as sp
 
 from gainproof.derive.algebra.evidence import evidence
 from gainproof.derive.algebra.plain import tower_data
-from gainproof.derive.algebra.tower import Tower
-from gainproof.derive.derivation import Derivation, Step
+from gainproof.derive.algebra.positive import NoPlainSign
+from gainproof.derive.algebra.tower import NoValue, Tower
+from gainproof.derive.derivation import Derivation, PageError, Step
 from gainproof.derive.model import ScaledModel
 from gainproof.derive.printer.graph import Graph
 from gainproof.derive.printer.kernel import Kernel, Module
@@ -94,7 +95,10 @@ class Subject:
         return towers | {name: entry.data()["parameters"] for name, entry in self.settings.items()}
 
     def certificate(self) -> dict[str, Any]:
-        """Towers, programs, and every step's claim with its evidence."""
+        """Towers, programs, and every step's claim with its evidence.
+
+        Raises PageError for a sign that none of the forms tried shows, and for what has no value.
+        """
         claims = self.claims()
         return {
             "format": FORMAT,
@@ -121,7 +125,12 @@ class Subject:
     def _evidence(self, step: Step) -> dict[str, Any]:
         if step.tower in self.settings:
             return dict(step.hint.get("evidence", {}))
-        return evidence(step, self.towers[step.tower])
+        try:
+            return evidence(step, self.towers[step.tower])
+        except (NoPlainSign, NoValue, ZeroDivisionError) as error:
+            raise PageError(
+                f"{self.name}, step {step.id}: nothing shows that this is so: {error}"
+            ) from error
 
     def _names(self, claims: list[dict[str, Any]], tower: str) -> set[str]:
         """Every text in the claims of one tower and in the inputs of their programs."""

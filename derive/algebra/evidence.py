@@ -44,17 +44,30 @@ def _equal(step: Step, tower: Tower) -> Evidence:
 def _positive(step: Step, tower: Tower) -> Evidence:
     expression = step.relation.parts["expression"]
     return {
-        "value": shown(tower, step.hint.get("form", expression)),
+        "value": shown(tower, step.hint.get("form") or differentiated(tower, expression)),
         "nonzero": divisors_shown(tower, expression),
     }
 
 
 def _same_sign(step: Step, tower: Tower) -> Evidence:
     parts = step.relation.parts
+    left = differentiated(tower, parts["left"])
     return {
-        "factor": shown(tower, step.hint.get("form", parts["left"] / parts["right"])),
+        "factor": shown(tower, step.hint.get("form", left / parts["right"])),
         "nonzero": divisors_shown(tower, parts["left"], parts["right"]),
     }
+
+
+def differentiated(tower: Tower, expression: Any) -> Any:
+    """The expression with its derivatives worked out."""
+
+    def value(found: sp.Derivative) -> sp.Expr:
+        made = found.expr
+        for variable in found.variables:
+            made = tower.expression(derivative(tower, made, variable.name))
+        return made
+
+    return expression.replace(sp.Derivative, lambda *parts: value(sp.Derivative(*parts)))
 
 
 def _limit(step: Step, tower: Tower) -> Evidence:

@@ -20,6 +20,7 @@ from gainproof.derive.algebra.variables import Fraction, Generator, Parameter, P
 __all__ = [
     "Fraction",
     "Generator",
+    "NoValue",
     "Parameter",
     "Poly",
     "Tower",
@@ -27,6 +28,10 @@ __all__ = [
     "is_manifestly_positive",
     "shift_closed",
 ]
+
+
+class NoValue(TypeError):
+    """An expression that is no fraction of a tower's variables, such as a root."""
 
 
 class Tower:
@@ -173,7 +178,7 @@ class Tower:
             if power < 0:
                 base, power = Fraction(base.den, base.num), -power
             return self.make(base.num**power, base.den**power)
-        raise TypeError(f"no value in tower {self.name} for {value!r}")
+        raise NoValue(f"no value in tower {self.name} for {value!r}")
 
     def depends_on(self, poly: Poly) -> frozenset[str]:
         """The parameters that occur in a polynomial, also those inside generators."""

@@ -1,64 +1,63 @@
-"""Alpha-beta filters with any gains: what is true of all of them, and the named ones among them."""
+"""Alpha-beta filters with any gains: what is true of all of them, and the named ones among them.
+
+The derivation is the page `alpha-beta` of `derive/pages`; what it shares with three states, and
+what the kernels compute, is made in `derive/fixed_gain`.
+"""
 
 from __future__ import annotations
 
+from typing import Any
+
 from gainproof.derive.derivation import Derivation
+from gainproof.derive.fixed_gain.loop import Loop
 from gainproof.derive.fixed_gain.names import LATEX
-from gainproof.derive.fixed_gain.steps_answer import answer_steps
-from gainproof.derive.fixed_gain.steps_filter import filter_steps
-from gainproof.derive.fixed_gain.steps_lag import lag_steps
-from gainproof.derive.fixed_gain.steps_variance import variance_steps
-from gainproof.derive.fixed_gain.two_held_gain_towers import held_gain_towers
+from gainproof.derive.fixed_gain.page_slots import page_slots
 from gainproof.derive.fixed_gain.two_module import kernel_module
-from gainproof.derive.fixed_gain.two_named_towers import named_towers
 from gainproof.derive.fixed_gain.two_programs import SYMBOLS, graphs, kernel_steps
-from gainproof.derive.fixed_gain.two_steps_curves import curve_steps
-from gainproof.derive.fixed_gain.two_steps_ends import end_steps, end_towers
-from gainproof.derive.fixed_gain.two_steps_fitting_gain import fitting_gain_steps
-from gainproof.derive.fixed_gain.two_steps_held_gain import held_gain_steps
-from gainproof.derive.fixed_gain.two_steps_named import named_steps
-from gainproof.derive.fixed_gain.two_steps_optimum import optimum_steps
-from gainproof.derive.fixed_gain.two_steps_order import lecture_variance, ordering_steps
-from gainproof.derive.fixed_gain.two_steps_stability import ALPHA, BETA, stability_steps
-from gainproof.derive.fixed_gain.two_towers import LOOP, towers
+from gainproof.derive.pages.derivation import Given, written
 from gainproof.derive.source import LECTURE
 from gainproof.derive.subject import Program, Subject
 
 NAME = "alpha-beta"
-TITLE = "Alpha-beta filters with any gains"
-OPENING = (
-    "Two numbers make an alpha-beta filter. Which of them are stable, how much of the measurement "
-    "noise they let through, how far they fall behind a target that turns, and which are best."
-)
+LOOP = Loop(2)
+HINTS: dict[str, dict[str, Any]] = {
+    "random-velocity-stable": {"form": "4 (x + root_two)/(x (x + 2))"},
+    "random-velocity-stable-alpha": {"form": "2 root_two (root_two - 1)/(x + 2)"},
+    "order-at-equal-lag": {
+        "form": "((1 + y + g) (1/(g + 1 + r))/(g y second remainder)) "
+        "(((2 + y + 2 g)^2 - (2 + 2 y + 2 g))/(2 + y + 2 g + r) + second/(g + 1 + r))"
+    },
+    "order-at-equal-lag-best": {
+        "form": "(1 + y + g) (((1 + y + g)/(r + n))/third)^2/(second remainder)"
+    },
+    "order-at-equal-smaller-alpha": {"form": "(1 + x)^3 2 (1 + w)/(x^2 w (1 + x + w)^2)"},
+    "predicted-definite": {"minors": ()},
+}
+"""Without the differences that hide a sign."""
 
 
 def build() -> Subject:
     """Derive the alpha-beta filter with fixed gains."""
     made = graphs()
-    steps = (
-        *filter_steps(LOOP),
-        *answer_steps(LOOP),
-        *stability_steps(),
-        *variance_steps(LOOP, lecture_variance(ALPHA, BETA)),
-        *lag_steps(LOOP),
-        *optimum_steps(),
-        *named_steps(),
-        *ordering_steps(),
-        *end_steps(),
-        *held_gain_steps(),
-        *fitting_gain_steps(),
-        *curve_steps(),
-        *kernel_steps(made),
+    alpha, beta = LOOP.gains
+    lecture = (2 * alpha**2 + 2 * beta + alpha * beta) / (alpha * (4 - 2 * alpha - beta))
+    given = Given(
+        models={"fixed_gains": LOOP.model},
+        hints=HINTS,
+        slots={"": page_slots(LOOP, lecture)},
     )
+    page = written(NAME, given)
     return Subject(
         name=NAME,
-        title=TITLE,
+        title=page.title,
         model=None,
-        derivation=Derivation(OPENING, steps, (LECTURE.key,), LATEX),
-        towers={
-            tower.name: tower
-            for tower in (*towers(), *named_towers(), *end_towers(), *held_gain_towers())
-        },
+        derivation=Derivation(
+            page.opening,
+            (*page.steps, *kernel_steps(made)),
+            (LECTURE.key,),
+            {**page.latex, **LATEX},
+        ),
+        towers=page.towers,
         programs={
             name: Program(
                 {
@@ -70,6 +69,6 @@ def build() -> Subject:
             )
             for name, graph in made.items()
         },
-        module=kernel_module(NAME, TITLE, made),
+        module=kernel_module(NAME, page.title, made),
         textbook=dict,
     )

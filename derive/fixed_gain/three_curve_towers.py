@@ -6,12 +6,7 @@ import sympy as sp
 
 from gainproof.derive.algebra.tower import Generator, Tower
 from gainproof.derive.algebra.variables import above_zero
-from gainproof.derive.derivation import Step
 from gainproof.derive.expression import real
-from gainproof.derive.fixed_gain.loop import row
-from gainproof.derive.fixed_gain.three_steps_optimum import P11, lecture_variance
-from gainproof.derive.fixed_gain.three_steps_stability import ALPHA, BETA, GAMMA
-from gainproof.derive.relation import equal
 
 F = real("f")
 BY_LAG, BY_GAIN = "jerk_by_lag", "jerk_by_gain"
@@ -73,28 +68,3 @@ def curve_roots() -> dict[str, dict[str, sp.Expr]]:
             "w_inside": scaled**4,
         },
     }
-
-
-def curve_steps() -> list[Step]:
-    """The relations of random jerk hold on the curve."""
-    x = real("x")
-    return [
-        Step(
-            tower.replace("_", "-"),
-            "The relations of random jerk on this part of its curve.",
-            equal(
-                row(
-                    2 * ALPHA * GAMMA - BETA**2,
-                    2 * ALPHA**2 + 2 * ALPHA * BETA - 4 * BETA + ALPHA * GAMMA,
-                    x,
-                    real("lag"),
-                    P11,
-                ),
-                row(GAMMA**2 / 12, GAMMA**2 / 18, 2 * BETA / GAMMA, 1 / GAMMA, lecture_variance()),
-            ),
-            "Insert.",
-            tower=tower,
-            shown=False,
-        )
-        for tower in (BY_LAG, BY_GAIN)
-    ]

@@ -20,12 +20,7 @@ from gainproof.derive.fixed_gain.three_pole_kernels import TOWER as POLE_TOWER
 from gainproof.derive.fixed_gain.three_pole_kernels import TURNING as POLE_TURNING
 from gainproof.derive.fixed_gain.three_steps_noise import TOWER as NOISE_TOWER
 from gainproof.derive.fixed_gain.three_steps_noise import noise_meanings
-from gainproof.derive.fixed_gain.three_steps_stability import (
-    ALPHA,
-    BETA,
-    GAMMA,
-    MARGIN,
-)
+from gainproof.derive.fixed_gain.three_towers import ALPHA, BETA, GAMMA, MARGIN
 from gainproof.derive.fixed_gain.two_kernels import SCALE, difference
 from gainproof.derive.printer.graph import Graph, symbols_of
 from gainproof.derive.printer.kernel import Input, Kernel, Module, Output, closed

@@ -10,16 +10,10 @@ from __future__ import annotations
 
 import sympy as sp
 
-from gainproof.derive.algebra.tower import Tower
-from gainproof.derive.algebra.variables import above_zero
-from gainproof.derive.derivation import Step, joined
-from gainproof.derive.expression import real
-from gainproof.derive.fixed_gain.loop import row
 from gainproof.derive.fixed_gain.three_towers import LOOP
 from gainproof.derive.fixed_gain.two_kernels import SCALE, difference
 from gainproof.derive.printer.graph import Graph, GraphBuilder
 from gainproof.derive.printer.kernel import Input, closed
-from gainproof.derive.relation import equal
 
 POLES = "closed_loop_poles"
 TOWER = "any_gains"
@@ -78,35 +72,6 @@ def poles() -> Graph:
         outputs[name + SCALE] = ahead + behind
         differences[difference(name)] = outputs[name]
     return builder.graph(outputs, differences)
-
-
-def pole_tower() -> Tower:
-    """Any gains above 0."""
-    return Tower(TOWER, above_zero("alpha", "beta", "gamma"), (), {})
-
-
-def pole_steps() -> list[Step]:
-    """The reduced cubic and its discriminant."""
-    w = real("w")
-    at = sp.Subs(LOOP.polynomial(sp.Symbol("z", real=True)), real("z"), 1 - S / 3 + w)
-    return [
-        Step(
-            "reduced-cubic",
-            "Around their mean, `z = 1 - s/3 + w` with `s = alpha + beta + gamma/2`, the poles of "
-            "any gains, stable or not, are the roots of a cubic without a square.",
-            equal(at, w**3 - 3 * P * w - 2 * Q, free=("z", "w")),
-            "Insert; `p` is a third of the factor of `-w`, `q` half of the last term.",
-            tower=TOWER,
-        ),
-        joined(
-            "reduced-discriminant",
-            equal(
-                row(108 * (P**3 - Q**2)),
-                row(S**2 * B**2 + 18 * S * B * GAMMA - 4 * B**3 - 4 * S**3 * GAMMA - 27 * GAMMA**2),
-            ),
-            tower=TOWER,
-        ),
-    ]
 
 
 def pole_meanings() -> dict[str, sp.Expr]:

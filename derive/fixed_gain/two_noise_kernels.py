@@ -10,7 +10,7 @@ import sympy as sp
 
 from gainproof.derive.expression import real
 from gainproof.derive.fixed_gain.loop import Loop, pairs
-from gainproof.derive.fixed_gain.steps_variance import noise_shares
+from gainproof.derive.fixed_gain.process_noise import noise_shares
 from gainproof.derive.fixed_gain.two_kernels import SCALE, difference
 from gainproof.derive.printer.graph import Graph, GraphBuilder
 

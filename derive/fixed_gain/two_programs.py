@@ -10,17 +10,19 @@ from gainproof.derive.derivation import Step
 from gainproof.derive.expression import real
 from gainproof.derive.fixed_gain import two_kernels as region
 from gainproof.derive.fixed_gain import two_named_kernels as named
+from gainproof.derive.fixed_gain.loop import Loop
 from gainproof.derive.fixed_gain.two_kernels import DISCRIMINANT, HALF_SUM, SCALE
 from gainproof.derive.fixed_gain.two_noise_kernels import (
     noise_meanings,
     noise_variances,
     noise_variances_of_coordinates,
 )
-from gainproof.derive.fixed_gain.two_steps_stability import ALPHA, BETA, MARGIN
-from gainproof.derive.fixed_gain.two_towers import LOOP, E
 from gainproof.derive.printer.graph import Graph
 from gainproof.derive.relation import Relation
 
+LOOP, E = Loop(2), real("e")
+ALPHA, BETA = LOOP.gains
+MARGIN = 4 - 2 * ALPHA - BETA
 TOWERS = {
     "closed_loop_poles": "poles",
     "minimum_variance_by_lag": "minimum_variance",

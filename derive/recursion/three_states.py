@@ -1,26 +1,32 @@
-"""The recursion of position, velocity and acceleration with measured position, any intervals."""
+"""The recursion of position, velocity and acceleration with measured position, any intervals.
+
+The derivation is the page `recursion-three-states` of `derive/pages`.
+"""
 
 from __future__ import annotations
 
+from typing import Any
+
+import sympy as sp
+
 from gainproof.derive.derivation import Derivation, Step
 from gainproof.derive.expression import real
+from gainproof.derive.pages.derivation import Given, written
 from gainproof.derive.printer.graph import Graph, symbols_of
 from gainproof.derive.recursion.triple_kernels import graphs
 from gainproof.derive.recursion.triple_module import kernel_module
 from gainproof.derive.recursion.triple_names import (
     FACTORS,
     PARAMETERS,
-    latex,
+    PLACES,
+    S,
+    T,
+    filled,
     predicted_names,
     start_names,
+    transition,
 )
 from gainproof.derive.recursion.triple_noise import TripleNoise, triple_noises
-from gainproof.derive.recursion.triple_steps_difference import difference_steps
-from gainproof.derive.recursion.triple_steps_hand_over import hand_over_steps
-from gainproof.derive.recursion.triple_steps_model import model_steps
-from gainproof.derive.recursion.triple_steps_predict import predict_steps
-from gainproof.derive.recursion.triple_steps_start import start_steps
-from gainproof.derive.recursion.triple_steps_update import update_steps
 from gainproof.derive.recursion.triple_towers import (
     entries_tower,
     intervals_tower,
@@ -35,26 +41,18 @@ from gainproof.derive.source import GAUSS_MARKOV, SPECTRAL
 from gainproof.derive.subject import Program, Subject
 
 NAME = "recursion-three-states"
-TITLE = "Kalman recursion of position, velocity and acceleration, any intervals"
-OPENING = (
-    "With three states the usual factors of a covariance lose digits too: their update subtracts. "
-    "Written as shears, like the motion itself, everything is again a sum of positive terms."
-)
+SHAPES = {
+    "acceleration_increments": (sp.Integer(0), sp.Integer(0), sp.Integer(1)),
+    "wiener_acceleration": (T**2 / 2, T, sp.Integer(1)),
+    "random_jerk": (T**3 / 6, T**2 / 2, T),
+}
+"""What one unit of a noise of the samples does until the interval's end."""
 
 
 def build() -> Subject:
     """Derive the recursion with the process noises of the three-state families."""
     known = triple_noises()
     made = graphs(known)
-    steps = (
-        *model_steps(),
-        *(step for noise in known for step in predict_steps(noise)),
-        *update_steps(),
-        *start_steps(known),
-        *difference_steps(),
-        *hand_over_steps(),
-        *(_program(name, graph, known) for name, graph in made.items()),
-    )
     towers = (
         update_tower(),
         intervals_tower(),
@@ -64,19 +62,43 @@ def build() -> Subject:
         pair_tower(),
         samples_tower(),
     )
+    page = written(NAME, Given(towers, slots={noise.name: _slots(noise) for noise in known}))
+    steps = (*page.steps, *(_program(name, graph, known) for name, graph in made.items()))
+    latex = {**page.latex, "det": r"\det P"}
     return Subject(
         name=NAME,
-        title=TITLE,
+        title=page.title,
         model=None,
-        derivation=Derivation(OPENING, steps, (SPECTRAL.key, GAUSS_MARKOV.key), latex(known)),
-        towers={tower.name: tower for tower in towers},
+        derivation=Derivation(page.opening, steps, (SPECTRAL.key, GAUSS_MARKOV.key), latex),
+        towers=page.towers,
         programs={
             name: Program({entry: PARAMETERS[entry] for entry in symbols_of(graph)}, graph)
             for name, graph in made.items()
         },
-        module=kernel_module(NAME, TITLE, known, made),
+        module=kernel_module(NAME, page.title, known, made),
         textbook=dict,
     )
+
+
+def _slots(noise: TripleNoise) -> dict[str, Any]:
+    """What the shared parts say of one noise."""
+    slots: dict[str, Any] = {
+        "name": noise.name,
+        "key": noise.name.replace("_", "-"),
+        "words": noise.words,
+    }
+    if noise.continuous:
+        return slots
+    matrix = noise.covariance
+    first, both = matrix.subs(T, S), matrix.subs(T, S + T)
+    apart = transition(T) * first * transition(T).T + matrix - both
+    return slots | {
+        "shape": sp.ImmutableDenseMatrix(SHAPES[noise.name]),
+        "noise": matrix,
+        "first": first,
+        "both": both,
+        "left": filled([sp.factor(apart[place]) for place in PLACES]),
+    }
 
 
 def _program(name: str, graph: Graph, known: tuple[TripleNoise, ...]) -> Step:

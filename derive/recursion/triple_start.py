@@ -15,7 +15,6 @@ from typing import Any
 
 import sympy as sp
 
-from gainproof.derive.expression import real
 from gainproof.derive.recursion.noise import Q, T
 from gainproof.derive.recursion.polynomial import nested, times
 from gainproof.derive.recursion.triple_forms import Triple
@@ -72,19 +71,6 @@ def entry_names(prefix: str) -> dict[str, sp.Expr]:
     }
 
 
-def named(prefix: str) -> sp.ImmutableDenseMatrix:
-    """W, A or B, with names for what is no plain number."""
-    matrix = MATRICES[prefix]()
-    names = entry_names(prefix)
-
-    def entry(i: int, j: int) -> sp.Expr:
-        name = f"{prefix}_{i + 1}{j + 1}"
-        return real(name) if name in names else matrix[i, j]
-
-    return sp.ImmutableDenseMatrix(3, 3, entry)
-
-
-@cache
 def covariance(noise: TripleNoise) -> sp.ImmutableDenseMatrix:
     """Of the state that W gives, times the square of s t (s + t): polynomials in q, s, t and r."""
     square, two, one = (

@@ -1,27 +1,30 @@
-"""The recursion of position and velocity with measured position, over any intervals."""
+"""The recursion of position and velocity with measured position, over any intervals.
+
+The derivation is the page `recursion-two-states` of `derive/pages`.
+"""
 
 from __future__ import annotations
 
+from typing import Any
+
+import sympy as sp
+
 from gainproof.derive.derivation import Derivation, Step
 from gainproof.derive.expression import real
+from gainproof.derive.pages.derivation import Given, written
 from gainproof.derive.printer.graph import Graph, symbols_of
 from gainproof.derive.recursion.kernels import graphs
 from gainproof.derive.recursion.module import kernel_module
 from gainproof.derive.recursion.names import (
     FACTORS,
     PARAMETERS,
-    latex,
+    Q,
+    T,
     predicted_names,
     start_names,
     step_names,
 )
 from gainproof.derive.recursion.noise import Noise, noises
-from gainproof.derive.recursion.steps_difference import difference_steps
-from gainproof.derive.recursion.steps_hand_over import ROOT, hand_over_steps
-from gainproof.derive.recursion.steps_model import model_steps
-from gainproof.derive.recursion.steps_predict import predict_steps, shift_step
-from gainproof.derive.recursion.steps_start import start_steps
-from gainproof.derive.recursion.steps_update import update_steps
 from gainproof.derive.recursion.towers import (
     entries_tower,
     intervals_tower,
@@ -35,28 +38,12 @@ from gainproof.derive.source import GAUSS_MARKOV, SPECTRAL
 from gainproof.derive.subject import Program, Subject
 
 NAME = "recursion-two-states"
-TITLE = "Kalman recursion of position and velocity, any intervals"
-OPENING = (
-    "Before its steady state, with intervals that differ and with detections missed, a filter "
-    "needs its covariance sample by sample. Carried on as it stands it loses digits and, in the "
-    "end, its meaning; here it is carried so that no two computed numbers are ever subtracted."
-)
 
 
 def build() -> Subject:
     """Derive the recursion with the process noises of the two-state families."""
     known = noises()
     made = graphs(known)
-    steps = (
-        *model_steps(),
-        shift_step(),
-        *(step for noise in known for step in predict_steps(noise)),
-        *update_steps(),
-        *start_steps(known),
-        *difference_steps(),
-        *hand_over_steps(),
-        *(_program(name, graph, known) for name, graph in made.items()),
-    )
     towers = (
         main_tower(known),
         intervals_tower(),
@@ -65,21 +52,36 @@ def build() -> Subject:
         pair_tower(),
         samples_tower(),
     )
+    page = written(NAME, Given(towers, slots={noise.name: _slots(noise) for noise in known}))
+    steps = (*page.steps, *(_program(name, graph, known) for name, graph in made.items()))
     return Subject(
         name=NAME,
-        title=TITLE,
+        title=page.title,
         model=None,
-        derivation=Derivation(OPENING, steps, (SPECTRAL.key, GAUSS_MARKOV.key), latex(known)),
-        towers={tower.name: tower for tower in towers},
+        derivation=Derivation(page.opening, steps, (SPECTRAL.key, GAUSS_MARKOV.key), page.latex),
+        towers=page.towers,
         programs={
             name: Program(
                 {entry: PARAMETERS.get(entry, entry) for entry in symbols_of(graph)}, graph
             )
             for name, graph in made.items()
         },
-        module=kernel_module(NAME, TITLE, known, made),
+        module=kernel_module(NAME, page.title, known, made),
         textbook=dict,
     )
+
+
+def _slots(noise: Noise) -> dict[str, Any]:
+    """What the prediction's part says of one noise."""
+    return {
+        "name": noise.name,
+        "key": noise.name.replace("_", "-"),
+        "gained": noise.velocity(Q, T),
+        "middle": T / 2 if noise.share else sp.Integer(0),
+        "own": noise.position(Q, T) or sp.Integer(0),
+        "middle_words": "`t/2`" if noise.share else "0",
+        "own_words": f"`q t^3/{1 / noise.floor}` of its own and " if noise.floor else "",
+    }
 
 
 def _program(name: str, graph: Graph, known: tuple[Noise, ...]) -> Step:
@@ -89,7 +91,7 @@ def _program(name: str, graph: Graph, known: tuple[Noise, ...]) -> Step:
         Relation("program", {"program": name, "outputs": _meant(name, graph, known)}),
         "Evaluate the kernel's graph as a rational function.",
         tower={"hand": "samples", "start": "start"}.get(name.split("_")[0], "main"),
-        hint={"graph": graph, "roots": {"root": ROOT}},
+        hint={"graph": graph, "roots": {"root": real("root")}},
         shown=False,
     )
 

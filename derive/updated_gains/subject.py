@@ -1,79 +1,81 @@
-"""Gains that follow the tracking index to first order: errors, limits, drift, variances."""
+"""Gains that follow the tracking index to first order: errors, limits, drift, variances.
+
+The derivation is the page `updated-gains` of `derive/pages`; here is what it does not say.
+"""
 
 from __future__ import annotations
 
+from pathlib import Path
+
+import sympy as sp
+
+from gainproof.derive.algebra.limits import End
 from gainproof.derive.derivation import Derivation
+from gainproof.derive.expression import real
 from gainproof.derive.families.random_acceleration import model
 from gainproof.derive.model import scale
+from gainproof.derive.pages.derivation import FOLDER, Given, written
 from gainproof.derive.printer.graph import Graph, symbols_of
 from gainproof.derive.source import KALATA, MATRICES, UPDATED
+from gainproof.derive.steady_state.names import LATEX
 from gainproof.derive.subject import Program, Subject
 from gainproof.derive.updated_gains.kernels import graphs
 from gainproof.derive.updated_gains.module import kernel_module
-from gainproof.derive.updated_gains.names import LATEX
-from gainproof.derive.updated_gains.steps_followed import followed_steps
-from gainproof.derive.updated_gains.steps_gains import gain_steps
-from gainproof.derive.updated_gains.steps_held import held_steps
-from gainproof.derive.updated_gains.steps_kernels import INPUTS, kernel_steps
-from gainproof.derive.updated_gains.steps_mismatch import mismatch_steps
-from gainproof.derive.updated_gains.steps_path import path_steps
-from gainproof.derive.updated_gains.steps_sight import sight_steps
-from gainproof.derive.updated_gains.steps_update import update_steps
-from gainproof.derive.updated_gains.steps_variance import variance_steps
-from gainproof.derive.updated_gains.towers import (
-    axis_tower,
-    bounds_tower,
-    circle_tower,
-    main_tower,
-    sight_tower,
-    within_tower,
-)
 
 NAME = "updated-gains"
-TITLE = "Gains that follow the tracking index to first order"
-OPENING = (
-    "A radar's Cartesian noise changes with range and angle, and with it the best gains. Instead "
-    "of computing them anew one may follow their derivatives. How far does that lead, and where "
-    "does it end?"
-)
+INPUTS = {"alpha": "nominal_alpha", "beta": "nominal_beta", "next_index": "following_index"}
+"""Of `recursive_gains`: the gains so far are any; those of a third index stand for them."""
+ROOTS = {
+    "nominal_root": "1 + 2/n",
+    "root": "1 + 2/e",
+    "deviation": "sigma_i",
+    "s": "s",
+    "u": "u",
+    "v": "v",
+}
+BOUNDS = {
+    "0": End(boundary={"s": sp.Integer(1), "u": sp.Integer(1), "v": sp.Integer(2)}),
+    "infinity": End(
+        weights={"s": 1, "u": 1, "v": 1},
+        constants={"root_5": 5},
+        boundary={"s": real("root_5"), "u": sp.Integer(2), "v": real("root_5")},
+    ),
+}
+HINTS = {
+    "alpha-bound-other": {"form": "(4 n^2 + 10 n + 1)/(s + n) + 1"},
+    "alpha-bound-small": {"limit_form": "((1 + (5 n + 10)/(s + 1))/2)^2 2 (1 + n)/(s + n + 1)"},
+}
+"""Without the differences that hide a sign or a limit."""
 
 
-def build() -> Subject:
-    """Derive errors, limits and drift of first-order gains, and what wrong gains cost."""
-    made = graphs()
-    scaled = scale(model())
-    steps = (
-        *gain_steps(scaled),
-        *update_steps(),
-        *held_steps(),
-        *path_steps(),
-        *mismatch_steps(),
-        *followed_steps(scaled),
-        *sight_steps(),
-        *variance_steps(),
-        *kernel_steps(made),
+def build(folder: Path = FOLDER) -> Subject:
+    """Derive errors, limits and drift of first-order gains, and what wrong gains cost.
+
+    `folder`: where the page is. Raises PageError with the line of a mistake on it.
+    """
+    made, scaled = graphs(), scale(model())
+    given = Given(
+        models={"random_acceleration": scaled.data()},
+        hints=HINTS,
+        ends={"bounds": BOUNDS},
+        programs=made,
+        roots=ROOTS,
     )
-    towers = (
-        main_tower(),
-        axis_tower(),
-        bounds_tower(),
-        circle_tower(),
-        sight_tower(),
-        within_tower(),
-    )
+    page = written(NAME, given, folder)
+    sources = (KALATA.key, MATRICES.key, UPDATED.key)
+    latex = {**LATEX, **page.latex, "root_3": r"\sqrt{3}", "root_5": r"\sqrt{5}"}
     return Subject(
         name=NAME,
-        title=TITLE,
+        title=page.title,
         model=scaled,
-        derivation=Derivation(OPENING, steps, (KALATA.key, MATRICES.key, UPDATED.key), LATEX),
-        towers={tower.name: tower for tower in towers},
+        derivation=Derivation(page.opening, page.steps, sources, latex),
+        towers=page.towers,
         programs={name: Program(_inputs(name, graph), graph) for name, graph in made.items()},
-        module=kernel_module(NAME, TITLE, made),
+        module=kernel_module(NAME, page.title, made),
         textbook=dict,
     )
 
 
 def _inputs(name: str, graph: Graph) -> dict[str, str]:
-    named = INPUTS.get(name, {})
-    symbols = symbols_of(graph)
-    return {symbol: named.get(symbol, symbol) for symbol in symbols}
+    named = INPUTS if name == "recursive_gains" else {}
+    return {symbol: named.get(symbol, symbol) for symbol in symbols_of(graph)}

@@ -12,13 +12,13 @@ import sympy as sp
 from gainproof.derive.algebra.evidence import evidence
 from gainproof.derive.algebra.positive import NoPlainSign
 from gainproof.derive.derivation import Step
+from gainproof.derive.expression import real
 from gainproof.derive.recursion import triple_kernels
 from gainproof.derive.recursion.noise import NoiseError, T
 from gainproof.derive.recursion.polynomial import SignError, nested
 from gainproof.derive.recursion.triple_names import Q, R, S, filled
 from gainproof.derive.recursion.triple_noise import through, triple_noises
 from gainproof.derive.recursion.triple_start import covariance, newer, older, started, weights
-from gainproof.derive.recursion.triple_steps_hand_over import ALPHA, K
 from gainproof.derive.recursion.triple_towers import samples_tower, values_of
 from gainproof.derive.relation import positive
 from gainproof.verify.certificate import check
@@ -97,6 +97,9 @@ def test_a_start_of_another_noise_is_refused() -> None:
     refused = check(certificate, claims=subject.claims())
     assert not refused.accepted
     assert "start" in str(refused.reason)
+
+
+K, ALPHA = real("k"), real("alpha")
 
 
 def test_a_bracket_that_is_too_narrow_is_not_shown() -> None:

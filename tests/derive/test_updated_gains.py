@@ -15,18 +15,8 @@ from catalogue_subjects import certificate
 from numpy.typing import NDArray
 from one_of_each import cases
 
+from gainproof.derive.expression import real
 from gainproof.derive.relation import Relation, equal, same_sign
-from gainproof.derive.updated_gains.names import (
-    ALPHA,
-    ALPHA_EXCESS,
-    BETA,
-    FIRST_ALPHA,
-    FIRST_BETA,
-    INDEX,
-    NOMINAL,
-    E,
-    N,
-)
 from gainproof.generated import random_acceleration
 from gainproof.verify.certificate import check, check_statement
 
@@ -89,6 +79,10 @@ def test_a_wrong_quantity_is_refused(
     assert {check_statement(data, each).status for each in refused} == {"rejected"}
 
 
+E, N = real("e"), real("n")
+INDEX, NOMINAL = real("tracking_index"), real("nominal_index")
+ALPHA, BETA, ALPHA_EXCESS = real("alpha"), real("beta"), real("alpha_excess")
+FIRST_ALPHA, FIRST_BETA = real("first_order_alpha"), real("first_order_beta")
 FALSE: dict[str, Relation] = {
     "never-below": same_sign(ALPHA_EXCESS, INDEX - NOMINAL),
     "never-below-beta": same_sign(-sp.Symbol("beta_excess", real=True), (INDEX - NOMINAL) ** 2),

@@ -4,8 +4,9 @@ from __future__ import annotations
 
 from typing import Any, Literal
 
-from gainproof.bad_input import unknown_name
+from gainproof.bad_input import BadInputError, unknown_name
 from gainproof.derive.catalogue import CATALOGUE
+from gainproof.derive.derivation import PageError
 from gainproof.derive.printer.kernel import Kernel
 from gainproof.derive.quantity import MEASUREMENT_DEVIATION, SAMPLING_INTERVAL
 from gainproof.derive.source import SOURCES
@@ -23,8 +24,14 @@ def outline(state: WorkerState, name: str) -> dict[str, Any]:
 
 
 def derive(state: WorkerState, name: str) -> dict[str, Any]:
-    """Derive one subject of the catalogue: `Derived` as plain data."""
-    return state.kept(("derived", name), lambda: plain_subject(subject_of(state, name)).plain())
+    """Derive one subject of the catalogue: `Derived` as plain data.
+
+    Raises BadInputError for a mistake on its page.
+    """
+    try:
+        return state.kept(("derived", name), lambda: plain_subject(subject_of(state, name)).plain())
+    except PageError as error:
+        raise BadInputError(str(error)) from None
 
 
 def subject_of(state: WorkerState, name: str) -> Subject:
@@ -73,10 +80,15 @@ def _sampling(kernel: Kernel) -> dict[str, Any]:
 
 
 def build(name: str) -> Subject:
-    """Derive a subject. Raises BadInputError for a name that the catalogue does not have."""
+    """Derive a subject. Raises BadInputError for a name that the catalogue does not have, or for a
+    mistake on its page.
+    """
     for entry in CATALOGUE:
         if entry.name == name:
-            return entry.build()
+            try:
+                return entry.build()
+            except PageError as error:
+                raise BadInputError(str(error)) from None
     raise unknown_name("derivation", name, [entry.name for entry in CATALOGUE])
 
 

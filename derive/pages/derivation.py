@@ -1,0 +1,384 @@
+"""From a page to the steps and towers of a subject."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass, field, replace
+from pathlib import Path
+from typing import Any
+
+import sympy as sp
+
+from gainproof.derive.algebra.limits import End
+from gainproof.derive.algebra.tower import Generator, NoValue, Parameter, Tower
+from gainproof.derive.derivation import Step
+from gainproof.derive.expression import real
+from gainproof.derive.pages.evaluation import Definition, Meanings
+from gainproof.derive.pages.formula import Formula, FormulaError, read_formula
+from gainproof.derive.pages.page import (
+    Block,
+    Include,
+    InWords,
+    Item,
+    Line,
+    Page,
+    PageBlock,
+    PageStep,
+    Place,
+    Prose,
+    Theorem,
+    read_page,
+)
+from gainproof.derive.pages.statement import relation_of
+from gainproof.derive.printer.graph import Graph
+from gainproof.derive.relation import INFINITY, Relation, cited, described
+from gainproof.derive.source import SOURCES
+
+FOLDER = Path(__file__).parent
+ENDS = {"0": End(), "infinity": End()}
+"""Of a tower without roots."""
+STATED = (
+    *("left", "right", "expression", "value", "from", "to", "variable"),
+    *("matrix", "predicted", "updated", "gain", "index"),
+)
+"""The parts of relations that are made of quantities."""
+
+
+@dataclass(frozen=True)
+class Given:
+    """What a page does not say.
+
+    `towers`: settings that are not written on it. `models` by name. `slots`: values by group and
+    slot, text or expressions; those of the page itself have the group "". `hints`: what evidence
+    needs, by step (see `algebra.evidence`), formulas as text in the names of the page. `ends`: of
+    towers with roots. `programs`: the graphs of kernels; `roots`: what their named roots are.
+    `steps`: by name, that the program makes.
+    """
+
+    towers: tuple[Tower, ...] = ()
+    models: Mapping[str, Mapping[str, Any]] = field(default_factory=dict)
+    slots: Mapping[str, Mapping[str, Any]] = field(default_factory=dict)
+    hints: Mapping[str, Mapping[str, Any]] = field(default_factory=dict)
+    ends: Mapping[str, Mapping[str, End]] = field(default_factory=dict)
+    programs: Mapping[str, Graph] = field(default_factory=dict)
+    roots: Mapping[str, str] = field(default_factory=dict)
+    steps: Mapping[str, Sequence[Step]] = field(default_factory=dict)
+
+
+@dataclass(frozen=True)
+class Written:
+    """A page made a derivation."""
+
+    title: str
+    opening: str
+    steps: tuple[Step, ...]
+    towers: Mapping[str, Tower]
+    latex: Mapping[str, str]
+
+
+def written(name: str, given: Given, folder: Path = FOLDER) -> Written:
+    """The derivation of the page of that name. Raises PageError with the line of a mistake."""
+    page = page_of(name, folder)
+    head = page.blocks[0] if page.blocks else None
+    if not isinstance(head, Prose) or head.mark != "#":
+        raise Place(page.file, 1).error("a page starts with '# Title'")
+    making = _Making(given, folder)
+    steps = tuple(making.steps(page))
+    unknown = sorted(set(given.hints) - {step.id for step in steps})
+    if unknown:
+        raise Place(page.file, 1).error(f"hints for steps that are not there: {unknown}")
+    return Written(head.head, head.text, steps, making.towers, making.latex)
+
+
+def page_of(name: str, folder: Path = FOLDER, primed: frozenset[str] = frozenset()) -> Page:
+    """The page or part of that name. Raises PageError, OSError."""
+    path = folder / f"{name}.md"
+    shown = "/".join(path.parts[-3:])
+    try:
+        text = path.read_text(encoding="utf-8")
+    except UnicodeDecodeError:
+        raise Place(shown, 1).error("UTF-8 text is wanted") from None
+    return read_page(text, shown, primed)
+
+
+@dataclass
+class _Making:
+    given: Given
+    folder: Path
+    meanings: Meanings = field(default_factory=Meanings)
+    towers: dict[str, Tower] = field(default_factory=dict)
+    latex: dict[str, str] = field(default_factory=dict)
+    heading: str = ""
+    ids: set[str] = field(default_factory=set)
+
+    def __post_init__(self) -> None:
+        slots = self.given.slots.get("", {})
+        self.meanings = replace(self.meanings, models=self.given.models, slots=slots)
+        self.towers |= {tower.name: tower for tower in self.given.towers}
+
+    def steps(self, page: Page) -> Iterator[Step]:
+        for block in page.blocks:
+            try:
+                yield from self._block(block)
+            except FormulaError as error:
+                raise block.place.error(str(error)) from None
+
+    def _block(self, block: PageBlock) -> Iterator[Step]:
+        if isinstance(block, PageStep):
+            yield from self._step(block)
+        elif isinstance(block, Include):
+            yield from self._included(block) if block.kind == "include" else self._made(block)
+        elif isinstance(block, Prose):
+            self.heading = self._filled(block.head) if block.mark == "##" else ""
+        elif block.kind == "kernel":
+            yield self._kernel(block)
+        elif block.kind == "setting":
+            self.towers[block.name] = self._tower(block)
+        else:
+            for line in block.lines:
+                try:
+                    self._names(line) if block.kind == "names" else self._let(line)
+                except FormulaError as error:
+                    raise line.place.error(str(error)) from None
+
+    def _names(self, line: Line) -> None:
+        if line.is_plain:
+            for name in line.name.split(", "):
+                self._quantity(name, name, name)
+            return
+        for value in line.values or ("",):
+            name, quantity, printed = (
+                text.removesuffix(line.variable) + value
+                for text in (line.name, self._filled(str(line.meaning)), line.printed or line.name)
+            )
+            self._quantity(name, quantity, printed)
+
+    def _quantity(self, name: str, quantity: str, printed: str) -> None:
+        self.meanings.require_new(name)
+        symbols = {**self.meanings.symbols, name: real(quantity)}
+        self.meanings = replace(self.meanings, symbols=symbols)
+        if shown := latex_of(printed):
+            self.latex[quantity] = shown
+
+    def _let(self, line: Line) -> None:
+        assert isinstance(line.meaning, Formula)
+        self.meanings = self.meanings.define(line.name, Definition(line.arguments, line.meaning))
+
+    def _tower(self, block: Block) -> Tower:
+        if not block.parameters:
+            if block.name not in self.towers:
+                names = ", ".join(tower.name for tower in self.given.towers)
+                raise FormulaError(f"no setting {block.name!r} of the program; known: {names}")
+            return self.towers.pop(block.name)
+        parameters = tuple(
+            Parameter(self.meanings.symbol(name).name, *((at,) if order == ">" else (None, at)))
+            for name, order, at in block.parameters
+        )
+        generators: list[Generator] = []
+        elements: dict[str, sp.Expr] = {}
+        known = {parameter.symbol for parameter in parameters}
+        for line in block.lines:
+            assert isinstance(line.meaning, Formula)
+            try:
+                name = self.meanings.symbol(line.name).name
+                root = (line.meaning.kind, line.meaning.text) == ("call", "sqrt")
+                value = self.meanings.value(line.meaning.parts[0] if root else line.meaning)
+                self._require_in(known, value, block.name)
+                if root:
+                    generators.append(Generator(name, value))
+                else:
+                    elements[name] = value
+            except FormulaError as error:
+                raise line.place.error(str(error)) from None
+            known.add(name)
+        try:
+            return Tower(block.name, parameters, tuple(generators), elements)
+        except (NoValue, ZeroDivisionError) as error:
+            raise FormulaError(str(error)) from None
+
+    def _step(self, step: PageStep) -> Iterator[Step]:
+        for number, item in enumerate(step.items):
+            mark, place = (item.mark, item.place) if number else (step.mark, step.place)
+            try:
+                made = Step(
+                    self._id(mark.id),
+                    "" if number else self._filled(step.sentence),
+                    described(""),
+                    "" if number else self._filled(step.reason),
+                    self._setting(mark.setting or step.mark.setting or "main"),
+                    shown=not mark.hidden,
+                    heading=self.heading,
+                    joins=number > 0,
+                    essential=mark.essential,
+                )
+                place = item.place
+                yield self._with_hint(replace(made, relation=self._relation(item, made.tower)))
+            except FormulaError as error:
+                raise place.error(str(error)) from None
+            self.heading = ""
+
+    def _setting(self, text: str) -> str:
+        name = self._filled(text)
+        if name not in self.towers:
+            raise FormulaError(f"no setting {name!r} above; known: {', '.join(self.towers)}")
+        return name
+
+    def _id(self, text: str) -> str:
+        name = self._filled(text)
+        if name in self.ids:
+            raise FormulaError(f"there is a step {name!r} already")
+        self.ids.add(name)
+        return name
+
+    def _relation(self, item: Item, setting: str) -> Relation:
+        if isinstance(item.said, InWords):
+            return described(self._filled(item.said.text))
+        if isinstance(item.said, Theorem):
+            return cited(self._filled(item.said.text), _source(item.said.source))
+        relation = relation_of(item.said, self.meanings)
+        self._require_known(relation, setting)
+        return relation
+
+    def _require_known(self, relation: Relation, setting: str) -> None:
+        """Each quantity of a statement has to be one of its setting, or stand for any."""
+        tower, free = self.towers[setting], relation.parts.get("free", ())
+        known = {*tower.variables, *tower.expressions}
+        for quantity in free:
+            if quantity in known:
+                raise FormulaError(f"{self._name(quantity)!r} has a value in setting {setting}")
+        for key in STATED:
+            self._require_in({*known, *free}, relation.parts.get(key), setting)
+        if "variable" in relation.parts:
+            try:
+                tower.parameter_of(relation.parts["variable"])
+            except ValueError as error:
+                raise FormulaError(str(error)) from None
+
+    def _require_in(self, known: set[str], value: Any, setting: str) -> None:
+        """Each quantity that a value is made of, or a list of names has, is one of these."""
+        for quantity in sorted(_quantities(value)):
+            if quantity not in known:
+                raise FormulaError(f"{self._name(quantity)!r} has no value in setting {setting}")
+
+    def _name(self, quantity: str) -> str:
+        """What the page calls it."""
+        names = (name for name, x in self.meanings.symbols.items() if x.name == quantity)
+        return next(names, quantity)
+
+    def _with_hint(self, step: Step) -> Step:
+        found = dict(self.given.hints.get(step.id, {}))
+        if step.relation.kind in ("limit", "increasing_onto"):
+            found["ends"] = self.given.ends.get(step.tower, ENDS)
+        return replace(step, hint={key: self._hint(value) for key, value in found.items()})
+
+    def _hint(self, value: Any) -> Any:
+        if not isinstance(value, str):
+            return value
+        try:
+            return self.meanings.value(read_formula(value, self.meanings.primed))
+        except FormulaError as error:
+            raise FormulaError(f"its hint {value!r}: {error}") from None
+
+    def _kernel(self, block: Block) -> Step:
+        graph = self.given.programs.get(block.name)
+        if graph is None:
+            raise FormulaError(f"no kernel {block.name!r}; known: {', '.join(self.given.programs)}")
+        outputs = {
+            line.name: self.meanings.value(line.meaning)
+            for line in block.lines
+            if isinstance(line.meaning, Formula)
+        }
+        if list(outputs) != list(graph["outputs"]):
+            raise FormulaError(
+                f"the outputs {', '.join(graph['outputs'])} are wanted, in this order"
+            )
+        named = graph.get("names", {})
+        roots = {key: text for key, text in self.given.roots.items() if key in named}
+        return Step(
+            self._id(f"kernel-{block.name.replace('_', '-')}"),
+            f"The kernel {block.name} computes what it says.",
+            Relation("program", {"program": block.name, "outputs": outputs}),
+            "Evaluate the kernel's graph in the tower.",
+            block.setting,
+            {"graph": graph, "roots": {k: self._hint(x) for k, x in roots.items()}},
+            shown=False,
+        )
+
+    def _made(self, block: Include) -> tuple[Step, ...]:
+        if block.part not in self.given.steps:
+            known = ", ".join(self.given.steps)
+            raise FormulaError(f"no steps {block.part!r} of the program; known: {known}")
+        found = tuple(self.given.steps[block.part])
+        for step in found:
+            self._id(step.id)
+        return found
+
+    def _included(self, block: Include) -> Iterator[Step]:
+        if block.slots and block.slots not in self.given.slots:
+            raise FormulaError(f"no slots {block.slots!r}; known: {', '.join(self.given.slots)}")
+        path = self.folder / f"{block.part}.md"
+        if not path.is_file():
+            raise FormulaError(f"no file {path.name} beside this page")
+        outside = self.meanings
+        self.meanings = replace(outside, slots=self.given.slots.get(block.slots, {}))
+        part = page_of(block.part, self.folder, outside.primed)
+        for each in part.blocks:
+            if isinstance(each, Include) or (isinstance(each, Prose) and each.mark == "#"):
+                raise each.place.error("a part has no title and includes no other")
+        yield from self.steps(part)
+        self.meanings = outside
+
+    def _filled(self, text: str) -> str:
+        """With the values of its slots."""
+
+        def value(match: re.Match[str]) -> str:
+            found = self.meanings.slots.get(match[1])
+            if not isinstance(found, str):
+                raise FormulaError(f"{match[0]!r} is no slot of words here")
+            return found
+
+        return re.sub(r"\{([^}]*)\}", value, text)
+
+
+def _quantities(value: Any) -> set[str]:
+    if isinstance(value, str):
+        return {value} - {INFINITY}
+    if isinstance(value, list):
+        return {name for part in value for name in _quantities(part)}
+    return {symbol.name for symbol in getattr(value, "free_symbols", ())}
+
+
+def latex_of(name: str) -> str:
+    """How a name of a page is printed: Greek letters by their names, what follows _ below; nothing
+    for a word.
+    """
+    match = re.fullmatch(r"([A-Za-z]+)(?:_([A-Za-z0-9_]+)|(\d+))?('?)", name)
+    if match is None or (len(match[1]) > 1 and match[1] not in GREEK):
+        return ""
+    below = match[2] or match[3] or ""
+    short = len(below) == 1 or below in GREEK
+    subscript = f"_{_letter(below)}" if short else f"_{{{below}}}" * bool(below)
+    return f"{_letter(match[1])}{subscript}{match[4]}"
+
+
+GREEK = frozenset(
+    re.findall(
+        r"\w+",
+        """
+        alpha beta gamma delta epsilon zeta eta theta kappa lambda mu nu xi pi rho sigma tau phi chi
+        psi omega Gamma Delta Theta Lambda Xi Pi Sigma Phi Psi Omega
+        """,
+    )
+)
+
+
+def _letter(text: str) -> str:
+    return f"\\{text}" if text in GREEK else text
+
+
+def _source(key: str) -> str:
+    for source in SOURCES:
+        if source.key == key:
+            return source.text()
+    raise FormulaError(f"no source {key!r}; known: {', '.join(each.key for each in SOURCES)}")

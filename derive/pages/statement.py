@@ -1,0 +1,209 @@
+"""What a line of a step says: the forms of statements, read, printed back, and made relations.
+
+A statement is one of the lines of `FORMS`, where L, R and the like stand for formulas and names.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+from typing import Any
+
+import sympy as sp
+
+from gainproof.derive.pages.evaluation import Meanings
+from gainproof.derive.pages.formula import Formula, FormulaError, Reader, whole
+from gainproof.derive.relation import (
+    Relation,
+    equal,
+    increasing_onto,
+    limit,
+    monotone,
+    positive,
+    same_sign,
+)
+
+FORMS: Mapping[str, str] = {
+    "free": "L = R for any NAMES",
+    "equal": "L = R",
+    "positive": "L > R",
+    "definite": "M is positive definite",
+    "stable": "gain K is stable in NAME",
+    "steady": "gain K is steady in NAME with covariances M and X and index NAME",
+    "same sign": "L has the sign of R",
+    "onto": "L grows from B to B with NAME",
+    "increasing": "L grows with NAME",
+    "decreasing": "L falls with NAME",
+    "limit": "L -> B as NAME -> B",
+}
+"""By kind, the first that fits counts. NAMES: names apart by commas; B: a formula or `infinity`."""
+
+
+@dataclass(frozen=True)
+class Statement:
+    """One statement: its form and what stands in it."""
+
+    form: str
+    parts: tuple[Formula, ...]
+
+    def __str__(self) -> str:
+        """As it is written."""
+        parts = iter(self.parts)
+        words = FORMS[self.form].split()
+        return " ".join(str(next(parts)) if word.isupper() else word for word in words)
+
+
+def read_statement(text: str, primed: frozenset[str] = frozenset()) -> Statement:
+    """The statement of a line. Raises FormulaError with what was wanted where no form goes on."""
+    return whole(text, primed, _statement)
+
+
+def _statement(reader: Reader) -> Statement:
+    errors: list[tuple[int, FormulaError]] = []
+    for form in FORMS:
+        reader.place, reader.depth = 0, 0
+        try:
+            return _of_form(reader, form)
+        except FormulaError as error:
+            errors.append((reader.place, error))
+    farthest = max(place for place, _ in errors)
+    found = [error for place, error in errors if place == farthest]
+    wanted = list(dict.fromkeys(error.wanted for error in found if error.wanted))
+    if len(wanted) < 2:
+        raise found[0]
+    reader.place = farthest
+    raise reader.error(" or ".join(wanted))
+
+
+def _of_form(reader: Reader, form: str) -> Statement:
+    parts = []
+    for word in FORMS[form].split():
+        if word.isupper():
+            parts.append(_part(reader, word))
+        else:
+            reader.take(word)
+    if reader.next:
+        raise reader.error("the end")
+    return Statement(form, tuple(parts))
+
+
+def _part(reader: Reader, word: str) -> Formula:
+    if word == "B" and reader.next == "infinity":
+        reader.place += 1
+        return Formula("name", "infinity")
+    if word == "NAME":
+        return Formula("name", reader.name())
+    if word == "NAMES":
+        names = [_name_or_slot(reader)]
+        while reader.next == ",":
+            reader.place += 1
+            names.append(_name_or_slot(reader))
+        return Formula("names", "", tuple(names))
+    return reader.formula()
+
+
+def _name_or_slot(reader: Reader) -> Formula:
+    return reader.slot() if reader.next == "{" else Formula("name", reader.name())
+
+
+def relation_of(statement: Statement, meanings: Meanings) -> Relation:
+    """The relation that it stands for. Raises FormulaError for a name that has no meaning."""
+    return _MADE[statement.form](meanings, *statement.parts)
+
+
+def _free(meanings: Meanings, left: Formula, right: Formula, names: Formula) -> Relation:
+    listed = [
+        name
+        for each in names.parts
+        for name in (meanings.slot(each.text).split(", ") if each.kind == "slot" else [each.text])
+    ]
+    free = tuple(meanings.symbol(name).name for name in listed)
+    return equal(meanings.value(left), meanings.value(right), free)
+
+
+def _positive(meanings: Meanings, left: Formula, right: Formula) -> Relation:
+    value = meanings.value(left)
+    return positive(value if right == Formula("number", "0") else value - meanings.value(right))
+
+
+def _definite(meanings: Meanings, matrix: Formula) -> Relation:
+    return Relation("positive_definite", {"matrix": _names(meanings, matrix)})
+
+
+def _stable(meanings: Meanings, gain: Formula, model: Formula) -> Relation:
+    claim = {"model": meanings.model(model.text), "gain": _listed(meanings, gain)}
+    return Relation("stable", claim)
+
+
+def _steady(
+    meanings: Meanings,
+    gain: Formula,
+    model: Formula,
+    predicted: Formula,
+    updated: Formula,
+    index: Formula,
+) -> Relation:
+    claim = {
+        "model": meanings.model(model.text),
+        "predicted": _names(meanings, predicted),
+        "updated": _names(meanings, updated),
+        "gain": _listed(meanings, gain),
+        "index": meanings.symbol(index.text).name,
+    }
+    return Relation("riccati", claim)
+
+
+def _names(meanings: Meanings, matrix: Formula) -> list[list[str]]:
+    """The names of a matrix whose entries are quantities."""
+    value = meanings.value(matrix)
+    if not isinstance(value, sp.MatrixBase) or not all(x.is_Symbol for x in value.flat()):
+        raise FormulaError(f"a matrix of quantities is wanted, {str(matrix)!r} came")
+    return [[entry.name for entry in line] for line in value.tolist()]
+
+
+def _listed(meanings: Meanings, gain: Formula) -> list[str]:
+    return [name for line in _names(meanings, gain) for name in line]
+
+
+def _monotone(trend: str) -> Callable[[Meanings, Formula, Formula], Relation]:
+    def made(meanings: Meanings, value: Formula, name: Formula) -> Relation:
+        return monotone(meanings.value(value), trend, meanings.symbol(name.text).name)
+
+    return made
+
+
+def _limit(
+    meanings: Meanings, value: Formula, at: Formula, name: Formula, point: Formula
+) -> Relation:
+    if str(point) not in ("0", "infinity"):
+        raise FormulaError(f"0 or infinity is wanted behind {name.text} ->, {point} came")
+    variable = meanings.symbol(name.text).name
+    return limit(meanings.value(value), str(point), _end(meanings, at), variable)
+
+
+def _onto(
+    meanings: Meanings, value: Formula, start: Formula, end: Formula, name: Formula
+) -> Relation:
+    first, last = (_end(meanings, each) for each in (start, end))
+    return increasing_onto(meanings.value(value), first, last, meanings.symbol(name.text).name)
+
+
+def _end(meanings: Meanings, value: Formula) -> Any:
+    return "infinity" if value.text == "infinity" else meanings.value(value)
+
+
+_MADE: Mapping[str, Callable[..., Relation]] = {
+    "free": _free,
+    "equal": lambda meanings, left, right: equal(meanings.value(left), meanings.value(right)),
+    "positive": _positive,
+    "definite": _definite,
+    "stable": _stable,
+    "steady": _steady,
+    "same sign": lambda meanings, left, right: same_sign(
+        meanings.value(left), meanings.value(right)
+    ),
+    "onto": _onto,
+    "increasing": _monotone("increasing"),
+    "decreasing": _monotone("decreasing"),
+    "limit": _limit,
+}

@@ -1,0 +1,177 @@
+"""Formulas and statements of pages: read as they are written, and taken for what they say."""
+
+from __future__ import annotations
+
+import pytest
+import sympy as sp
+
+from gainproof.derive.expression import real
+from gainproof.derive.pages.derivation import latex_of
+from gainproof.derive.pages.evaluation import MAXIMUM_SIZE, Definition, Meanings
+from gainproof.derive.pages.formula import FormulaError, read_formula
+from gainproof.derive.pages.statement import FORMS, read_statement, relation_of
+
+A, B, C, X = (real(name) for name in "abcx")
+MATRIX = sp.ImmutableDenseMatrix([[A, B], [0, 1]])
+MEANINGS = Meanings(
+    symbols={name: real(name) for name in ("a", "b", "c", "x", "a'")},
+    defined={"M": MATRIX, "k": sp.ImmutableDenseMatrix([A, B])},
+    slots={"own": A + 1},
+    models={"model": {"name": "a model"}},
+)
+
+
+FORMULAS = {
+    "2 a^2/(1 + a)": 2 * A**2 / (1 + A),
+    "a - b - c": A - B - C,
+    "a - (b - c)": A - B + C,
+    "-a^2": -(A**2),
+    "(-a)^2": A**2,
+    "a b/c": A * B / C,
+    "a/(b c)": A / (B * C),
+    "(a/b) c": A * C / B,
+    "(a/b)/c": A / (B * C),
+    "3/2 + a": sp.Rational(3, 2) + A,
+    "a (b + c)": A * B + A * C,
+    "sqrt(5) a": sp.sqrt(5) * A,
+    "derivative(a, x, 2)": sp.Derivative(A, (X, 2)),
+    "at(a x, x, 3)": sp.Subs(A * X, X, 3),
+    "{own} b": (A + 1) * B,
+    "a' a": real("a'") * A,
+}
+
+
+@pytest.mark.parametrize("text", FORMULAS)
+def test_a_formula_means_what_it_says(text: str) -> None:
+    read = read_formula(text, MEANINGS.primed)
+    assert str(read) == text
+    assert sp.expand(MEANINGS.value(read) - FORMULAS[text]) == 0
+
+
+def test_matrices_are_left_as_written_and_definitions_are_multiplied_out() -> None:
+    square = read_formula("M M' + k k'", MEANINGS.primed)
+    value = MEANINGS.value(square)
+    assert [part.args for part in value.args] == [
+        (MATRIX, MATRIX.T),
+        (sp.ImmutableDenseMatrix([A, B]), sp.ImmutableDenseMatrix([[A, B]])),
+    ]
+    named = MEANINGS.define("N", Definition((), square)).defined["N"]
+    assert named == sp.ImmutableDenseMatrix([[2 * A**2 + B**2, A * B + B], [A * B + B, 1 + B**2]])
+
+
+def test_a_function_knows_what_is_above_it_and_takes_its_arguments_only() -> None:
+    first = MEANINGS.define("f", Definition(("a",), read_formula("a x + b")))
+    second = first.define("g", Definition(("x",), read_formula("f(x) + f(2)")))
+    assert sp.expand(second.value(read_formula("g(c)"))) == sp.expand(C * X + B + 2 * X + B)
+    with pytest.raises(FormulaError, match="'h' is no function"):
+        MEANINGS.define("h", Definition(("a",), read_formula("h(a) + 1")))
+
+
+def test_rows_and_columns_are_where_they_are_written() -> None:
+    assert MEANINGS.value(read_formula("[a, b, c; 1, 2, x]")) == sp.Matrix([[A, B, C], [1, 2, X]])
+
+
+STATEMENTS = {
+    "a = b": ("equal", {"left": A, "right": B, "free": ()}),
+    "a = b for any a, c": ("equal", {"left": A, "right": B, "free": ("a", "c")}),
+    "a > b": ("positive", {"expression": A - B}),
+    "a > 0": ("positive", {"expression": A}),
+    "-a has the sign of b - c": ("same_sign", {"left": -A, "right": B - C}),
+    "a b grows with x": (
+        "monotone",
+        {"expression": A * B, "variable": "x", "trend": "increasing"},
+    ),
+    "a falls with x": ("monotone", {"expression": A, "variable": "x", "trend": "decreasing"}),
+    "a grows from 0 to infinity with x": (
+        "increasing_onto",
+        {"expression": A, "variable": "x", "from": 0, "to": "infinity"},
+    ),
+    "a -> 2 b as x -> infinity": (
+        "limit",
+        {"expression": A, "variable": "x", "point": "infinity", "value": 2 * B},
+    ),
+    "a -> infinity as x -> 0": (
+        "limit",
+        {"expression": A, "variable": "x", "point": "0", "value": "infinity"},
+    ),
+    "gain [a, b] is stable in model": (
+        "stable",
+        {"model": {"name": "a model"}, "gain": ["a", "b"]},
+    ),
+    "gain [a; b] is steady in model with covariances [a, b; b, c] and [x] and index x": (
+        "riccati",
+        {
+            "model": {"name": "a model"},
+            "predicted": [["a", "b"], ["b", "c"]],
+            "updated": [["x"]],
+            "gain": ["a", "b"],
+            "index": "x",
+        },
+    ),
+    "[a, b; b, c] is positive definite": (
+        "positive_definite",
+        {"matrix": [["a", "b"], ["b", "c"]]},
+    ),
+}
+
+
+@pytest.mark.parametrize("text", STATEMENTS)
+def test_a_statement_is_the_relation_that_it_says(text: str) -> None:
+    read = read_statement(text)
+    assert str(read) == text
+    relation = relation_of(read, MEANINGS)
+    assert (relation.kind, relation.parts) == STATEMENTS[text]
+
+
+def test_every_form_of_statement_is_tried() -> None:
+    assert {read_statement(text).form for text in STATEMENTS} == set(FORMS)
+
+
+@pytest.mark.parametrize(
+    ("text", "said"),
+    [
+        ("a" * 5000, "at most 4000 characters"),
+        ("(" * 41 + "a" + ")" * 41, "nested more than 40 deep"),
+        ("a^99", "a whole number from 2 to 16"),
+        ("1" * 41, "at most 40 digits"),
+        ("a + __import__", "'_' is no part of a formula"),
+        ("a; b", "wanted the end after 'a', came ';'"),
+        ("a ** 2", "'*' is no part of a formula"),
+    ],
+)
+def test_hostile_formulas_end_with_an_error(text: str, said: str) -> None:
+    with pytest.raises(FormulaError) as caught:
+        read_formula(text)
+    assert said in str(caught.value)
+    assert len(str(caught.value)) < 5000
+
+
+@pytest.mark.parametrize("step", ["p{0} p{0} + 1", "(2 p{0})^16", "[p{0}, p{0}; p{0}, p{0}]"])
+def test_definitions_that_grow_without_end_are_stopped(step: str) -> None:
+    """Each is written out of the one above it, which would be of astronomical size."""
+
+    def growing() -> None:
+        meanings = MEANINGS.define("p0", Definition((), read_formula("a + b")))
+        for number in range(60):
+            formula = read_formula(step.format(number))
+            meanings = meanings.define(f"p{number + 1}", Definition((), formula))
+
+    with pytest.raises(FormulaError, match=f"more than {MAXIMUM_SIZE} parts|no value"):
+        growing()
+
+
+LATEX = {
+    "e": "e",
+    "Lambda": r"\Lambda",
+    "Lambda_0": r"\Lambda_0",
+    "alpha_0'": r"\alpha_0'",
+    "R_theta": r"R_\theta",
+    "c_v": "c_v",
+    "P_11": "P_{11}",
+    "along": "",
+    "less_sine": "",
+}
+
+
+def test_names_are_printed_as_the_field_prints_them() -> None:
+    assert {name: latex_of(name) for name in LATEX} == LATEX

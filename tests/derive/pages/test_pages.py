@@ -1,0 +1,234 @@
+"""Pages as text files: printed back as they are, made derivations, and mistakes told by line."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from gainproof.derive.algebra.tower import Parameter, Tower
+from gainproof.derive.catalogue import CATALOGUE
+from gainproof.derive.derivation import PageError, Step
+from gainproof.derive.expression import real
+from gainproof.derive.pages.derivation import FOLDER, Given, page_of, written
+from gainproof.derive.pages.page import read_page
+from gainproof.derive.relation import described
+from gainproof.jobs.code_digest import modules_below
+
+A, B = real("a"), real("b")
+PAGES = sorted(FOLDER.glob("*.md"))
+
+
+@pytest.mark.parametrize("path", PAGES, ids=lambda path: path.stem)
+def test_a_page_is_printed_back_as_it_is_written(path: Path) -> None:
+    text = path.read_text(encoding="utf-8")
+    assert str(read_page(text, path.name, frozenset())) == text
+
+
+SUBJECTS = [path.stem for path in PAGES if path.read_text(encoding="utf-8").startswith("# ")]
+
+
+@pytest.mark.parametrize("name", SUBJECTS)
+def test_a_page_that_was_edited_is_derived_anew(name: str) -> None:
+    """What is kept of a subject depends on the files in the folder of `gainproof.derive.pages`."""
+    (module,) = (entry.module for entry in CATALOGUE if entry.name == name)
+    assert modules_below(module)["gainproof.derive.pages"].parent.resolve() == FOLDER.resolve()
+
+
+def test_a_page_of_too_many_lines_is_refused() -> None:
+    with pytest.raises(PageError, match="at most 5000 lines"):
+        read_page("# Title\n" + "x\n" * 6000, "page.md")
+
+
+PAGE = """\
+# A filter
+What it is about.
+
+names
+    a
+    b
+    P_ij = entry_ij for ij in 11, 12
+
+let
+    double(x) = 2 x
+
+setting main
+    a > 0, b >= 0
+    P_11 = double(a)
+
+## A heading
+
+### first (essential)
+A sentence.
+
+    P_11 = 2 a
+    second (hidden): a > 0
+
+because Reason.
+
+include part (one)
+
+include part (other)
+"""
+PART = """\
+### {key}-third
+Of {word}.
+
+    double({value}) = {value} 2
+    {key}-fourth: {value} + a > 0
+"""
+
+
+def on_disk(folder: Path, page: str = PAGE, part: str = PART) -> Path:
+    """A folder with a page and its part."""
+    (folder / "page.md").write_text(page, encoding="utf-8")
+    (folder / "part.md").write_text(part, encoding="utf-8")
+    return folder
+
+
+GIVEN = Given(
+    towers=(Tower("given", (Parameter("b"),), (), {}),),
+    steps={"more": (Step("from-program", "Made.", described(""), "", "given"),)},
+    slots={
+        "one": {"key": "one", "word": "the first", "value": A + 1},
+        "other": {"key": "two", "word": "the second", "value": B + 3},
+    },
+)
+
+
+def test_a_page_with_parts_becomes_steps(tmp_path: Path) -> None:
+    made = written("page", GIVEN, on_disk(tmp_path))
+    assert (made.title, made.opening) == ("A filter", "What it is about.")
+    assert [step.id for step in made.steps] == [
+        "first",
+        "second",
+        "one-third",
+        "one-fourth",
+        "two-third",
+        "two-fourth",
+    ]
+    first, second, third, _, other, last = made.steps
+    assert (first.heading, first.essential, first.reason) == ("A heading", True, "Reason.")
+    assert (second.joins, second.shown, second.sentence) == (True, False, "")
+    assert (third.sentence, third.heading, third.essential) == ("Of the first.", "", False)
+    assert other.relation.parts["left"] == 2 * B + 6
+    assert last.relation.parts["expression"] == A + B + 3
+    assert made.latex == {"a": "a", "b": "b", "entry_11": "P_{11}", "entry_12": "P_{12}"}
+    assert made.towers["main"].expressions == {"entry_11": 2 * A}
+
+
+def test_steps_and_settings_of_the_program_are_where_the_page_has_them(tmp_path: Path) -> None:
+    page = PAGE.replace("setting main", "setting given\n\nsetting main", 1)
+    page = page.replace("    second (hidden):", "    second (in given): b > 0\n    third (hidden):")
+    made = written("page", GIVEN, on_disk(tmp_path, f"{page}\nsteps more\n"))
+    assert list(made.towers) == ["given", "main"]
+    assert [(step.id, step.tower) for step in made.steps][1:3] == [
+        ("second", "given"),
+        ("third", "main"),
+    ]
+    assert made.steps[-1].sentence == "Made."
+
+
+def test_what_a_part_defines_stays_in_it(tmp_path: Path) -> None:
+    part = "let\n    own = a + 1\n\n### {key}\nA sentence.\n\n    own = a + 1\n"
+    made = written("page", GIVEN, on_disk(tmp_path, part=part))
+    assert [step.id for step in made.steps][2:] == ["one", "two"]
+
+
+def test_an_empty_page_and_one_of_other_signs_are_refused(tmp_path: Path) -> None:
+    (tmp_path / "page.md").write_bytes(b"")
+    with pytest.raises(PageError, match="a page starts with '# Title'"):
+        written("page", GIVEN, tmp_path)
+    (tmp_path / "page.md").write_bytes(b"# \xff\n")
+    with pytest.raises(PageError, match="UTF-8 text is wanted"):
+        written("page", GIVEN, tmp_path)
+
+
+def test_a_missing_page_says_so(tmp_path: Path) -> None:
+    with pytest.raises(OSError, match=r"none\.md"):
+        page_of("none", tmp_path)
+
+
+MISTAKES = [
+    ("# A filter", "A filter", 1, "a block is wanted that starts with #, ##, ###"),
+    ("    a\n", "    a b\n", 5, "'name, name', 'name = quantity' or"),
+    ("    a\n", "    in\n", 5, "'in' is a word of statements"),
+    ("    b\n", "    a\n", 6, "'a' has a meaning already"),
+    ("double(x) = 2 x", "double(x) = 2 y", 10, "'y' is neither a quantity nor a definition"),
+    ("double(x) = 2 x", "double(x) : 2 x", 10, "'name = formula' is wanted"),
+    ("a > 0, b >= 0", "a > b, b >= 0", 13, "parameters are wanted as in 'x > 0, y >= 0'"),
+    ("P_11 = double(a)", "Q_11 = double(a)", 14, "'Q_11' is no quantity"),
+    ("P_11 = double(a)", "P_11 = duoble(a)", 14, "'duoble' is no function"),
+    ("P_11 = double(a)", "P_11 = double(a, b)", 14, "double(x) is wanted, 2 arguments came"),
+    ("(essential)", "(important)", 18, "'id (in NAME, hidden, essential)' is wanted"),
+    ("(essential)", "(in other)", 18, "no setting 'other' above; known: given, main"),
+    ("    P_11 = 2 a\n", "    P_11 = 2 (a\n", 21, "wanted ')' after '2 ( a'"),
+    ("    P_11 = 2 a\n", "    P_11 = 2 (a)\n", 21, "read as 'P_11 = 2 a', written"),
+    ("    P_11 = 2 a\n", "    P_11 = 2*a\n", 21, "'*' is no part of a formula"),
+    ("    P_11 = 2 a\n", "    P_12 = 2 a\n", 21, "'P_12' has no value in setting main"),
+    ("    P_11 = 2 a\n", "    P_11 = 2 a for any a\n", 21, "'a' has a value in setting main"),
+    ("P_11 = double(a)", "P_11 = double(P_12)", 14, "'P_12' has no value in setting main"),
+    ("P_11 = double(a)", "P_11 = sqrt(a) + 1", 12, "no value in tower main for sqrt(a)"),
+    ("    P_11 = 2 a\n", "    P_11 falls with P_12\n", 21, "'P_12' has no value in setting"),
+    ("    P_11 = 2 a\n", "    [P_12] is positive definite\n", 21, "'P_12' has no value in"),
+    ("    P_11 = 2 a\n", "    [2] is positive definite\n", 21, "a matrix of quantities is wanted"),
+    ("    P_11 = 2 a\n", "    gain [a] is stable in model\n", 21, "a model is wanted"),
+    ("    P_11 = 2 a\n", "    P_11 = a/2 b\n", 21, "parentheses around the quotient"),
+    ("    P_11 = 2 a\n", "    P_11 is 2 a\n", 21, "wanted 'positive' after 'P_11 is'"),
+    ("    P_11 = 2 a\n", "    P_11 2 a\n", 21, "wanted '=' or '>'"),
+    ("    P_11 = 2 a\n", "    P_11 = 1/0\n", 21, "'1/0' divides by 0"),
+    ("    P_11 = 2 a\n", "    P_11 = [1, a] + [1; a]\n", 21, "has no value"),
+    ("    P_11 = 2 a\n", "P_11 = 2 a\n", 20, "an indented statement is wanted, after a blank line"),
+    ("    second (hidden): a > 0", "    a > 0", 22, "'id: statement' is wanted"),
+    ("    second (hidden)", "    first", 22, "there is a step 'first' already"),
+    ("    second (hidden)", "  second (hidden)", 22, "4 blanks are wanted"),
+    ("because Reason.", "Reason.", 24, "a block is wanted"),
+    ("Reason.", "Reason {why}.", 18, "'{why}' is no slot of words here"),
+    ("include part (one)", "include parts (one)", 26, "no file parts.md beside this page"),
+    ("include part (one)", "steps part", 26, "no steps 'part' of the program; known: more"),
+    ("include part (one)", "include part one", 26, "include NAME is wanted, alone"),
+    (
+        "    second (hidden)",
+        "    second (in no, hidden)",
+        22,
+        "no setting 'no' above; known: given, main",
+    ),
+    (
+        "setting main\n    a > 0, b >= 0\n    P_11",
+        "setting main\n\nlet\n    P",
+        12,
+        "no setting 'main'",
+    ),
+    ("include part (one)", "include part (two)", 26, "no slots 'two'; known: one, other"),
+    ("A sentence.", "A sentence. ", 19, "blanks at the end of the line"),
+    ("A sentence.", "A\tsentence.", 19, "a sign that is not printed"),
+]
+
+
+@pytest.mark.parametrize(("right", "wrong", "line", "said"), MISTAKES)
+def test_a_mistake_is_told_with_its_line(
+    tmp_path: Path, right: str, wrong: str, line: int, said: str
+) -> None:
+    assert right in PAGE
+    with pytest.raises(PageError) as caught:
+        written("page", GIVEN, on_disk(tmp_path, PAGE.replace(right, wrong, 1)))
+    assert f"page.md, line {line}: " in str(caught.value)
+    assert said in str(caught.value)
+
+
+def test_a_mistake_in_a_part_names_the_part(tmp_path: Path) -> None:
+    part = PART.replace("{value} + a > 0", "{amount} + a > 0")
+    with pytest.raises(PageError, match=r"part\.md, line 5: no slot 'amount'; known: key, word"):
+        written("page", GIVEN, on_disk(tmp_path, part=part))
+
+
+def test_a_part_that_includes_itself_is_refused(tmp_path: Path) -> None:
+    part = f"{PART}\ninclude part (one)\n"
+    with pytest.raises(PageError, match="a part has no title and includes no other"):
+        written("page", GIVEN, on_disk(tmp_path, part=part))
+
+
+def test_a_hint_for_a_step_that_is_gone_is_told(tmp_path: Path) -> None:
+    given = Given(slots=GIVEN.slots, hints={"third": {"form": "a"}})
+    with pytest.raises(PageError, match=r"hints for steps that are not there: \['third'\]"):
+        written("page", given, on_disk(tmp_path))
