@@ -58,6 +58,31 @@ def judge() -> Iterator[Judge]:
         ("D H P = 0", {"symbols": {"D": "n x m"}, "given": ("P H^T = 0",)}, "given: P H^T = 0"),
         ("W = W^T", {"symbols": {"W": "= A^T R A"}}, "W: short for A^T R A"),
         ("(I - K H) K = K (I - H K)", {"model": "matrices"}, "n x m"),
+        ("P*H'*(H*P*H' + R)^-1*H*P = K*H*P", {}, OPTIMAL),
+        ("x'*A*x = 0", {"given": ("A' = -A",)}, "x: n x 1"),
+        ("I*A' = A'", {}, "I: identity matrix"),
+        ("x'*P*x >= 0", {}, "x: n x 1"),
+        (f"{JOSEPH} = P - K H P".replace("^T", "^{T}"), {}, OPTIMAL),
+        (
+            r"(\mathbf I - \mathbf K \mathbf H)^T = \mathbf I - \mathbf H^T \mathbf K^T",
+            {},
+            "identity",
+        ),
+        (r"\hat I A^T = \hat I A^T", {}, r"\hat{I}: "),
+        ("inv(A.T@A)@A.T@A = I", {}, "inverse: that of"),
+        (r"\lambda_1 A^T = A^T \lambda_1", {}, r"\lambda_1: number"),
+        (r"\lambda^T x = x^T \lambda", {}, r"\lambda: n x 1"),
+        (r"\lambda I - A^T = (\lambda I - A)^T", {}, r"\lambda: number"),
+        ("h P h^T >= 0", {}, "h: "),
+        ("(I-KH)P^-(I-KH)^T + KRK^T = (I-KH)P^-", {}, "K = P_{prior} H^T"),
+        (r"\Phi P \Phi^T + Q >= 0", {}, "Q: n x n, positive semidefinite"),
+        (r"A^T P A \succeq 0", {}, "A: n x m"),
+        ("H^TR^{-1}H = (H^TR^{-1}H)^T", {}, "H: m x n"),
+        ("(AB)' = B'A'", {}, "A: n x m"),
+        ("(eye(n) - K*H)*P = P - K*H*P", {"model": "matrices"}, "identity matrix"),
+        ("(A^T + I_2)^T = A + I_2", {"symbols": {"A": "2 x 2"}}, "identity matrix"),
+        # its identity matrices have the size that the gain gives them
+        ("K^T (I + K K^T) K = (I + K^T K) S^{-1} H P P H^T S^{-1}", {}, "K = P H^T S^{-1}"),
     ],
 )
 def test_what_is_true_is_proved(
@@ -96,11 +121,17 @@ def _kalman(p: Any, h: Any, r: Any) -> Any:
         ),
         ("K H = H^T K^T", lambda _p, h, _r, k: k @ h - h.T @ k.T),
         ("K H P = P H^T K", None),
+        ("A@inv(A.T@A)@A.T = I", None),
+        ("I_{xx} A^T = A^T I_{xx}", None),
+        ("X^T X > 0", None),
+        ("K = F P H^T (H P H^T + R)^{-1}", None),
     ],
 )
 def test_what_is_false_is_refuted(judge: Judge, formula: str, difference: Any) -> None:
     found = judge.ask(formula)
-    if difference is None:  # sizes are one, and K and P do not commute
+    if (
+        difference is None
+    ):  # by hand: a projection, matrices that do not commute, columns that are 0
         assert found.verdict == "refuted"
         return
     rng = np.random.default_rng(1)
@@ -117,6 +148,14 @@ def _joseph(p: Any, h: Any, r: Any, k: Any) -> Any:
 
 def _information(p: Any, h: Any, r: Any) -> Any:
     return np.linalg.inv(p) + h.T @ np.linalg.inv(r) @ h
+
+
+@pytest.mark.parametrize(
+    "formula", ["A'*A = A*A'", "H'*R^-1*H = H*R^-1*H'", "A^{T} A = A A^{T}", "(B'*B)*B = B*(B*B')"]
+)
+def test_what_holds_of_some_matrices_is_not_proved(judge: Judge, formula: str) -> None:
+    """Of numbers these are true: a prime and a T in braces are read as transposes."""
+    assert judge.ask(formula).verdict in ("conditional", "refuted")
 
 
 def test_without_a_gain_of_its_own_a_letter_is_any_matrix(judge: Judge) -> None:
@@ -142,6 +181,12 @@ def test_what_is_alone_on_one_side_is_defined(judge: Judge) -> None:
         ("E[x x^T] = P", {}, "expectation in a formula about matrices of any size"),
         ("A^T = A", {"domain": "a > 0", "model": "matrices"}, "--domain: a formula about matrices"),
         ("A^T = A", {"model": "random-velocity", "symbols": {"A": "n x n"}}, "--model random-vel"),
+        ("I.T = I", {"model": "matrices"}, "needs a letter beside the identity"),
+        ("I_5 A^T = A^T I_7", {"symbols": {"A": "2 x 3"}}, "sizes do not fit, "),
+        ("A B C D E F G J L N U W Y^T = 0", {}, "more than 11 sizes"),
+        ("n A = A n", {"symbols": {"A": "n x n"}}, "n is a size and a letter"),
+        ("A^T = A", {"symbols": {"A": "="}}, "a formula is wanted behind ="),
+        (r"\Delta t A^T = A^T \Delta t", {}, r"\\Delta t in a formula about matrices"),
         ("(" * 300 + "A" + ")" * 300 + "^T = A", {}, "deep|nested|too many"),
     ],
 )

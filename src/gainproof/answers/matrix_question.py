@@ -1,7 +1,8 @@
 """A formula about matrices of any size as the text of a claim file.
 
 What letters usually mean in a filter gives the sizes their names, n for the state and m for the
-measurement, and says which letters are covariances.
+measurement, and says which letters are covariances; where P, H and R stand beside it, K is the gain
+of a Kalman filter, and the formula is tried for any K too.
 """
 
 from __future__ import annotations
@@ -9,11 +10,11 @@ from __future__ import annotations
 import re
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
-from itertools import count
+from functools import cached_property
 from typing import Any
 
+from gainproof.answers.matrix_reading import NUMBERED, MatrixReader, transposed_greek
 from gainproof.answers.matrix_shapes import (
-    IDENTITY,
     NUMBER,
     ONE,
     SYMMETRIC,
@@ -21,31 +22,27 @@ from gainproof.answers.matrix_shapes import (
     Shapes,
     Sizes,
     base_letter,
+    is_small,
     said_of,
 )
-from gainproof.answers.typed import Typed, typed
+from gainproof.answers.typed import Typed
 from gainproof.bad_input import BadInputError
 from gainproof.claims.template import FORMAT_LINE
 from gainproof.claims.toml_text import quoted
 from gainproof.verify.judge.claim.kinds import kind_of
-from gainproof.verify.judge.claim.notation import is_plain
 from gainproof.verify.judge.formula import Graph
+from gainproof.verify.judge.matrices.symbol import canonical
+from gainproof.verify.judge.reader.errors import ReaderError
 from gainproof.verify.judge.reader.latex import graph_to_latex, relations_to_latex
 
 MATRICES = "matrices"
 """What `--model` says where a formula without a transpose is about matrices."""
 DEFINITE, SEMIDEFINITE = "positive definite", "positive semidefinite"
 ANY_SIZE = "none: about matrices of any size"
-_NUMBERS = re.compile(
-    r"\\(?:alpha|beta|gamma|delta|(?:var)?epsilon|eta|theta|kappa|lambda|mu|omega|rho|sigma|tau)\b"
-)
-"""Greek letters that are numbers before a matrix unless they are transposed or said to be none."""
-_PRIME = re.compile(r"(?<=[\w)\]])(?:'|\.T\b)")
-_NUMBERED = re.compile(r"\bI_(?:\{(\d+)\}|(\d+))")
-"""An identity matrix while its size is not known yet."""
+ZERO = [["number", "0"]]
 _SIZES = {
-    **dict.fromkeys(("P", "M", "X", r"\Sigma", "F", "A", r"\Phi"), ("n", "n")),
-    **dict.fromkeys(("R", "S", "V"), ("m", "m")),
+    **dict.fromkeys(("P", r"\Sigma", "F", "A", r"\Phi"), ("n", "n")),
+    **dict.fromkeys(("R", "S"), ("m", "m")),
     "K": ("n", "m"),
     **dict.fromkeys(("H", "C"), ("m", "n")),
     **dict.fromkeys(("G", "B", r"\Gamma"), ("n", "l")),
@@ -53,13 +50,8 @@ _SIZES = {
 }
 """Usual names of rows and columns, the surest letters first."""
 _OTHERS = "nmlpqrstuvw"
-_COLUMN = re.compile("[a-z]")
-"""A letter whose matrix is a column where nothing says how many columns it has."""
-
-
-def transposes(formula: str) -> bool:
-    """Whether there is a transpose as MATLAB or NumPy writes it."""
-    return is_plain(formula) and _PRIME.search(formula) is not None
+_POSTERIOR = re.compile(r"\\hat|\+|posterior|([a-z])\|\1(?![-+])")
+"""Marks of an updated covariance, which is none of the Kalman gain's formula."""
 
 
 @dataclass(frozen=True)
@@ -78,49 +70,179 @@ def matrix_question(
     """The claim file that asks whether a formula holds of matrices of any size; `symbols` is what
     is said of letters, `given` are hypotheses. Raises BadInputError.
     """
-    number = count(1)
-
-    def read(text: str) -> Typed:
-        text = IDENTITY.sub(lambda _: f"I_{{{next(number)}}}", text)
-        if is_plain(text):
-            text = _PRIME.sub("^T", text)
-        return typed(text, symbols, numbers)
-
     said = {token: said_of(token, " ".join(text.split())) for token, text in symbols.items()}
-    numbers = _number_letters(said)
-    asked = read(formula)
-    conditions = [read(each) for each in given]
-    definitions = {t: read(f"0 = {s.definition}") for t, s in said.items() if s.definition}
-    everything = [asked, *conditions, *definitions.values()]
-    tokens = [*dict.fromkeys(token for each in everything for token in each.symbols)]
+    reader = MatrixReader(said, transposed_greek((formula, *given)))
+    asked = reader.read(formula)
+    conditions = [reader.read(each) for each in given]
+    definitions = {t: reader.read(f"0 = {s.definition}") for t, s in said.items() if s.definition}
+    whole = _Parts(asked, conditions, definitions, reader)
+    for token in whole.tokens:
+        try:
+            canonical(token)
+        except ReaderError as error:
+            raise BadInputError(f"{token} in a formula about matrices: {error.problem}") from None
     for token in said:
-        if token not in tokens:
-            known = ", ".join(t for t in tokens if not IDENTITY.fullmatch(t)) or "none"
+        if token not in whole.tokens:
+            known = ", ".join(t for t in whole.tokens if not NUMBERED.fullmatch(t)) or "none"
             raise BadInputError(f"--symbol: the formula has no {token}; its symbols: {known}")
-    shapes = Shapes(Sizes(), said, frozenset(filter(numbers, tokens)))
-    for _ in range(2):  # what is a number is known at the end of the first
-        for token, each in definitions.items():
-            inner = shapes.of(each.formula.readings[0].relations[0].right)
-            shapes.alike([shapes.letter(token), inner], f"--symbol {token}")
-        for each in (asked, *conditions):
-            for relation in each.formula.readings[0].relations:
-                sides = [
-                    g for g in (relation.left, relation.right) if g["nodes"] != [["number", "0"]]
-                ]
-                shapes.alike([shapes.of(g) for g in sides], "both sides")
-    names = _named(shapes, tokens)
-    return _written(asked, conditions, definitions, shapes, names, said)
+    if all(NUMBERED.fullmatch(token) for token in whole.tokens):
+        raise BadInputError("a formula about matrices needs a letter beside the identity")
+    ways = [_way(whole, {})]
+    filter_ = _kalman_filter(whole.tokens, said)
+    if filter_:
+        more = {token: reader.read(f"0 = {text}") for token, text in filter_.items()}
+        try:
+            way = _way(_Parts(asked, conditions, {**more, **definitions}, reader), filter_)
+        except BadInputError:
+            pass  # shapes do not fit: K is another gain
+        else:
+            ways.insert(0, way)
+    return _written(ways, "definition" if _defines(whole, filter_) else kind_of(asked.formula))
 
 
-def _number_letters(said: Mapping[str, Said]) -> Callable[[str], bool]:
-    """Which letters are numbers: those said to be, and small Greek ones that nobody mentions."""
-    return lambda token: said[token].number if token in said else _NUMBERS.match(token) is not None
+@dataclass(frozen=True)
+class _Parts:
+    """A formula with its hypotheses and the definitions of letters, as they were read."""
+
+    asked: Typed
+    conditions: Sequence[Typed]
+    definitions: Mapping[str, Typed]
+    reader: MatrixReader
+
+    @cached_property
+    def tokens(self) -> list[str]:
+        """All letters, in order of appearance; identity matrices are letters of their own."""
+        parts = (self.asked, *self.conditions, *self.definitions.values())
+        return [*dict.fromkeys(token for each in parts for token in each.symbols)]
+
+
+@dataclass(frozen=True)
+class _Way:
+    """One way to understand a formula.
+
+    Attributes
+    ----------
+    entries : mapping
+        By letter its fields in a claim file, what it is in words, whether that is a guess.
+    inverses : sequence of str
+        What is supposed to have an inverse.
+    sizes : sequence of str
+        Names of sizes.
+    formula, given : str, sequence of str
+        The formula and its hypotheses in LaTeX, identity matrices with their sizes.
+    title : str
+        Of the filter, if there is one.
+    identity : bool
+        Whether there are identity matrices.
+    """
+
+    entries: Mapping[str, tuple[str, str, bool]]
+    inverses: Sequence[str]
+    sizes: Sequence[str]
+    formula: str
+    given: Sequence[str]
+    title: str
+    identity: bool
+
+
+def _way(parts: _Parts, filter_: Mapping[str, str]) -> _Way:
+    """The formula with the letters of a Kalman `filter_`, by their formulas; without any if it is
+    empty. Raises BadInputError where shapes do not fit.
+    """
+    shapes = _shapes(parts)
+    names = _named(shapes, parts.tokens)
+
+    def size(number: int) -> str:
+        return names[shapes.sizes.root(number)]
+
+    def with_sizes(text: str) -> str:
+        def identity(found: re.Match[str]) -> str:
+            token = next(t for t in (f"I_{found[1] or found[2]}", found[0]) if t in shapes.letters)
+            return f"I_{{{size(shapes.letters[token][0])}}}"
+
+        return NUMBERED.sub(identity, text)
+
+    def latex(each: Typed) -> str:
+        relations = each.formula.readings[0].relations
+        return with_sizes(relations_to_latex(relations) if each.plain else each.text)
+
+    entries: dict[str, tuple[str, str, bool]] = {}
+    for token, (rows, columns) in shapes.letters.items():
+        if NUMBERED.fullmatch(token):
+            continue
+        own = parts.reader.said.get(token, Said())
+        if token in parts.definitions:
+            inner = latex(parts.definitions[token]).split("=", 1)[1].strip()
+            words = filter_.get(token) or f"short for {own.definition}"
+            entries[token] = f"definition = {quoted(inner)}", words, token in filter_
+            continue
+        square = size(rows) == size(columns)
+        is_guess = token not in parts.reader.said
+        usual = SYMMETRIC.get(base_letter(token), "") if square and is_guess else ""
+        properties = own.properties or ((usual,) if usual else ())
+        shape = f"shape = [{quoted(size(rows))}, {quoted(size(columns))}]"
+        stated = f", is = [{', '.join(map(quoted, properties))}]" if properties else ""
+        words = ", ".join((f"{size(rows)} x {size(columns)}", *properties))
+        entries[token] = shape + stated, words, is_guess
+    for token in sorted(shapes.numbers):
+        entries[token] = 'shape = ["1", "1"]', NUMBER, token not in parts.reader.said
+    everything = (parts.asked, *parts.conditions, *parts.definitions.values())
+    known = sorted({each for each in names.values() if not each.isdigit()})
+    for name in known:
+        if name in entries:
+            raise BadInputError(f"--symbol: {name} is a size and a letter of the formula")
+    return _Way(
+        entries,
+        _inverses(everything, entries, with_sizes),
+        known,
+        latex(parts.asked),
+        [latex(each) for each in parts.conditions],
+        f"Kalman filter with {', '.join(f'{t} = {text}' for t, text in filter_.items())}"
+        if filter_
+        else ANY_SIZE,
+        any(map(NUMBERED.fullmatch, shapes.letters)),
+    )
+
+
+def _shapes(parts: _Parts) -> Shapes:
+    """The shapes of all letters; small ones are columns where that makes no other letter smaller.
+    Raises BadInputError.
+    """
+
+    def found(columns: frozenset[str]) -> Shapes:
+        numbers = frozenset(filter(parts.reader.is_number, parts.tokens))
+        shapes = Shapes(Sizes(), parts.reader, numbers, columns)
+        for _ in range(2):  # what is a number is known at the end of the first
+            for token, each in parts.definitions.items():
+                inner = shapes.of(each.formula.readings[0].relations[0].right)
+                shapes.alike([shapes.letter(token), inner], f"the definition of {token}")
+            for each in (parts.asked, *parts.conditions):
+                for relation in each.formula.readings[0].relations:
+                    sides = [g for g in (relation.left, relation.right) if g["nodes"] != ZERO]
+                    shapes.alike([shapes.of(g) for g in sides], "both sides")
+        return shapes
+
+    any_shapes = found(frozenset())
+    small = frozenset(filter(is_small, parts.tokens))
+    try:
+        with_columns = found(small)
+    except BadInputError:
+        return any_shapes
+
+    def of_one(shapes: Shapes) -> list[tuple[str, int]]:
+        one = shapes.sizes.root(shapes.sizes.named(ONE))
+        return [
+            (token, place)
+            for token, shape in shapes.letters.items()
+            for place, number in enumerate(shape)
+            if token not in small and shapes.sizes.root(number) == one
+        ]
+
+    return with_columns if of_one(with_columns) == of_one(any_shapes) else any_shapes
 
 
 def _named(shapes: Shapes, tokens: Sequence[str]) -> dict[int, str]:
-    """A name for each size, those that letters usually have first; columns of small letters that
-    nothing else says are 1.
-    """
+    """A name for each size, those that letters usually have first. Raises BadInputError."""
     sizes = shapes.sizes
     names = {sizes.root(number): name for number, name in sizes.names.items()}
     taken = {*names.values(), *tokens}
@@ -129,113 +251,69 @@ def _named(shapes: Shapes, tokens: Sequence[str]) -> dict[int, str]:
         root = sizes.root(number)
         if root in names:
             return
-        names[root] = next(each for each in (wanted, *_OTHERS) if each not in taken or each == ONE)
-        taken.add(names[root])
+        free = [each for each in (wanted, *_OTHERS) if each not in taken]
+        if not free:
+            raise BadInputError(f"more than {len(_OTHERS)} sizes in a formula about matrices")
+        names[root] = free[0]
+        taken.add(free[0])
 
     for letter, usual in _SIZES.items():
         for token in tokens:
             if token in shapes.letters and base_letter(token) == letter:
                 for number, wanted in zip(shapes.letters[token], usual, strict=True):
                     name(number, wanted)
-    for token, (rows, columns) in shapes.letters.items():
+    for rows, columns in shapes.letters.values():
         name(rows, "n")
-        name(columns, ONE if _COLUMN.fullmatch(base_letter(token)) else "m")
+        name(columns, "m")
     return names
 
 
-def _written(
-    asked: Typed,
-    conditions: Sequence[Typed],
-    definitions: Mapping[str, Typed],
-    shapes: Shapes,
-    names: Mapping[int, str],
-    said: Mapping[str, Said],
-) -> MatrixQuestion:
-    """The claim file: letters free, and, where P, H, R and K stand in it, K the Kalman gain."""
-
-    def size(number: int) -> str:
-        return names[shapes.sizes.root(number)]
-
-    identities = {
-        found[1] or found[2]: size(rows)
-        for token, (rows, _) in shapes.letters.items()
-        if (found := _NUMBERED.fullmatch(token))
-    }
-
-    def with_sizes(text: str) -> str:
-        return _NUMBERED.sub(lambda found: f"I_{{{identities[found[1] or found[2]]}}}", text)
-
-    def latex(each: Typed) -> str:
-        relations = each.formula.readings[0].relations
-        return with_sizes(relations_to_latex(relations) if each.plain else each.text)
-
-    entries: dict[str, tuple[str, str, bool]] = {}
-    for token, (rows, columns) in shapes.letters.items():
-        if IDENTITY.fullmatch(token):
-            continue
-        own = said.get(token, Said())
-        shape = f"{size(rows)} x {size(columns)}"
-        if token in definitions:
-            inner = latex(definitions[token]).split("=", 1)[1].strip()
-            entries[token] = f"definition = {quoted(inner)}", f"short for {own.definition}", False
-            continue
-        square = size(rows) == size(columns)
-        usual = SYMMETRIC.get(base_letter(token), "") if square and token not in said else ""
-        properties = own.properties or ((usual,) if usual else ())
-        words = ", ".join((shape, *properties))
-        stated = f", is = [{', '.join(map(quoted, properties))}]" if properties else ""
-        both = f"[{quoted(size(rows))}, {quoted(size(columns))}]"
-        entries[token] = f"shape = {both}{stated}", words, token not in said
-    for token in shapes.numbers:
-        entries[token] = 'shape = ["1", "1"]', NUMBER, token not in said
-    ways = [*_gains(entries, shapes), {}]
-    inverses = _inverses([asked, *conditions, *definitions.values()], entries, with_sizes)
-    known = sorted({each for each in names.values() if not each.isdigit()})
-    kind = "definition" if _defines(asked, conditions, definitions) else kind_of(asked.formula)
+def _written(ways: Sequence[_Way], kind: str) -> MatrixQuestion:
+    """The claim file: a setting and a claim for each way."""
     lines = [FORMAT_LINE, "", "[source]", 'title = "A formula that was asked for"']
     claims: list[str] = []
     assumed: dict[str, tuple[tuple[str, str, bool], ...]] = {}
     for number, way in enumerate(ways, 1):
         lines += ["", f"[settings.s{number}]", 'title = "matrices of any size"']
-        lines += [f'kind = "{MATRICES}"', f"sizes = [{', '.join(map(quoted, known))}]"]
+        lines += [f'kind = "{MATRICES}"', f"sizes = [{', '.join(map(quoted, way.sizes))}]"]
         lines += ["", f"[settings.s{number}.symbols]"]
-        entry = {**entries, **{t: (f"definition = {quoted(f)}", f, True) for t, f in way.items()}}
         lines += [
             f"{quoted(token)} = {{ {text}, meaning = {quoted(words)} }}"
-            for token, (text, words, _) in entry.items()
+            for token, (text, words, _) in way.entries.items()
         ]
         claims += ["", "[[claims]]", f'id = "{number}"', 'place = "as asked"']
-        claims += [f'kind = "{kind}"', f'setting = "s{number}"', f"latex = {quoted(latex(asked))}"]
-        claims += [f"invertible = [{', '.join(map(quoted, inverses))}]"] * bool(inverses)
-        claims += [f"given = [{', '.join(quoted(latex(c)) for c in conditions)}]"] * bool(
-            conditions
-        )
-        guessed = [(token, words, guess) for token, (_, words, guess) in entry.items()]
-        optimal = ", ".join(f"{token} = {text}" for token, text in way.items())
+        claims += [f'kind = "{kind}"', f'setting = "s{number}"', f"latex = {quoted(way.formula)}"]
+        for name, values in (("invertible", way.inverses), ("given", way.given)):
+            claims += [f"{name} = [{', '.join(map(quoted, values))}]"] * bool(values)
         assumed[str(number)] = (
-            *guessed,
-            *(("inverse", f"that of {each} exists", True) for each in inverses),
-            ("filter", f"Kalman filter with {optimal}" if way else ANY_SIZE, True),
+            *((token, words, guess) for token, (_, words, guess) in way.entries.items()),
+            *([("I", "identity matrix", True)] if way.identity else []),
+            *(("inverse", f"that of {each} exists", True) for each in way.inverses),
+            ("filter", way.title, True),
         )
     return MatrixQuestion("\n".join([*lines, *claims]) + "\n", assumed)
 
 
-def _gains(entries: Mapping[str, tuple[str, str, bool]], shapes: Shapes) -> list[dict[str, str]]:
-    """K as the gain of a Kalman filter and S as the covariance of its innovation, where one letter
-    each for K, P, H and R or S stands in the formula and nobody said what K is.
+def _kalman_filter(tokens: Sequence[str], said: Mapping[str, Said]) -> dict[str, str]:
+    """K as the gain of a Kalman filter, S as the covariance of its innovation, by their formulas,
+    where one letter each for P, H and R or S stands in the formula and nobody said what K is.
     """
     by_base: dict[str, list[str]] = {}
-    for token in shapes.letters:
+    for token in tokens:
         by_base.setdefault(base_letter(token), []).append(token)
     single = {
-        letter: tokens[0]
-        for letter, tokens in by_base.items()
-        if len(tokens) == 1 and (letter not in ("K", "S") or entries[tokens[0]][2])
+        letter: found[0]
+        for letter, found in by_base.items()
+        if len(found) == 1 and (letter not in ("K", "S") or found[0] not in said)
     }
     measurement = single.get("H") or single.get("C")
     covariance, noise, innovation = (single.get(letter) for letter in "PRS")
+    if {"F", "Q"} & by_base.keys():
+        innovation = None if "K" not in single else innovation
     if measurement is None or covariance is None or by_base.keys() >= {"H", "C"}:
-        return []
+        return {}
+    if _POSTERIOR.search(covariance):
+        return {}
     found: dict[str, str] = {}
     seen = f"{measurement} {covariance} {measurement}^T"
     if innovation and noise:
@@ -243,22 +321,22 @@ def _gains(entries: Mapping[str, tuple[str, str, bool]], shapes: Shapes) -> list
     if "K" in single and (innovation or noise):
         inverse = f"{innovation}^{{-1}}" if innovation else f"({seen} + {noise})^{{-1}}"
         found[single["K"]] = f"{covariance} {measurement}^T {inverse}"
-    return [found] if found else []
+    return found
 
 
-def _defines(asked: Typed, conditions: Sequence[Typed], definitions: Mapping[str, Typed]) -> bool:
-    """Whether one side is a letter of which nothing else is said: the formula can only define it.
-    Gains and covariances of innovations are known.
-    """
-    (relation, *more) = asked.formula.readings[0].relations
+def _defines(parts: _Parts, filter_: Mapping[str, str]) -> bool:
+    """Whether one side is a letter of which nothing else is said, so that it is only defined."""
+    (relation, *more) = parts.asked.formula.readings[0].relations
     if more or relation.operator != "=":
         return False
-    stated = {token for each in (*conditions, *definitions.values()) for token in each.symbols}
-    stated |= set(definitions)
+    stated = {token for each in parts.conditions for token in each.symbols}
+    stated |= {token for each in parts.definitions.values() for token in each.symbols}
+    stated |= {*parts.definitions, *filter_}
     for side, other in ((relation.left, relation.right), (relation.right, relation.left)):
         node = side["nodes"][side["outputs"]["value"]]
-        if node[0] == "symbol" and base_letter(node[1]) not in ("K", "S") and node[1] not in stated:
-            return node not in other["nodes"]
+        is_letter = node[0] == "symbol" and not NUMBERED.fullmatch(node[1])
+        if is_letter and node[1] not in stated and node not in other["nodes"]:
+            return True
     return False
 
 
@@ -288,7 +366,7 @@ def _sign(
     """DEFINITE or SEMIDEFINITE where the form of a part shows it, else nothing."""
     node = nodes[number]
     match node[0]:
-        case "symbol" if IDENTITY.fullmatch(node[1]):
+        case "symbol" if NUMBERED.fullmatch(node[1]):
             return DEFINITE
         case "symbol":
             text = entries[node[1]][0]

@@ -9,10 +9,9 @@ from __future__ import annotations
 import re
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
-from typing import Any
+from typing import Any, Protocol
 
 from gainproof.bad_input import BadInputError
-from gainproof.verify.judge.claim.letters import bare
 from gainproof.verify.judge.formula import Graph
 
 ONE = "1"
@@ -21,13 +20,17 @@ NUMBER = "number"
 """What is said of a letter that is no matrix."""
 _SIZE = r"[A-Za-z]|[1-9]\d{0,3}"
 _SHAPE = re.compile(rf"({_SIZE})\s*x\s*({_SIZE})\b[\s,]*")
-IDENTITY = re.compile(r"(?<![A-Za-z\\_^{])I(?:_(?:\w|\{\w+\}))?(?![A-Za-z0-9_{])")
-_BASE = re.compile(r"(?:\\(?:hat|tilde|bar|mathbf|mathrm)\{?)*(\\?[A-Za-z]+)")
+_BASE = re.compile(
+    r"(?:\\(?:hat|widehat|tilde|widetilde|bar|overline|math(?:bf|rm|it)|boldsymbol|bm)\s*\{?\s*)*"
+    r"(\\?[A-Za-z]+)"
+)
 SYMMETRIC = {
-    **dict.fromkeys(("P", "M", "X", r"\Sigma", "R", "S", "V"), "positive definite"),
+    **dict.fromkeys(("P", r"\Sigma", "R", "S"), "positive definite"),
     "Q": "positive semidefinite",
 }
 """Covariances by their letters. That of a process noise may be singular."""
+_TRANSITIONS = ("F", r"\Phi")
+"""Transition matrices, which are square."""
 Shape = tuple[int, int] | None
 """Classes of rows and columns; None for a number, which may stand before any matrix."""
 
@@ -50,6 +53,8 @@ def says_matrix(text: str) -> bool:
 def said_of(token: str, text: str) -> Said:
     """What `--symbol` says of a letter of a formula about matrices. Raises BadInputError."""
     if text.startswith("="):
+        if not text[1:].strip():
+            raise BadInputError(f"--symbol {token}: a formula is wanted behind =, got none")
         return Said(definition=text[1:].strip())
     if text in (NUMBER, "1"):
         return Said(number=True)
@@ -101,26 +106,43 @@ class Sizes:
         self.above[a] = b
 
 
+class Letters(Protocol):
+    """What is known of letters."""
+
+    said: Mapping[str, Said]
+
+    def size_of(self, token: str) -> str | None:
+        """The size of an identity matrix, empty where it is open; None for other letters."""
+
+
 @dataclass
 class Shapes:
-    """The shapes of the letters and of what is made of them; `numbers` are letters without one."""
+    """The shapes of the letters and of what is made of them; `numbers` are letters without one,
+    `columns` have one column.
+    """
 
     sizes: Sizes
-    said: Mapping[str, Said]
+    reader: Letters
     numbers: frozenset[str]
+    columns: frozenset[str]
     letters: dict[str, tuple[int, int]] = field(default_factory=dict)
 
     def letter(self, token: str) -> Shape:
         if token in self.numbers:
             return None
         if token not in self.letters:
-            own = self.said.get(token, Said())
+            own = self.reader.said.get(token, Said())
             rows, columns = own.shape or ("", "")
             shape = tuple(self.sizes.named(s) if s else self.sizes.new() for s in (rows, columns))
             self.letters[token] = shape[0], shape[1]
-            square = own.properties or base_letter(token) in SYMMETRIC
-            if square or (IDENTITY.fullmatch(token) is not None and not own.shape):
+            size = self.reader.size_of(token)
+            usual = not own.shape and base_letter(token) in (*SYMMETRIC, *_TRANSITIONS)
+            if size is not None or own.properties or usual:
                 self.sizes.join(*self.letters[token], token)
+            if size:
+                self.sizes.join(self.letters[token][0], self.sizes.named(size), token)
+            if token in self.columns and not own.shape:
+                self.sizes.join(self.letters[token][1], self.sizes.named(ONE), token)
         return self.letters[token]
 
     def is_one(self, shape: Shape) -> bool:
@@ -206,5 +228,10 @@ class Shapes:
 
 def base_letter(token: str) -> str:
     """A letter without accents and marks: P of `\\hat{P}_{k|k-1}`."""
-    found = _BASE.match(bare(token) if token.startswith("\\hat") else token)
+    found = _BASE.match(token)
     return found[1] if found else token
+
+
+def is_small(token: str) -> bool:
+    """Whether it is a small letter, Latin or Greek: a vector, if it is no number."""
+    return re.fullmatch(r"[a-z]|\\[a-z]+", base_letter(token)) is not None

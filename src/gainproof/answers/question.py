@@ -11,16 +11,10 @@ from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from typing import Any
 
-from gainproof.answers.matrix_question import MATRICES, matrix_question, transposes
+from gainproof.answers.matrix_question import MATRICES, matrix_question
+from gainproof.answers.matrix_reading import transposes
 from gainproof.answers.matrix_shapes import says_matrix
-from gainproof.answers.typed import (
-    NoMatrixError,
-    Typed,
-    condition,
-    definition,
-    symbol_name,
-    typed,
-)
+from gainproof.answers.typed import Typed, condition, definition, symbol_name, typed
 from gainproof.bad_input import BadInputError, unknown_name
 from gainproof.claims.template import FORMAT_LINE
 from gainproof.claims.toml_text import quoted
@@ -116,15 +110,11 @@ def question(formula: str, options: Options, models: Sequence[Mapping[str, objec
         if value not in CONVENTIONS[name]:
             raise unknown_name(f"value of the convention {name}", value, CONVENTIONS[name])
     names = {symbol_name(name): text for name, text in options.symbols.items()}
-    if options.model == MATRICES or any(map(says_matrix, names.values())):
+    open_ = not (options.model or options.conventions or options.domain)
+    said_so = options.model == MATRICES or any(map(says_matrix, names.values()))
+    if said_so or (open_ and transposes(formula)):
         return _about_matrices(formula, names, options)
-    try:
-        read = typed(formula, names)
-    except BadInputError as error:
-        has_mark = isinstance(error, NoMatrixError) or transposes(formula)
-        if not has_mark or options.model or options.conventions or options.domain:
-            raise
-        return _about_matrices(formula, names, options)
+    read = typed(formula, names)
     said = {token: _meaning_of(token, text, names, read) for token, text in names.items()}
     domain = condition(options.domain, "domain", said, read) if options.domain else None
     given = [condition(each, "given", said, read) for each in options.given]

@@ -71,20 +71,20 @@ class Typed:
     taken: tuple[tuple[str, str], ...]
 
 
-class NoMatrixError(BadInputError):
-    """A letter under a transpose was read as a number."""
-
-
 def typed(
-    formula: str, said: Collection[str], is_number: Callable[[str], bool] = lambda _: True
+    formula: str,
+    said: Collection[str],
+    is_number: Callable[[str], bool] = lambda _: True,
+    *,
+    latex: bool = False,
 ) -> Typed:
     """Read a formula; `said` are the symbols of which the user says what they are; letters are
-    matrices where `is_number` denies it. Raises BadInputError, with a mark under the place, and
-    NoMatrixError.
+    matrices where `is_number` denies it; as LaTeX, or as what it looks like. Raises BadInputError,
+    with a mark under the place.
     """
     if not formula.strip():
         raise BadInputError("a formula is wanted, got an empty one")
-    text, plain, met, products = _met(formula, said, is_number=is_number)
+    text, plain, met, products = _met(formula, said, is_number=is_number, latex=latex)
     taken = [(word, f"product {' '.join(word)}") for word in products]
     return Typed(text, plain, _read(met), met.symbols, tuple(taken + _meant(text, met)))
 
@@ -140,6 +140,8 @@ def _met(
     said: Collection[str],
     products: Sequence[str] = (),
     is_number: Callable[[str], bool] = lambda _: True,
+    *,
+    latex: bool = False,
 ) -> tuple[str, bool, Met, tuple[str, ...]]:
     """The text as the reader has it, whether it is plain, what is met in it, and which words are
     products there: those of `products` too. Raises BadInputError.
@@ -148,9 +150,9 @@ def _met(
     if len(text) > MOST_CHARACTERS:
         raise BadInputError(f"{len(text)} characters, at most {MOST_CHARACTERS} are read")
     _refuse_several(text)
-    if is_plain(text):
+    if is_plain(text) and not latex:
         text = _without_braces(text)
-    plain = is_plain(text) and "^{" not in text
+    plain = is_plain(text) and "^{" not in text and not latex
     if not plain:
         _refuse_words(text, said)
     met = symbols_met(text, plain=plain, known=_known(text, said), is_number=is_number)
@@ -210,7 +212,7 @@ def _read(met: Met) -> Formula:
     if met.formula is None:
         problem = met.problem or ""
         if "declared as a matrix" in problem:
-            raise NoMatrixError(f"not read: {problem}\n{met.caret}")
+            problem += "; --model matrices, or a claim file, says so"
         raise BadInputError(f"not read: {problem}\n{met.caret}")
     return met.formula
 

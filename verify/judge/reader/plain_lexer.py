@@ -251,7 +251,7 @@ class _PlainLexer:
             return "RIGHT_BRACE", "}"
         if value == "]" and self.tokens[opening].value == "[":
             require_entries_apart(self.text, self.tokens, opening)
-            if (rows := rows_of_lists(self.tokens, opening)) is not None:
+            if (rows := rows_of_lists(self.text, self.tokens, opening)) is not None:
                 self.tokens[opening:] = rows
                 return "MATRIX_CLOSE", "matrix"
         if value != "]" or all(self.tokens[number].kind == "COMMA" for number in separators):

@@ -25,14 +25,11 @@ def require_entries_apart(text: str, tokens: Sequence[FormulaToken], opening: in
     if opening and tokens[opening - 1].kind in _CALLS:
         return
     inner = _at_top(tokens, opening)
-    has_entries = any(token.kind in ("COMMA", "LINE") for token, _ in inner)
-    factors = not has_entries and all(token.kind in (*_ENDS, *_BEGINS) for token, _ in inner)
     for (before, _), (token, following) in pairwise(inner):
         if before.kind not in _ENDS or token.start == before.end:
             continue
         signed = token.kind in ("PLUS", "MINUS") and following == token.end
-        product = token.kind in _BEGINS and (has_entries or factors)
-        if signed or product:
+        if signed or token.kind in _BEGINS:
             shown = text[before.start : following]
             asked = f"{token.value} with a blank on both sides" if signed else "a * for a product"
             problem = (
@@ -57,26 +54,49 @@ def _at_top(tokens: Sequence[FormulaToken], opening: int) -> list[tuple[FormulaT
     return found
 
 
-def rows_of_lists(tokens: Sequence[FormulaToken], opening: int) -> list[FormulaToken] | None:
+def rows_of_lists(
+    text: str, tokens: Sequence[FormulaToken], opening: int
+) -> list[FormulaToken] | None:
     """The tokens of `[[a, b], [c, d]` as those of `[a, b; c, d`; None where the bracket `opening`
-    does not hold brackets alone, several of them with commas between.
+    does not hold brackets alone, several of them with commas between. ReaderError for lists beside
+    other entries.
     """
-    found: list[FormulaToken] = [replace(tokens[opening], kind="MATRIX_OPEN", value="matrix")]
-    depth = rows = 0
+    parts: list[list[FormulaToken]] = [[]]
+    depth = 0
     for token in tokens[opening + 1 :]:
-        if token.value == "[" and token.kind == "OPEN" and depth == 0:
-            if rows and found[-1].kind != "LINE":
-                return None
-            depth, rows = 1, rows + 1
-        elif depth == 0:
-            if token.kind != "COMMA" or found[-1].kind == "LINE":
-                return None
-            found.append(replace(token, kind="LINE", value=";"))
-        elif token.kind in _CLOSING and depth == 1:
-            depth = 0
+        depth += (token.kind in _OPENING) - (token.kind in _CLOSING)
+        if token.kind == "COMMA" and depth == 0:
+            parts.append([])
         else:
-            depth += (token.kind in _OPENING) - (token.kind in _CLOSING)
-            found.append(
+            parts[-1].append(
                 replace(token, kind="CELL") if token.kind == "COMMA" and depth == 1 else token
             )
-    return found if rows > 1 and found[-1].kind != "LINE" else None
+    lists = [_is_list(part) for part in parts]
+    if len(parts) == 1 or not any(lists):
+        return None
+    if not all(lists):
+        if any(
+            each and any(t.kind == "CELL" for t in part)
+            for each, part in zip(lists, parts, strict=True)
+        ):
+            problem = "lists beside other entries: rows of a matrix are all lists"
+            raise ReaderError(problem, text, tokens[opening].start, "[")
+        return None
+    found = [replace(tokens[opening], kind="MATRIX_OPEN", value="matrix")]
+    for part in parts:
+        if len(found) > 1:
+            found.append(replace(part[0], kind="LINE", value=";", end=part[0].start))
+        found += part[1:-1]
+    return found
+
+
+def _is_list(part: Sequence[FormulaToken]) -> bool:
+    """Whether it is one pair of square brackets with what is between."""
+    if len(part) < 3 or part[0].kind != "OPEN" or part[0].value != "[" or part[-1].kind != "CLOSE":
+        return False
+    depth = 0
+    for number, token in enumerate(part):
+        depth += (token.kind in _OPENING) - (token.kind in _CLOSING)
+        if depth == 0:
+            return number == len(part) - 1
+    return False

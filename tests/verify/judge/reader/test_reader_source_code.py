@@ -293,6 +293,7 @@ def test_lists_of_lists_are_rows_as_in_python(lists: str, rows: str) -> None:
             "[a, b x] = A",
             "[x y; a, b] = A",
         ),
+        *("[dt^2/2 dt] = A", "a = [-a b]", "[x^2 y] = A", "a = [x + 2 y] b", "[a+b x-y] = A"),
         *("[(a) -b, x] = A", "[a, sqrt(x) sqrt(y)] = A", "[[a b], [x, y]] = A", "[a, x +2] = A"),
     ],
 )
@@ -303,7 +304,17 @@ def test_entries_that_only_a_blank_parts_are_refused(text: str) -> None:
 
 @pytest.mark.parametrize(
     "text",
-    ["a = [x - y]*b", "a = [x-y] b", "a = [x + 2 y] b", "[a - b, -x; - y, 1] = A", "a = [-x] b"],
+    ["a = [x - y]*b", "a = [x-y] b", "a = [x + 2*y] b", "[a - b, -x; - y, 1] = A", "a = [-x] b"],
 )
 def test_brackets_of_numbers_stay(text: str) -> None:
     assert read_plain(text, SYMBOLS).readings
+
+
+@pytest.mark.parametrize("text", ["[[a, b], [x, y], a] = A", "A = [a, [x, y]]", "[[a, b], x] = A"])
+def test_lists_beside_other_entries_are_refused(text: str) -> None:
+    with pytest.raises(ReaderError, match="lists beside other entries"):
+        read_plain(text, SYMBOLS)
+
+
+def test_a_bracket_in_a_list_stays_one() -> None:
+    assert read_plain("[[a + b]*2, x] = A", SYMBOLS).readings
