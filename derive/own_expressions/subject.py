@@ -10,6 +10,7 @@ import sympy as sp
 from gainproof.derive.derivation import Derivation
 from gainproof.derive.own_expressions.as_written import as_written
 from gainproof.derive.own_expressions.checks import require_written_well
+from gainproof.derive.own_expressions.choosing import chosen_forms
 from gainproof.derive.own_expressions.dimensions import require_units
 from gainproof.derive.own_expressions.expressions import (
     ExpressionError,
@@ -74,12 +75,16 @@ def _sympified(kernel: ExpressionKernel) -> ExpressionKernel:
 
 def _formed(given: ExpressionKernel) -> Formed:
     """As it is written if that has a bound relative to each output, else in another form if that
-    has one; then again as it is written, with errors over the terms of an output.
+    has one; then again as it is written, with errors over the terms of an output. Inputs of either
+    sign, zeros and conditions have forms of their own (see `other_forms`).
     """
     formed, refusal = _proved(as_written, given)
     if formed is not None and not any(output.by_terms for output in formed.kernel.outputs):
         return formed
-    if not any(each.signed or each.zero for each in given.inputs):
+    if given.conditions or any(each.signed or each.zero for each in given.inputs):
+        if forms := chosen_forms(given):
+            formed = _proved(lambda kernel: as_written(kernel, forms), given)[0] or formed
+    else:
         other, reason = _proved(rewritten, given)
         formed = other or formed
         if reason != refusal:

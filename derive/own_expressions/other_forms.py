@@ -1,0 +1,84 @@
+"""Other forms of an expression in which less may cancel, overflow or underflow.
+
+Of the differences of roots, sqrt(a) - sqrt(b) is (a - b)/(sqrt(a) + sqrt(b)): where a - b is a
+product of few exact differences nothing cancels. A sum of fractions, such as a derivative, is one
+fraction with its factors drawn apart: u/r - x (x u + y v)/r^3 is y (y u - x v)/r^3 with
+r = sqrt(x^2 + y^2), whose terms are smaller. What is proved of the errors decides (see `choosing`);
+that nothing but the form changes is proved for each (see `equal_forms`).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from itertools import combinations
+
+import sympy as sp
+
+HALF = sp.Rational(1, 2)
+
+
+@dataclass(frozen=True)
+class Form:
+    """`value`; powers of what is in `roots` are written as powers of its square root, and with
+    `in_pairs` a product is divided factor by factor, so that it does not leave the format.
+    """
+
+    value: sp.Expr
+    roots: frozenset[sp.Expr] = frozenset()
+    in_pairs: bool = False
+
+
+def forms(value: sp.Expr, roots: frozenset[sp.Expr]) -> Iterator[Form]:
+    """The expression itself first; `roots`: what roots are taken of in it and beside it."""
+    values = [value]
+    for found in (value, conjugated(value)):
+        values += [found, sp.factor(sp.together(found))]
+    for found in dict.fromkeys(values):
+        for named in dict.fromkeys((frozenset[sp.Expr](), roots)):
+            for in_pairs in (False, True):
+                yield Form(found, named, in_pairs)
+
+
+def rooted(value: sp.Basic) -> frozenset[sp.Expr]:
+    """What square roots are taken of, odd powers included."""
+    powers = value.atoms(sp.Pow)
+    return frozenset(each.base for each in powers if each.exp.is_Rational and each.exp.q == 2)
+
+
+def conjugated(value: sp.Expr) -> sp.Expr:
+    """The expression with every difference of two roots as a quotient without it."""
+    if not value.args:
+        return value
+    found = value.func(*map(conjugated, value.args))
+    return _sum(found) if isinstance(found, sp.Add) else found
+
+
+def _sum(value: sp.Add) -> sp.Expr:
+    """Pairs of a positive and a negative root, those first whose quotient is shortest."""
+    terms = list(value.args)
+    while True:
+        pairs = [
+            (sp.count_ops(quotient), str(quotient), quotient, one, other)
+            for one, other in combinations(terms, 2)
+            for quotient in [_quotient(one, other)]
+            if quotient is not None
+        ]
+        if not pairs:
+            return sp.Add(*terms)
+        *_, quotient, one, other = min(pairs, key=lambda pair: pair[:2])
+        terms = [term for term in terms if term not in (one, other)]
+        terms.append(quotient)
+
+
+def _quotient(one: sp.Expr, other: sp.Expr) -> sp.Expr | None:
+    """The sum of two multiples of roots of different signs without a difference."""
+    (a, root), (b, second) = one.as_coeff_Mul(), other.as_coeff_Mul()
+    if not (a * b).is_negative or not all(_is_root(each) for each in (root, second)):
+        return None
+    above = sp.factor(sp.expand(a**2 * root**2 - b**2 * second**2))
+    return sp.sign(a) * above / (abs(a) * root + abs(b) * second)
+
+
+def _is_root(value: sp.Expr) -> bool:
+    return isinstance(value, sp.Pow) and value.exp == HALF and not value.is_number
