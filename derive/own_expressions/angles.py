@@ -23,8 +23,8 @@ SOUTH = (
     "are of the one that it gives",
 )
 UNSURE = (
-    "where x < 0 and y is within its error of 0 the sign with which it comes decides between angles",
-    "next to pi and -pi for atan2(y, x): bounds are up to a whole turn",
+    "where x < 0 and y is within its error of 0 its computed sign decides between angles near pi",
+    "and near -pi for atan2(y, x): bounds are up to a whole turn",
 )
 TERMS = (
     "terms of an angle atan2(y, x) are its magnitude and (Y |x| + X |y|)/(x^2 + y^2), with the",

@@ -10,9 +10,13 @@ import sympy as sp
 
 from gainproof.derive.algebra.plain import tower_data
 from gainproof.derive.algebra.tower import Parameter, Tower
-from gainproof.derive.derivation import Step
+from gainproof.derive.derivation import Step, joined
 from gainproof.derive.own_expressions.conditions import asked
-from gainproof.derive.own_expressions.equal_forms import difference
+from gainproof.derive.own_expressions.equal_forms import (
+    difference,
+    require_divisors,
+    same_arguments,
+)
 from gainproof.derive.own_expressions.expressions import ExpressionKernel
 from gainproof.derive.own_expressions.formed import Formed, Ready, first_step
 from gainproof.derive.own_expressions.graphs import graph_of_outputs
@@ -42,14 +46,14 @@ def as_written(given: ExpressionKernel, forms: Mapping[str, Form] | None = None)
     meant = {name: parts.read(form.value, form.roots) for name, form in printed.items()}
     in_pairs = [name for name, form in printed.items() if form.in_pairs]
     graph = graph_of_outputs(meant | conditions, parts, in_pairs)
-    kept = held(graph)
-    same = list(
-        _same(given, parts, {n: v for n, v in meant.items() if printed[n] != Form(outputs[n])})
-    )
+    kept, used = held(graph), list(parts.known.values())
+    changed = {name: meant[name] for name, form in printed.items() if form != Form(outputs[name])}
+    same = list(_same(given, parts, changed))
+    require_divisors(used, list(parts.known.values()), list(conditions.values()))
     symbols = symbols_of(kept)
-    inputs = {each.quantity.name for each in given.inputs}
-    more = [str(part.symbol) for part in parts.known.values()] if same else []
-    names = dict.fromkeys([*symbols, *(sorted(inputs) if same else []), *more])
+    sides = [side for each in same for side in each.relation.parts.values() if side]
+    more = sorted({str(symbol) for side in sides for symbol in side.free_symbols})
+    names = dict.fromkeys([*symbols, *more])
     tower = Tower(f"kernel_{given.name}", tuple(map(Parameter, names)), (), {})
     arguments = {
         name: argument
@@ -87,12 +91,15 @@ def _same(given: ExpressionKernel, parts: Parts, meant: Mapping[str, sp.Expr]) -
             continue
         value = parts.read(output.expression)
         known = list(parts.known.values())
-        shown = difference(value - meant[name], known)
+        start = f"form-{given.name}-{name}".replace("_", "-")
         yield Step(
-            f"form-{given.name}-{name}".replace("_", "-"),
+            start,
             f"What is given of {name} less what is printed is a sum of multiples of what is 0, as "
             f"{'; '.join(map(str, known))}.",
-            equal(value - meant[name], shown),
+            equal(value - meant[name], difference(value - meant[name], known)),
             "Expand the polynomials on both sides.",
             hint={"evidence": {"nonzero": []}},
         )
+        for number, pair in enumerate(same_arguments(known), 1):
+            hint = {"evidence": {"nonzero": list[str]()}}
+            yield joined(f"{start}-{number}", equal(*pair), hint=hint)

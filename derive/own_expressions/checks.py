@@ -11,7 +11,7 @@ from types import NoneType
 
 import sympy as sp
 
-from gainproof.derive.own_expressions.conditions import relation_of
+from gainproof.derive.own_expressions.conditions import asked, relation_of
 from gainproof.derive.own_expressions.expressions import (
     Argument,
     Condition,
@@ -147,14 +147,15 @@ def _expressions(kernel: ExpressionKernel) -> Iterator[tuple[str, sp.Basic]]:
     for number, each in enumerate(kernel.conditions, 1):
         place = f"{kernel.name}: condition {number}"
         _require_line(place, each.meaning)
-        try:
-            yield place, relation_of(each)
-        except ExpressionError as error:
-            raise ExpressionError(f"{place}: {error}") from None
         if each.within is not None and len(each.within) != 2:
             raise ExpressionError(f"{place}: within should be two texts, {each.within!r} came")
         for text in (*((each.single,) if each.single else ()), *(each.within or ())):
             require_number(place, text)
+        try:
+            asked((each,))
+        except ExpressionError as error:
+            raise ExpressionError(f"{place}: {error}") from None
+        yield place, relation_of(each)
     for output in kernel.outputs:
         place = f"{kernel.name}: {output.quantity.name}"
         yield place, _expression(place, output)

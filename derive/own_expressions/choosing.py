@@ -68,7 +68,6 @@ def _excess(kernel: Kernel, bound: KernelBound) -> float:
     ratios = [
         float(Fraction(point["scales"][output.name]) / abs(value))
         for point in known_values(kernel, (bound,), SEED)["points"][bound.format.name]
-        for value in [Fraction(point["values"][output.name])]
-        if value
+        if (value := Fraction(point["values"].get(output.name, 0)))
     ]
     return round(sum(map(math.log, ratios)) / len(ratios), 3) if ratios else 0.0

@@ -1,8 +1,8 @@
 """What inputs fulfil together, as values that are at least a number.
 
 `x**2 + y**2 > 0` is the value on its left, above 0; `a**2 < b**2` that of (b - a)(b + a), whose
-factors are differences of exact numbers; an equality is two: its side is at least a number, and
-with a minus sign at least another.
+factors are differences of exact numbers; `x*y > z + 2` is x y - z, at least 2; an equality is two:
+its side is at least a number, and with a minus sign at least another.
 """
 
 from __future__ import annotations
@@ -63,7 +63,9 @@ def _values(condition: Condition) -> Iterator[tuple[sp.Expr, str, str, str]]:
     elif left.is_number:
         yield -right, f"{words} with a minus sign", *_least(condition, left, -1)
     else:
-        yield sp.factor(left - right), words, *_least(condition, sp.Integer(0), 1)
+        number, rest = (left - right).as_coeff_Add()
+        value = rest if number else sp.factor(rest)
+        yield value, words, *_least(condition, -number, 1)
     if isinstance(given, (sp.Ge, sp.Le)) and 0 in (left, right):
         raise ExpressionError(f"{given}: of a value that may be 0 no digit is sure; write > or <")
 

@@ -1,13 +1,14 @@
 """That two polynomials over parts are equal, as an identity of polynomials.
 
 Of a part over_k = 1/d is known that 1 - over_k d is 0, of part_k = sqrt(a) that part_k^2 - a is, of
-part_k = |a| that part_k^2 - a^2 is. A difference that is a sum of multiples of these is 0; that it
+part_k = |a| that part_k^2 - a^2 is; of two parts of equal arguments that their difference is. A
+difference that is a sum of multiples of these is 0; that it
 is such a sum is an identity in all symbols, whatever they stand for.
 """
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Mapping, Sequence
 
 import sympy as sp
 from sympy.polys.rings import PolyElement, PolyRing
@@ -29,11 +30,16 @@ def difference(value: sp.Expr, parts: Sequence[Part]) -> sp.Expr:
     )
     ring = PolyRing(names, sp.QQ, sp.lex)
     left, times, found = ring.from_expr(value), ring.one, list[sp.Expr]()
+    alike = _alike(parts)
     for part in reversed(parts):
         if not left:
             break
         place = names.index(part.symbol)
-        if part.function == OVER:
+        if part.symbol in alike:
+            other = names.index(alike[part.symbol])
+            left, factor = _renamed(left, place, other)
+            power, zero = 0, part.symbol - alike[part.symbol]
+        elif part.function == OVER:
             divisor = ring.from_expr(part.arguments[0])
             left, factor, power = _over(left, place, divisor)
             zero = 1 - part.symbol * part.arguments[0]
@@ -52,6 +58,70 @@ def difference(value: sp.Expr, parts: Sequence[Part]) -> sp.Expr:
     if left:
         raise NotReadError("forms that are not shown to be equal")
     return sp.Add(*(_real(each) for each in found))
+
+
+def same_arguments(parts: Sequence[Part]) -> Iterator[tuple[sp.Expr, sp.Expr]]:
+    """Arguments that are equal polynomials, of parts that are therefore one number."""
+    by_symbol = {part.symbol: part for part in parts}
+    alike = _alike(parts)
+    for symbol, first in alike.items():
+        pairs = zip(by_symbol[symbol].arguments, by_symbol[first].arguments, strict=True)
+        for one, other in pairs:
+            if one.xreplace(alike) != other.xreplace(alike):
+                yield one.xreplace(alike), other.xreplace(alike)
+
+
+def require_divisors(
+    printed: Sequence[Part], every: Sequence[Part], positive: Sequence[sp.Expr]
+) -> None:
+    """NotReadError for a divisor among `every` part that may be 0 where no `printed` one is: what
+    was given has no value there, and what is printed would have one. `positive`: what inputs are
+    asked to make so.
+    """
+    alike = _alike(every)
+    fine = {factor for value in positive for factor in _factors(value, alike)}
+    for part in printed:
+        fine |= _factors(part.arguments[0], alike) if part.function == OVER else set()
+    for part in reversed(every):  # of a root that is not 0 its argument is not
+        if part.function == SQRT and part.symbol.xreplace(alike) in fine:
+            fine |= _factors(part.arguments[0], alike)
+    for part in every:
+        if part.function == SQRT and _factors(part.arguments[0], alike) <= fine:
+            fine.add(part.symbol)
+        if part.function == OVER and not _factors(part.arguments[0], alike) <= fine:
+            raise NotReadError(f"{part.arguments[0]} may be 0, and is not divided by any more")
+
+
+def _factors(value: sp.Expr, alike: Mapping[sp.Symbol, sp.Symbol]) -> set[sp.Expr]:
+    """The factors of a polynomial that are no numbers, each made monic."""
+    _, factors = sp.factor_list(value.xreplace(dict(alike)))
+    return {
+        sp.Poly(factor, *sorted(factor.free_symbols, key=str)).monic().as_expr()
+        for factor, _ in factors
+    }
+
+
+def _alike(parts: Sequence[Part]) -> dict[sp.Symbol, sp.Symbol]:
+    """Parts that are another one before them, since their arguments are equal polynomials."""
+    known: dict[tuple[object, ...], sp.Symbol] = {}
+    found: dict[sp.Symbol, sp.Symbol] = {}
+    for part in parts:
+        arguments = (sp.expand(each.xreplace(found)) for each in part.arguments)
+        first = known.setdefault((part.function, *arguments), part.symbol)
+        if first != part.symbol:
+            found[part.symbol] = first
+    return found
+
+
+def _renamed(poly: PolyElement, place: int, other: int) -> tuple[PolyElement, PolyElement]:
+    """With s and t the symbols: poly = (s - t) factor + the same with t for s."""
+    symbol, first = poly.ring.gens[place], poly.ring.gens[other]
+    rest, factor = poly.ring.zero, poly.ring.zero
+    for degree, coefficient in _by_power(poly, place).items():
+        rest += coefficient * first**degree
+        powers = (symbol**k * first ** (degree - 1 - k) for k in range(degree))
+        factor += coefficient * sum(powers, poly.ring.zero)
+    return rest, factor
 
 
 def _over(

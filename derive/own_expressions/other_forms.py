@@ -33,7 +33,7 @@ def forms(value: sp.Expr, roots: frozenset[sp.Expr]) -> Iterator[Form]:
     """The expression itself first; `roots`: what roots are taken of in it and beside it."""
     values = [value]
     for found in (value, conjugated(value)):
-        values += [found, sp.factor(sp.together(found))]
+        values += [found, sp.factor(sp.together(found)), factored(found)]
     for found in dict.fromkeys(values):
         for named in dict.fromkeys((frozenset[sp.Expr](), roots)):
             for in_pairs in (False, True):
@@ -44,6 +44,14 @@ def rooted(value: sp.Basic) -> frozenset[sp.Expr]:
     """What square roots are taken of, odd powers included."""
     powers = value.atoms(sp.Pow)
     return frozenset(each.base for each in powers if each.exp.is_Rational and each.exp.q == 2)
+
+
+def factored(value: sp.Expr) -> sp.Expr:
+    """The expression with every sum in it as a product: b^2 - a^2 is (b - a)(b + a)."""
+    if not value.args:
+        return value
+    found = value.func(*map(factored, value.args))
+    return sp.factor(found) if isinstance(found, sp.Add) else found
 
 
 def conjugated(value: sp.Expr) -> sp.Expr:

@@ -78,14 +78,13 @@ def required(found: Reference, least: float, form: Format) -> Reference:
     """
     if found.clean:
         return replace(found, low=max(found.low, least), sign=1, zero=False)
-    part = found.count * found.high * LARGER / least + found.stray / (least * form.unit_roundoff)
-    part *= 1.0 + 2.0**-8
-    if part * form.unit_roundoff > 2.0**-10:
-        text = part * form.unit_roundoff * 2.0**10 * least
+    error = (found.count * found.high * form.unit_roundoff + found.stray) * (1.0 + 2.0**-8)
+    if error > least * 2.0**-10:
         raise PrintingError(
             f"a requirement of an uncertain value: next to {least:.3g} its error is no small part "
-            f"of it; wanted: at least {text:.2g} ({form.name})"
+            f"of it; wanted: at least {error * 2.0**10:.2g} ({form.name})"
         )
+    part = error / least / form.unit_roundoff
     if part > MOST:
         return replace(found, low=least, sign=1, zero=False)
     return replace(found, count=part, low=least, sign=1, zero=False, tight=True, stray=0.0)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import sympy as sp
 
+from gainproof.derive.algebra.derivative import by
 from gainproof.derive.derivation import Step, joined
 from gainproof.derive.expression import real
 from gainproof.derive.fixed_gain.loop import row
@@ -39,7 +40,7 @@ def variance_steps() -> list[Step]:
     def form(number: int) -> dict[str, sp.Expr]:
         """The factor that is positive."""
         gain, variance = gains_of(E)[number], 1 / index_of(E) ** 2
-        slope = sp.diff(gain, E) / sp.diff(variance, E)
+        slope = by(gain, E) / by(variance, E)
         tangent = gain + slope * (1 / index_of(N) ** 2 - variance)
         return {"form": sp.factor((gains_of(N)[number] - tangent) / (E - N) ** 2)}
 
