@@ -22,6 +22,7 @@ class Writing:
         self.builder = builder
         self.names: dict[str, Node] = {}
         self.divisors: dict[str, Node] = {}
+        self.legs: dict[int, set[int]] = {}
         for part in parts.known.values():
             self._part(part.symbol.name, part.function, part.arguments)
 
@@ -30,7 +31,10 @@ class Writing:
         if function == OVER:
             self.divisors[name] = nodes[0]
         elif function == SQRT:
-            self.names[name] = self.builder.sqrt(nodes[0])
+            self.names[name] = root = self.builder.sqrt(nodes[0])
+            squares = (t.base for t in sp.Add.make_args(arguments[0]) if t.is_Pow and t.exp == 2)
+            sides = (self.node(side).number for base in squares for side in (base, -base))
+            self.legs[root.number] = set(sides)
         else:
             self.names[name] = self.builder.call(function, *nodes)
 
@@ -75,10 +79,20 @@ class Writing:
 
     def _in_pairs(self, over: list[Node], under: list[Node], negative: bool) -> Node:
         """Each divisor under a factor; those that are left divide one after another."""
-        pairs = [a / b for a, b in zip(over, under, strict=False)]
-        product = self._multiplied([*pairs, *over[len(under) :]])
-        for divisor in under[len(over) :]:
-            product = product / divisor
+        factors, divisors, pairs = list(over), list(under), list[Node]()
+        for divisor in under:  # legs first: the quotient of one with its root is at most 1
+            legs = self.legs.get(divisor.number, set())
+            leg = next((each for each in factors if each.number in legs), None)
+            if leg is not None:
+                factors.remove(leg)
+                divisors.remove(divisor)
+                pairs.append(leg / divisor)
+        for divisor in divisors:
+            if factors:
+                pairs.append(factors.pop(0) / divisor)
+            else:
+                pairs[-1] = pairs[-1] / divisor
+        product = self._multiplied([*pairs, *factors])
         return -product if negative else product
 
     def _multiplied(self, factors: list[Node]) -> Node:

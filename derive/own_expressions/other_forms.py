@@ -3,8 +3,10 @@
 Of the differences of roots, sqrt(a) - sqrt(b) is (a - b)/(sqrt(a) + sqrt(b)): where a - b is a
 product of few exact differences nothing cancels. A sum of fractions, such as a derivative, is one
 fraction with its factors drawn apart: u/r - x (x u + y v)/r^3 is y (y u - x v)/r^3 with
-r = sqrt(x^2 + y^2), whose terms are smaller. What is proved of the errors decides (see `choosing`);
-that nothing but the form changes is proved for each (see `equal_forms`).
+r = sqrt(x^2 + y^2), whose terms are smaller; differences of two inputs stay as they are in it. What
+is squared under a root is its quotient with the root, at most 1, times the root: (y/r)(y/r u -
+x/r v)/r leaves no format where the whole does not. What is proved of the errors decides (see
+`choosing`); that nothing but the form changes is proved for each (see `equal_forms`).
 """
 
 from __future__ import annotations
@@ -33,7 +35,8 @@ def forms(value: sp.Expr, roots: frozenset[sp.Expr]) -> Iterator[Form]:
     """The expression itself first; `roots`: what roots are taken of in it and beside it."""
     values = [value]
     for found in (value, conjugated(value)):
-        values += [found, sp.factor(sp.together(found)), factored(found)]
+        one = fraction(found)
+        values += [found, one, by_legs(one), by_legs(found), factored(found)]
     for found in dict.fromkeys(values):
         for named in dict.fromkeys((frozenset[sp.Expr](), roots)):
             for in_pairs in (False, True):
@@ -46,12 +49,53 @@ def rooted(value: sp.Basic) -> frozenset[sp.Expr]:
     return frozenset(each.base for each in powers if each.exp.is_Rational and each.exp.q == 2)
 
 
+def fraction(value: sp.Expr) -> sp.Expr:
+    """The expression as one quotient of products."""
+    short, names = _shortened(value)
+    return sp.factor(sp.together(short)).xreplace(names)
+
+
+def _shortened(value: sp.Expr) -> tuple[sp.Expr, dict[sp.Expr, sp.Expr]]:
+    """The expression with a symbol for each difference or sum of two inputs, and what they are."""
+    names: dict[sp.Expr, sp.Expr] = {}
+    known: dict[sp.Expr, sp.Expr] = {}
+    for each in sorted(value.atoms(sp.Add), key=str):
+        pair = [term.as_coeff_Mul() for term in each.args]
+        if len(pair) != 2 or any(abs(c) != 1 or not t.is_Symbol for c, t in pair):
+            continue
+        if -each in known:
+            known[each] = -known[-each]
+        else:
+            known[each] = sp.Dummy(f"d_{len(names)}", real=True)
+            names[known[each]] = each
+    return value.xreplace(known), names
+
+
+def by_legs(value: sp.Expr) -> sp.Expr:
+    """The expression with what is squared under a root as a multiple of that root."""
+    short, names = _shortened(value)
+    for radicand in sorted(rooted(short), key=str):
+        squares = sp.Add.make_args(radicand)
+        legs = [term.base for term in squares if term.is_Pow and term.exp == 2]
+        if len(legs) < 2 or len(legs) != len(squares) or not all(leg.is_Symbol for leg in legs):
+            continue
+        root, quotients = sp.Dummy("r", positive=True), [sp.Dummy(real=True) for _ in legs]
+        scaled = {leg: quotient * root for leg, quotient in zip(legs, quotients, strict=True)}
+        plain = short.replace(
+            lambda each, base=radicand: each.is_Pow and each.base == base,
+            lambda each, r=root: r ** (2 * each.exp),
+        )
+        if plain.free_symbols & set(legs) and root in plain.free_symbols:
+            plain = sp.factor(sp.together(plain.xreplace(scaled)))
+            back = {q: leg / sp.sqrt(radicand) for leg, q in zip(legs, quotients, strict=True)}
+            short = plain.xreplace(back).xreplace({root: sp.sqrt(radicand)})
+    return short.xreplace(names)
+
+
 def factored(value: sp.Expr) -> sp.Expr:
     """The expression with every sum in it as a product: b^2 - a^2 is (b - a)(b + a)."""
-    if not value.args:
-        return value
-    found = value.func(*map(factored, value.args))
-    return sp.factor(found) if isinstance(found, sp.Add) else found
+    short, names = _shortened(value)
+    return short.replace(lambda each: each.is_Add, sp.factor).xreplace(names)
 
 
 def conjugated(value: sp.Expr) -> sp.Expr:

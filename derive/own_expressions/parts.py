@@ -77,6 +77,10 @@ class Parts:
         )
 
     def _power(self, base: sp.Expr, exponent: sp.Rational) -> sp.Expr:
+        if base in self.roots and exponent.q <= 2:
+            root = self._part(SQRT, self._read(base))
+            power = int(2 * exponent)
+            return root**power if power > 0 else self._part(OVER, root) ** -power
         if exponent < 0:
             # one divisor at a time: a power of it is a power of one over it
             return self._part(OVER, self._power(base, -exponent))
@@ -88,8 +92,6 @@ class Parts:
         root = inner
         while order > 1:
             root, order = self._part(SQRT, root), order // 2
-        if base in self.roots and exponent.q <= 2:
-            return self._part(SQRT, inner) ** int(2 * exponent)
         return inner**whole * root**rest
 
     def _part(self, function: str, *arguments: sp.Expr) -> sp.Symbol:
