@@ -132,7 +132,7 @@ class References:
         if step.operation == "add":
             for part in step.operands:
                 yield from self._terms(part)
-        elif step.operation == "mul" and step.operands[0] == step.operands[-1]:
+        elif step.operation == "mul" and step.operands == (step.operands[0],) * 2:
             yield from self._squares(step.operands[0])
         else:
             yield -1 - number
