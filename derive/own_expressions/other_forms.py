@@ -36,7 +36,7 @@ def forms(value: sp.Expr, roots: frozenset[sp.Expr]) -> Iterator[Form]:
     values = [value]
     for found in (value, conjugated(value)):
         one = fraction(found)
-        values += [found, one, by_legs(one), by_legs(found), factored(found)]
+        values += [found, one, by_legs(one), by_legs(found)]
     for found in dict.fromkeys(values):
         for named in dict.fromkeys((frozenset[sp.Expr](), roots)):
             for in_pairs in (False, True):
@@ -90,12 +90,6 @@ def by_legs(value: sp.Expr) -> sp.Expr:
             back = {q: leg / sp.sqrt(radicand) for leg, q in zip(legs, quotients, strict=True)}
             short = plain.xreplace(back).xreplace({root: sp.sqrt(radicand)})
     return short.xreplace(names)
-
-
-def factored(value: sp.Expr) -> sp.Expr:
-    """The expression with every sum in it as a product: b^2 - a^2 is (b - a)(b + a)."""
-    short, names = _shortened(value)
-    return short.replace(lambda each: each.is_Add, sp.factor).xreplace(names)
 
 
 def conjugated(value: sp.Expr) -> sp.Expr:

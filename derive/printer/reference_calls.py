@@ -18,30 +18,22 @@ SECOND = 1.0 + 2.0**-8  # what errors of errors add
 GREATEST_EXPONENT = 700.0  # exp of it is a number of float64; of float32 what may overflow is seen
 
 
-NEAR = 2.0**-10  # what the legs of an angle may err by beside their distance
-
-
-def turned(over: Reference, under: Reference, apart: float, form: Format) -> Reference:
+def turned(over: Reference, under: Reference, apart: float) -> Reference:
     """The angle of two legs whose terms may cancel, where the root of the sum of their squares is
     at least `apart`: errors e and f of theirs turn it by (e |x| + f |y|)/(x^2 + y^2) at most, to
-    first order, which the term for second order covers while they are below `NEAR` of that root. So
-    its reference is its magnitude, and what that makes of the references of both (see
+    first order. They are below 2^-9 of that root, since the error of the sum of the squares is
+    below 2^-10 of it (see `reference.required`), so that second order is a 2^-8 more. So its
+    reference is its magnitude, and what that makes of the references of both (see
     `known_values.scales`). Where x < 0 the sign of y, which an error may change, decides between
     angles that differ by 2 pi: that is one direction.
 
-    PrintingError where nothing keeps the legs from 0, or not far enough.
+    PrintingError where nothing keeps the legs from 0.
     """
     if not apart:
         raise PrintingError("atan2 of an uncertain value")
     count = max(over.count, under.count)
     high = (over.high + under.high) / apart * LARGER
     stray = (over.stray + under.stray) / apart * SECOND
-    if count * high * form.unit_roundoff + stray > NEAR:
-        least = (count * high * form.unit_roundoff + stray) / NEAR * apart * LARGER
-        raise PrintingError(
-            f"atan2 of uncertain values whose errors are no small part of {apart:.2g}, the least "
-            f"root of the sum of their squares; wanted: at least {least:.2g} ({form.name})"
-        )
     found = (count + CALLED) * SECOND, _least_angle(over, under), 3.1416 + high
     return Reference(*found, over.sign, True, False, stray)
 

@@ -67,7 +67,7 @@ class References:
             divisor = formula(self.program, under)
             return (
                 f": {divisor} is 0 where {where}, and the domain admits that; wanted: a domain "
-                "without it, such as an input that is not signed"
+                f"without it, such as an input that is not signed, or the condition {divisor} > 0"
             )
         if step.operation in ("sin", "cos"):
             argument = formula(self.program, step.operands[0])
@@ -79,7 +79,10 @@ class References:
         if not parts:
             return ""
         why = dict.fromkeys(unsure(self.program, part, self.steps) for part in parts)
-        return f": {' and '.join(why)}, so that no digit is sure"
+        text = f": {' and '.join(why)}, so that no digit is sure"
+        if step.operation == "atan2":
+            text += "; wanted: the condition that the sum of their squares is above a number"
+        return text
 
     def _vanishes(self, number: int) -> bool:
         """Whether a step may be 0 by its inputs, and not by an underflow alone."""
@@ -152,8 +155,7 @@ class References:
             return replace(part, sign=-part.sign if step.operation == "neg" else 1)
         if step.operation == "atan2" and not all(part.clean for part in parts):
             over, under = parts
-            apart = self.apart(*step.operands)
-            return self._normal(turned(over, under, apart, self.form))
+            return self._normal(turned(over, under, self.apart(*step.operands)))
         found = _result(step, parts, self.form)
         if step.operation == "div" and self._is_leg(*step.operands):
             found = replace(found, high=min(found.high, 1.0 + 2.0**-10))

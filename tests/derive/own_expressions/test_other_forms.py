@@ -26,16 +26,19 @@ from gainproof.derive.own_expressions.expressions import (
 from gainproof.derive.own_expressions.other_forms import conjugated
 from gainproof.derive.own_expressions.parts import NotReadError, Parts
 from gainproof.derive.own_expressions.subject import derive_expressions
+from gainproof.derive.printer.bound import prove
+from gainproof.derive.printer.formats import FORMATS
 from gainproof.derive.printer.kernel import Kernel
 from gainproof.derive.quantity import ONE, Quantity
 from gainproof.subjects.deriving import plain_subject
 from gainproof.subjects.rechecking import expected_of, recheck
 
-NAMES = "abxyz"
+NAMES = "abxyzw"
 NUMBERS = {name: Quantity(name, name, "a number", ONE) for name in NAMES}
-a, b, x, y, z = (NUMBERS[name].symbol for name in NAMES)
+a, b, x, y, z, w = (NUMBERS[name].symbol for name in NAMES)
 FAR = Condition(sp.sqrt(x**2 + y**2) > sp.Rational(1, 10**6), "distance", single="1e-3")
 R = sp.sqrt(x**2 + y**2)
+APART = sp.sqrt((x - a) ** 2 + (y - b) ** 2)
 
 
 def one(expression: sp.Expr, *conditions: Condition, low: str = "1e-3") -> ExpressionSet:
@@ -123,6 +126,35 @@ def test_where_products_overflow_factors_are_divided_one_by_one() -> None:
     x_, y_, z_ = (float(np.float32(t)) for t in (3e14, 4e14, 1.2e15 / 5))
     wanted = -x_ * z_ / math.hypot(x_, y_) / (x_ * x_ + y_ * y_ + z_ * z_)
     assert math.isclose(value, wanted, rel_tol=1e-6)
+
+
+@pytest.mark.parametrize(
+    ("value", "most"),
+    [
+        # a component of the velocity across, twice over the range; its square over the range
+        (sp.diff(((x - a) * z + (y - b) * w) / APART, x), 9.1),
+        (sp.diff(sp.diff(APART, x), x), 7.6),
+        (sp.diff(sp.diff(APART, x), y), 7.6),
+        ((z**2 + w**2) / R - (x * z + y * w) ** 2 / R**3, 7.1),
+    ],
+)
+def test_nothing_overflows_on_the_way(value: sp.Expr, most: float) -> None:
+    """Of coordinates up to 1e60 (1e12 in float32) the squares of squares are no numbers of the
+    format; the bounds are those of forms that were ordered by hand.
+    """
+    far = Condition(
+        (APART if value.has(b) else R) >= sp.Rational(1, 10**20), "range", single="1e-6"
+    )
+    given = one(value, far)
+    (kernel,) = given.kernels
+    inputs = tuple(
+        replace(each, lower="0", upper="1e60", single=("0", "1e9" if name in "zw" else "1e12"))
+        for each in kernel.inputs
+        for name in [each.quantity.name]
+    )
+    found = made(replace(given, kernels=(replace(kernel, inputs=inputs),)))
+    for form in FORMATS:
+        assert prove(found, form).outputs[0].bound <= most
 
 
 @pytest.mark.parametrize(
