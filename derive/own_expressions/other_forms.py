@@ -44,9 +44,22 @@ def forms(value: sp.Expr, roots: frozenset[sp.Expr]) -> Iterator[Form]:
 
 
 def rooted(value: sp.Basic) -> frozenset[sp.Expr]:
-    """What square roots are taken of, odd powers included."""
-    powers = value.atoms(sp.Pow)
-    return frozenset(each.base for each in powers if each.exp.is_Rational and each.exp.q == 2)
+    """What square roots are taken of, odd powers included, or what is a sum of squares and divides:
+    its root keeps the sizes of what is squared.
+    """
+    powers = [each for each in value.atoms(sp.Pow) if each.exp.is_Rational]
+    return frozenset(
+        each.base
+        for each in powers
+        if each.exp.q == 2 or (each.exp < 0 and len(_legs(each.base)) > 1)
+    )
+
+
+def _legs(value: sp.Expr) -> list[sp.Expr]:
+    """What is squared in a sum of squares; nothing of another."""
+    terms = sp.Add.make_args(value)
+    legs = [term.base for term in terms if term.is_Pow and term.exp == 2]
+    return legs if len(legs) == len(terms) else []
 
 
 def fraction(value: sp.Expr) -> sp.Expr:
@@ -75,9 +88,8 @@ def by_legs(value: sp.Expr) -> sp.Expr:
     """The expression with what is squared under a root as a multiple of that root."""
     short, names = _shortened(value)
     for radicand in sorted(rooted(short), key=str):
-        squares = sp.Add.make_args(radicand)
-        legs = [term.base for term in squares if term.is_Pow and term.exp == 2]
-        if len(legs) < 2 or len(legs) != len(squares) or not all(leg.is_Symbol for leg in legs):
+        legs = _legs(radicand)
+        if len(legs) < 2 or not all(leg.is_Symbol for leg in legs):
             continue
         root, quotients = sp.Dummy("r", positive=True), [sp.Dummy(real=True) for _ in legs]
         scaled = {leg: quotient * root for leg, quotient in zip(legs, quotients, strict=True)}

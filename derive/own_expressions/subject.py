@@ -83,7 +83,8 @@ def _formed(given: ExpressionKernel) -> Formed:
         return formed
     if given.conditions or any(each.signed or each.zero for each in given.inputs):
         if forms := chosen_forms(given):
-            formed = _proved(lambda kernel: as_written(kernel, forms), given)[0] or formed
+            other, reason = _proved(lambda kernel: as_written(kernel, forms), given)
+            formed, refusal = other or formed, reason
     else:
         other, reason = _proved(rewritten, given)
         formed = other or formed
