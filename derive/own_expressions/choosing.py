@@ -25,14 +25,14 @@ Cost = tuple[float, ...]
 
 def chosen_forms(given: ExpressionKernel) -> dict[str, Form]:
     """The form of each output; nothing for one of which none has a bound."""
+    required = [each.value for each in asked(given.conditions)]
     roots = frozenset[sp.Expr]().union(
-        *(rooted(each.expression) for each in given.outputs),
-        *(rooted(each.value) for each in asked(given.conditions)),
+        *map(rooted, required), *(rooted(each.expression) for each in given.outputs)
     )
     found = {}
     for output in given.outputs:
         costs = {}
-        for form in forms(output.expression, roots):
+        for form in forms(output.expression, roots, required):
             cost = _cost(given, output, form)
             if cost is not None:
                 costs[form] = cost

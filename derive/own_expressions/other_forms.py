@@ -11,7 +11,7 @@ x/r v)/r leaves no format where the whole does not. What is proved of the errors
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from itertools import combinations
 
@@ -31,16 +31,29 @@ class Form:
     in_pairs: bool = False
 
 
-def forms(value: sp.Expr, roots: frozenset[sp.Expr]) -> Iterator[Form]:
-    """The expression itself first; `roots`: what roots are taken of in it and beside it."""
-    values = [value]
-    for found in (value, conjugated(value)):
+def forms(value: sp.Expr, roots: frozenset[sp.Expr], required: Sequence[sp.Expr]) -> Iterator[Form]:
+    """The expression itself first; `roots`: what roots are taken of in it and beside it,
+    `required`: what inputs fulfil together.
+    """
+    values, aligned = [value], _aligned(value, required)
+    for found in (aligned, conjugated(aligned)):
         one = fraction(found)
         values += [found, one, by_legs(one), by_legs(found)]
     for found in dict.fromkeys(values):
         for named in dict.fromkeys((frozenset[sp.Expr](), roots)):
             for in_pairs in (False, True):
                 yield Form(found, named, in_pairs)
+
+
+def _aligned(value: sp.Expr, required: Sequence[sp.Expr]) -> sp.Expr:
+    """With (a - b)^2 for (b - a)^2 where that stands in what is required: one number, not two."""
+    squares = {each.base for other in required for each in other.atoms(sp.Pow) if each.exp.is_even}
+    return value.replace(
+        lambda each: (
+            each.is_Pow and each.exp.is_even and each.base not in squares and -each.base in squares
+        ),
+        lambda each: (-each.base) ** each.exp,
+    )
 
 
 def rooted(value: sp.Basic) -> frozenset[sp.Expr]:
@@ -74,13 +87,16 @@ def _shortened(value: sp.Expr) -> tuple[sp.Expr, dict[sp.Expr, sp.Expr]]:
     known: dict[sp.Expr, sp.Expr] = {}
     for each in sorted(value.atoms(sp.Add), key=str):
         pair = [term.as_coeff_Mul() for term in each.args]
-        if len(pair) != 2 or any(abs(c) != 1 or not t.is_Symbol for c, t in pair):
+        size = abs(pair[0][0])
+        if len(pair) != 2 or any(abs(c) != size or not t.is_Symbol for c, t in pair):
             continue
-        if -each in known:
-            known[each] = -known[-each]
-        else:
-            known[each] = sp.Dummy(f"d_{len(names)}", real=True)
-            names[known[each]] = each
+        pure = sp.Add(*(c / size * t for c, t in pair))
+        sign, pure = (-1, -pure) if -pure in names.values() else (1, pure)
+        name = next((old for old, value in names.items() if value == pure), None)
+        if name is None:
+            name = sp.Dummy(f"d_{len(names)}", real=True)
+            names[name] = pure
+        known[each] = sign * size * name
     return value.xreplace(known), names
 
 

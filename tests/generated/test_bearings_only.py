@@ -1,4 +1,4 @@
-"""Bearings and elevations from stations against 250 digits: values and derivatives, in both formats.
+"""Bearings and elevations from stations against 250 digits, in both formats.
 
 Derivatives are those that mpmath finds by differences of its own angles, which agree in 120 digits
 where one coordinate is that much larger than another.
