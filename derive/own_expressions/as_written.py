@@ -14,7 +14,7 @@ from gainproof.derive.derivation import Step, joined
 from gainproof.derive.own_expressions.conditions import asked
 from gainproof.derive.own_expressions.equal_forms import (
     difference,
-    require_divisors,
+    require_values,
     same_arguments,
 )
 from gainproof.derive.own_expressions.expressions import ExpressionKernel
@@ -40,7 +40,9 @@ def as_written(given: ExpressionKernel, forms: Mapping[str, Form] | None = None)
     PrintingError where it has no bound.
     """
     parts, chosen = Parts(), forms or {}
-    conditions = {each.required.name: parts.read(each.value) for each in asked(given.conditions)}
+    required = asked(given.conditions)
+    conditions = {each.required.name: parts.read(each.value) for each in required}
+    positive = [conditions[each.required.name] for each in required if each.positive]
     outputs = {each.quantity.name: each.expression for each in given.outputs}
     printed = {name: chosen.get(name, Form(value)) for name, value in outputs.items()}
     meant = {name: parts.read(form.value, form.roots) for name, form in printed.items()}
@@ -49,7 +51,7 @@ def as_written(given: ExpressionKernel, forms: Mapping[str, Form] | None = None)
     kept, used = held(graph), list(parts.known.values())
     changed = {name: meant[name] for name, form in printed.items() if form != Form(outputs[name])}
     same = list(_same(given, parts, changed))
-    require_divisors(used, list(parts.known.values()), list(conditions.values()))
+    require_values(used, list(parts.known.values()), positive)
     symbols = symbols_of(kept)
     sides = [side for each in same for side in each.relation.parts.values() if side]
     more = sorted({str(symbol) for side in sides for symbol in side.free_symbols})

@@ -30,6 +30,11 @@ class Asked:
     value: sp.Expr
     required: Requirement
 
+    @property
+    def positive(self) -> bool:
+        """Whether the value is above 0 then."""
+        return not str(self.required.least).startswith("-")
+
 
 def asked(conditions: Sequence[Condition]) -> tuple[Asked, ...]:
     """All conditions of a kernel; ExpressionError for one that is none."""

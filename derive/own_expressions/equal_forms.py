@@ -71,12 +71,12 @@ def same_arguments(parts: Sequence[Part]) -> Iterator[tuple[sp.Expr, sp.Expr]]:
                 yield one.xreplace(alike), other.xreplace(alike)
 
 
-def require_divisors(
+def require_values(
     printed: Sequence[Part], every: Sequence[Part], positive: Sequence[sp.Expr]
 ) -> None:
-    """NotReadError for a divisor among `every` part that may be 0 where no `printed` one is: what
-    was given has no value there, and what is printed would have one. `positive`: what inputs are
-    asked to make so.
+    """NotReadError for a divisor among `every` part that may be 0 where no `printed` one is, and
+    for a root of what may be negative that is not printed: what was given has no value there, and
+    what is printed would have one. `positive`: what inputs are asked to make so.
     """
     alike = _alike(every)
     fine = {factor for value in positive for factor in _factors(value, alike)}
@@ -86,10 +86,23 @@ def require_divisors(
         if part.function == SQRT and part.symbol.xreplace(alike) in fine:
             fine |= _factors(part.arguments[0], alike)
     for part in every:
+        left_out = part not in printed and part.symbol not in alike
+        if part.function == "atan2" and left_out:
+            raise NotReadError(f"{part}, where it has no value, is left out")
+        if part.function == SQRT and left_out and not _never_negative(part.arguments[0]):
+            raise NotReadError(
+                f"{part.arguments[0]} may be negative, and no root is taken any more"
+            )
         if part.function == SQRT and _factors(part.arguments[0], alike) <= fine:
             fine.add(part.symbol)
         if part.function == OVER and not _factors(part.arguments[0], alike) <= fine:
             raise NotReadError(f"{part.arguments[0]} may be 0, and is not divided by any more")
+
+
+def _never_negative(value: sp.Expr) -> bool:
+    """Whether a polynomial shows it: even powers with positive factors."""
+    terms = sp.Poly(value, *sorted(value.free_symbols, key=str)).terms()
+    return all(c > 0 and all(power % 2 == 0 for power in powers) for powers, c in terms)
 
 
 def _factors(value: sp.Expr, alike: Mapping[sp.Symbol, sp.Symbol]) -> set[sp.Expr]:

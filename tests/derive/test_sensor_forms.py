@@ -1,8 +1,8 @@
 """Forms of a sensor's textbook formulas against those that were ordered by hand.
 
 The general search is given the differentiated formulas of range and Doppler, with the domains and
-requirements of the printed kernels: where its bound is larger than that in the ledger, the form by
-hand is a hint that wins, and stands in `HINTS`.
+requirements of the printed kernels: where it finds none, or its bound is larger than that in the
+ledger, the form by hand is a hint that is needed, and stands in `HINTS`.
 """
 
 from __future__ import annotations
@@ -36,8 +36,8 @@ from gainproof.derive.sensors.range_doppler_textbook import textbook
 LEDGER = Path(gainproof.generated.__file__).parent / "bounds.json"
 KERNELS = {each.name: each for each in kernel_module("range-doppler", "a title", graphs()).kernels}
 QUICK = ("slant_range", "range_jacobian", "range_rate", "range_rate_jacobian", "range_hessian")
-HINTS: frozenset[str] = frozenset()
-"""Outputs whose form by hand has a smaller bound."""
+HINTS = {"range_rate_hessian"}
+"""Kernels of which the search finds no form of some output."""
 
 
 def argument(given: Input) -> Argument:
@@ -74,8 +74,12 @@ def expressions(kernel: Kernel) -> ExpressionKernel:
 def test_formulas_alone_come_to_the_bounds_of_forms_by_hand(name: str) -> None:
     ledger: Any = json.loads(LEDGER.read_text("utf-8"))["modules"]["range_doppler"][name]
     given = expressions(KERNELS[name])
-    kernel = as_written(given, chosen_forms(given)).kernel
+    forms = chosen_forms(given)
+    assert (len(forms) < len(given.outputs)) is (name in HINTS)
+    if name in HINTS:
+        return
+    kernel = as_written(given, forms).kernel
     for form in FORMATS:
         for output in prove(kernel, form).outputs:
             stated = Fraction(ledger[form.name]["outputs"][output.name]["bound"])
-            assert (output.bound > stated) is (output.name in HINTS), output.name
+            assert output.bound <= stated, output.name

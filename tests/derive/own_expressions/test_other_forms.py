@@ -169,6 +169,28 @@ def test_no_value_is_printed_where_there_was_none(expression: sp.Expr) -> None:
         made(one(expression))
 
 
+def test_no_value_is_printed_where_a_root_had_none() -> None:
+    """(r + y)^2 - 2 y r with r = sqrt(x) is x + y^2, also where x < 0 and there is no r."""
+    root = sp.sqrt(x)
+    with pytest.raises(ExpressionError, match="the root of what may be negative"):
+        made(one((root + y) ** 2 - 2 * y * root))
+    angle = sp.atan2(x, y)
+    with pytest.raises(ExpressionError, match="atan2 has no value"):
+        made(one((angle + a) ** 2 - angle**2 - 2 * a * angle))
+    # of a sum of squares there is one everywhere
+    kernel = made(one((R + a) ** 2 - 2 * a * R))
+    assert at(kernel, 3.0, 5.0, 12.0) == 9 + 25 + 144
+
+
+def test_what_is_not_below_a_negative_number_may_be_zero() -> None:
+    """x - y above -3 may be 0; above 0 it is not."""
+    value = (x**2 - y**2) / (x - y)
+    with pytest.raises(ExpressionError, match="a division by what may be 0"):
+        made(one(value, Condition(x - y > -3, "difference")))
+    kernel = made(one(value, Condition(x - y > 0, "difference")))
+    assert at(kernel, 5.0, 3.0) == 8.0
+
+
 def test_what_is_not_equal_is_not_shown() -> None:
     parts = Parts()
     same = parts.read(sp.sqrt(x**2 + 1) - sp.sqrt(y**2 + 1))
