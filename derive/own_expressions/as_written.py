@@ -77,7 +77,7 @@ def as_written(given: ExpressionKernel, forms: Mapping[str, Form] | None = None)
         hint={"evidence": NO_EVIDENCE},
     )
     return Formed(
-        kernel_of(given, graph),
+        kernel_of(given, graph, stepwise=forms is not None),
         {tower.name: Ready(tower_data(tower))},
         {given.name: Program({name: name for name in symbols}, kept)},
         (first_step(given, tower.name), step, *(replace(each, tower=tower.name) for each in same)),

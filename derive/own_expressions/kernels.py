@@ -26,8 +26,9 @@ COLUMNS = 88
 """Of a formula in a docstring."""
 
 
-def kernel_of(given: ExpressionKernel, graph: Graph) -> Kernel:
-    """The kernel of this graph. An output whose terms may cancel is measured by them.
+def kernel_of(given: ExpressionKernel, graph: Graph, stepwise: bool = False) -> Kernel:
+    """The kernel of this graph; `stepwise`: with bounds step by step where boxes say nothing. An
+    output whose terms may cancel is measured by them.
 
     PrintingError where it has no bound, ExpressionError for a domain that cannot be one, or that
     admits what has no value.
@@ -44,6 +45,7 @@ def kernel_of(given: ExpressionKernel, graph: Graph) -> Kernel:
         ),
         graph=graph,
         source=given.source,
+        stepwise=stepwise,
         requirements=tuple(each.required for each in asked(given.conditions)),
     )
     if not has_signs(made):

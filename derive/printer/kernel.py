@@ -138,7 +138,8 @@ class Kernel:
     `accurate`: the domain in which its one input is taken with `accurate=True`, in double-words;
     `accurate_graph`: what is computed then, if it is another graph of the same outputs;
     `refinement`: how it comes to a root. `search`: times as many boxes as kernels of several inputs
-    have for their bounds.
+    have for their bounds. `stepwise`: bounds step by step, as of kernels with signed inputs, and no
+    boxes.
     """
 
     name: str
@@ -155,6 +156,7 @@ class Kernel:
     accurate_graph: Graph | None = None
     refinement: Refinement | None = None
     search: int = 1
+    stepwise: bool = False
 
     @cached_property
     def program(self) -> Program:

@@ -18,11 +18,12 @@ from gainproof.derive.printer.value import PrintingError
 
 
 def has_signs(kernel: Kernel) -> bool:
-    """Whether a kernel is one of those, or asks something of its inputs together: boxes of positive
-    numbers say nothing of it.
+    """Whether a kernel is one of those, or asks something of its inputs together, of which boxes of
+    positive numbers say nothing; or is to be bounded as they are.
     """
     calls = any(node[0] == "call" and node[1] in FUNCTIONS for node in kernel.graph["nodes"])
-    return calls or bool(kernel.requirements) or any(given.signed for given in kernel.inputs)
+    by_steps = calls or kernel.stepwise or bool(kernel.requirements)
+    return by_steps or any(given.signed for given in kernel.inputs)
 
 
 def by_reference(kernel: Kernel, form: Format) -> Settled:

@@ -89,6 +89,17 @@ def test_differences_of_roots_lose_nothing(
     assert recheck(derived.certificate, expected_of(derived))["accepted"]
 
 
+def test_positive_inputs_have_the_forms_of_signed_ones() -> None:
+    """x - a of two positive numbers is exact but for one rounding, which boxes do not see."""
+    (kernel,) = one(sp.sqrt((x - a) ** 2 + y**2) - sp.sqrt((x + a) ** 2 + y**2)).kernels
+    inputs = tuple(replace(each, signed=False) for each in kernel.inputs)
+    found = made(replace(one(x), kernels=(replace(kernel, inputs=inputs),)))
+    assert not found.outputs[0].by_terms
+    with mpmath.workdps(50):
+        roots = [mpmath.hypot(mpmath.mpf("0.1") + t, 1e5) for t in (-1, 1)]
+        assert abs(at(found, 1.0, 0.1, 1e5) / (roots[0] - roots[1]) - 1) < 1e-14
+
+
 def test_two_differences_in_one_sum() -> None:
     """Roots are paired so that what is left is short."""
     value = conjugated(sp.sqrt(x**2 + a) - sp.sqrt(y**2 + b) - sp.sqrt(x**2) + sp.sqrt(y**2))
