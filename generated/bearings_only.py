@@ -100,8 +100,8 @@ def bearing(
     """Bearing of a target from a station.
 
         bearing = atan2(-station_x + target_x, -station_y + target_y)
-        where y = 0 and x < 0 the sign of the zero decides between pi and -pi for atan2(y, x): bounds
-        are of the one that it gives
+        where y = 0 and x < 0 the sign of the zero decides between pi and -pi for atan2(y, x):
+        bounds are of the one that it gives
 
     target_x: target east, m; of magnitude at most 1e60, in float32 1e12.
     target_y: target north, m; of magnitude at most 1e60, in float32 1e12.
@@ -300,8 +300,8 @@ def angles(
         bearing = atan2(-station_x + target_x, -station_y + target_y)
         elevation = atan2(-station_z + target_z, sqrt((-station_x + target_x)**2 + (-station_y +
             target_y)**2))
-        where y = 0 and x < 0 the sign of the zero decides between pi and -pi for atan2(y, x): bounds
-        are of the one that it gives
+        where y = 0 and x < 0 the sign of the zero decides between pi and -pi for atan2(y, x):
+        bounds are of the one that it gives
 
     target_x: target east, m; of magnitude at most 1e60, in float32 1e12.
     target_y: target north, m; of magnitude at most 1e60, in float32 1e12.

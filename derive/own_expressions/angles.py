@@ -19,16 +19,16 @@ from gainproof.derive.printer.signed_inputs import known_steps
 from gainproof.derive.printer.step_text import formula
 
 SOUTH = (
-    "where y = 0 and x < 0 the sign of the zero decides between pi and -pi for atan2(y, x): bounds",
-    "are of the one that it gives",
+    "where y = 0 and x < 0 the sign of the zero decides between pi and -pi for atan2(y, x):",
+    "bounds are of the one that it gives",
 )
 UNSURE = (
-    "where x < 0 and y is within its error of 0 its computed sign decides between angles near pi",
-    "and near -pi for atan2(y, x): bounds are up to a whole turn",
+    "where x < 0 and y is within its error of 0 its computed sign decides between angles",
+    "near pi and near -pi for atan2(y, x): bounds are up to a whole turn",
 )
 TERMS = (
-    "terms of an angle atan2(y, x) are its magnitude and (Y |x| + X |y|)/(x^2 + y^2), with the",
-    "terms Y of y and X of x taken positive",
+    "terms of an angle atan2(y, x) are its magnitude and (Y |x| + X |y|)/(x^2 + y^2), with",
+    "the terms Y of y and X of x taken positive",
 )
 
 
