@@ -57,6 +57,7 @@ CATALOGUE: tuple[Entry, ...] = (
     Entry("polar-coordinates", f"{_SENSORS}.polar_coordinates"),
     Entry("converted-measurements", f"{_SENSORS}.converted_measurements"),
     Entry("range-doppler", f"{_SENSORS}.range_doppler"),
+    Entry("bearings-only", f"{_SENSORS}.bearings_only"),
     Entry("multipath-location", "gainproof.derive.estimation.multipath_location"),
     Entry("filter-step", "gainproof.derive.filter_step.subject"),
     Entry("updated-gains", "gainproof.derive.updated_gains.subject"),

@@ -4,6 +4,7 @@
   with measured position.
 - `alpha_beta_gamma`: Alpha-beta-gamma filters with any gains.
 - `alpha_beta`: Alpha-beta filters with any gains.
+- `bearings_only`: Bearings and elevations of targets from stations.
 - `continuous_white_acceleration`: Continuous white acceleration: steady state with measured
   position.
 - `continuous_white_jerk`: Continuous white jerk: steady state with measured position.

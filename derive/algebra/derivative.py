@@ -1,12 +1,31 @@
-"""Partial derivatives over a tower, generators following."""
+"""Derivatives: of expressions by a symbol, along rates of several, and over a tower.
+
+The one place where formulas are differentiated; what a map's Newton step takes of a graph, node by
+node and over one divisor, is `printer.derivative`, since no printer knows SymPy.
+"""
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from typing import Any
 
 import sympy as sp
 
 from gainproof.derive.algebra.tower import Fraction, Poly, Tower
+
+
+def by(value: Any, variable: Any) -> Any:
+    """The derivative of an expression by one of its symbols, or of a polynomial or a quotient of
+    polynomials by a generator, everything else held. That of |u| is u u'/|u|, which a kernel can
+    compute where u is not 0.
+    """
+    found = value.diff(variable)
+    return found.replace(sp.sign, lambda u: u / sp.Abs(u)) if isinstance(found, sp.Expr) else found
+
+
+def along(value: sp.Expr, rates: Mapping[sp.Symbol, sp.Expr]) -> sp.Expr:
+    """The derivative where these symbols change at these rates: the chain rule."""
+    return sp.Add(*(by(value, symbol) * rate for symbol, rate in rates.items()))
 
 
 def derivative(tower: Tower, expression: Any, variable: str) -> Fraction:
@@ -67,7 +86,7 @@ def _along(tower: Tower, value: Fraction, rates: list[Fraction]) -> Fraction:
 def _of_poly(tower: Tower, poly: Poly, rates: list[Fraction]) -> Fraction:
     total = Fraction(tower.ring.zero, tower.ring.one)
     for generator, rate in zip(tower.ring.gens, rates, strict=False):
-        slope = poly.diff(generator)
+        slope = by(poly, generator)
         if slope and rate.num:
             total = tower.make(
                 total.num * rate.den + slope * rate.num * total.den, total.den * rate.den

@@ -11,6 +11,7 @@ from typing import Any
 
 import sympy as sp
 
+from gainproof.derive.algebra.derivative import along
 from gainproof.derive.algebra.tower import Tower
 from gainproof.derive.any_three_state import forms
 from gainproof.derive.any_three_state.basis import Basis
@@ -51,5 +52,5 @@ def gain_form(shape: Shape, tower: Tower, name: str) -> Form:
         n3 * d0 * DETERMINANT,
     )
     whole = row * (d1 + d3 - d0 - d2) / (64 * shape.determinant)
-    value = sp.Add(*(sp.diff(whole, d) * rate for d, rate in zip(ROOTS, rates, strict=True)))
+    value = along(whole, dict(zip(ROOTS, rates, strict=True)))
     return forms.find(shape, tower, tower.fraction(value), (d0, d3, DETERMINANT))

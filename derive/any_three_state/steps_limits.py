@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import sympy as sp
 
+from gainproof.derive.algebra.derivative import by
 from gainproof.derive.algebra.leading import Edge, NoLeadingTerm
 from gainproof.derive.algebra.positive import NoPlainSign, nonnegative_form
 from gainproof.derive.any_three_state import derivatives
@@ -129,7 +130,7 @@ def _range(c: Context, ends: tuple[Edge, Edge]) -> list[Step]:
         return []
     alpha = c.quantities.value(c.basis, "alpha")
     name, index = variable(c.shape)
-    slope = derivatives.alpha(c.basis) * sp.diff(index, real(name))
+    slope = derivatives.alpha(c.basis) * by(index, real(name))
     try:
         form = c.tower.fraction(alpha.value)
         nonnegative_form(c.tower, slope)

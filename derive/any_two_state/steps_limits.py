@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import sympy as sp
 
+from gainproof.derive.algebra.derivative import by
 from gainproof.derive.algebra.leading import Edge, Leading, NoLeadingTerm
 from gainproof.derive.algebra.positive import NoPlainSign, nonnegative_form
 from gainproof.derive.algebra.tower import Fraction
@@ -137,7 +138,7 @@ def _range(c: Context, edges: tuple[Edge, Edge]) -> list[Step]:
     least = sp.Integer(0) if start.order else _value(c, start.coefficient)
     name, index = variable(c.shape)
     if name != INDEX.name:
-        hint["form"] = slope * sp.diff(index, ROOT)
+        hint["form"] = slope * by(index, ROOT)
     return [
         Step(
             "alpha-range",

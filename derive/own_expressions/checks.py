@@ -4,14 +4,17 @@ from __future__ import annotations
 
 import keyword
 import re
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import fields
 from fractions import Fraction
+from types import NoneType
 
 import sympy as sp
 
+from gainproof.derive.own_expressions.conditions import asked, relation_of
 from gainproof.derive.own_expressions.expressions import (
     Argument,
+    Condition,
     ExpressionError,
     ExpressionKernel,
     ExpressionSet,
@@ -21,13 +24,15 @@ from gainproof.derive.own_expressions.kernel_names import require_side_by_side
 from gainproof.derive.quantity import Quantity, Unit
 
 NAME = re.compile(r"[a-z][a-z0-9]*(_[a-z0-9]+)*")
+DERIVATIVE = re.compile(rf"{NAME.pattern}(_D_{NAME.pattern})*")
+"""Of outputs: `range_D_x` is the derivative of `range` by `x`."""
 TAKEN = frozenset({"np", "evaluate", "annotations", "iv", "out", "near_cbrt", "choose", "mask_of"})
 INPUTS_TAKEN = frozenset({"abs", "accurate", "value", "workers"})
 """Names that a printed module, function or certificate has for something else."""
 SHOWN = 80  # characters of what came
 EXPONENT = 64
 """Of a power, as in claim files: proofs expand powers."""
-PARTS = re.compile(r"(part|over)_\d+(_of.*)?")
+PARTS = re.compile(r"(part|over|under|condition)_\d+(_of.*)?")
 """Names of what is no polynomial, see `parts`."""
 
 
@@ -35,7 +40,8 @@ FIELDS: Mapping[type, Mapping[str, type | tuple[type, ...]]] = {
     ExpressionSet: {"name": str, "title": str},
     ExpressionKernel: {"name": str, "title": str, "source": str},
     Argument: {"quantity": Quantity, "zero": bool, "signed": bool},
-    Result: {"quantity": Quantity},
+    Result: {"quantity": Quantity, "by_terms": bool},
+    Condition: {"meaning": str, "single": (str, NoneType), "within": (tuple, list, NoneType)},
     Quantity: {"name": str, "latex": str, "meaning": str, "unit": Unit},
     Unit: dict.fromkeys((field.name for field in fields(Unit)), (int, Fraction)),
 }
@@ -85,9 +91,8 @@ def _require_kernel(kernel: ExpressionKernel) -> None:
     _require_name("a kernel", kernel.name)
     for text in (kernel.title, kernel.source):
         _require_line(kernel.name, text)
-    for name in ("inputs", "outputs"):
+    for name, kind in (("inputs", Argument), ("outputs", Result), ("conditions", Condition)):
         require_tuple(kernel.name, name, getattr(kernel, name), ExpressionError)
-        kind = Argument if name == "inputs" else Result
         for number, each in enumerate(getattr(kernel, name), 1):
             _require_kind(f"{kernel.name}: {name}, number {number}", each, kind)
     for each in kernel.inputs:
@@ -105,7 +110,8 @@ def _require_kernel(kernel: ExpressionKernel) -> None:
             raise ExpressionError(f"{kernel.name}: {what} are wanted, there are none")
         names = [quantity.name for quantity in quantities]
         for quantity in quantities:
-            _require_name(f"{kernel.name}: one of the {what}", quantity.name)
+            pattern = NAME if what == "inputs" else DERIVATIVE
+            _require_name(f"{kernel.name}: one of the {what}", quantity.name, pattern)
             if what == "inputs" and quantity.name in INPUTS_TAKEN:
                 raise ExpressionError(
                     f"{kernel.name}: an input cannot be called {quantity.name}, which a function "
@@ -115,9 +121,7 @@ def _require_kernel(kernel: ExpressionKernel) -> None:
         _require_different(f"{kernel.name}: {what}", names)
     known = {each.quantity.symbol for each in kernel.inputs}
     used: set[sp.Basic] = set()
-    for output in kernel.outputs:
-        place = f"{kernel.name}: {output.quantity.name}"
-        expression = _expression(place, output)
+    for place, expression in _expressions(kernel):
         for symbol in sorted(expression.free_symbols - known, key=str):
             raise ExpressionError(
                 f"{place}: the symbol {symbol} is of no input's quantity; wanted: one of "
@@ -133,9 +137,39 @@ def _require_kernel(kernel: ExpressionKernel) -> None:
                 raise ExpressionError(
                     f"{place}: exponents of at most {EXPONENT} are wanted, {power} came"
                 )
-        used |= expression.free_symbols
+        used |= expression.free_symbols if isinstance(expression, sp.Expr) else set()
     for symbol in sorted(known - used, key=str):
         raise ExpressionError(f"{kernel.name}: the input {symbol} occurs in no output")
+
+
+def _expressions(kernel: ExpressionKernel) -> Iterator[tuple[str, sp.Basic]]:
+    """What symbols are looked for in, with its place."""
+    for number, each in enumerate(kernel.conditions, 1):
+        place = f"{kernel.name}: condition {number}"
+        _require_line(place, each.meaning)
+        if each.within is not None and len(each.within) != 2:
+            raise ExpressionError(f"{place}: within should be two texts, {each.within!r} came")
+        for text in (*((each.single,) if each.single else ()), *(each.within or ())):
+            require_number(place, text)
+        try:
+            asked((each,))
+        except ExpressionError as error:
+            raise ExpressionError(f"{place}: {error}") from None
+        yield place, relation_of(each)
+    for output in kernel.outputs:
+        place = f"{kernel.name}: {output.quantity.name}"
+        yield place, _expression(place, output)
+
+
+def require_number(place: str, text: object) -> Fraction:
+    """The number that a text says; ExpressionError for what is none."""
+    try:
+        # an exponent of more digits is of no format, and its power of ten fills the memory
+        if isinstance(text, str) and len(text.lower().partition("e")[2].strip("+-0 ")) <= 4:
+            return Fraction(text)
+    except (ValueError, ZeroDivisionError):
+        pass
+    raise ExpressionError(f"{place}: an end of a domain is a number as text, {text!r} came")
 
 
 def _expression(place: str, output: Result) -> sp.Expr:
@@ -148,8 +182,8 @@ def _expression(place: str, output: Result) -> sp.Expr:
     return found
 
 
-def _require_name(what: str, name: str) -> None:
-    fits = NAME.fullmatch(name) and not keyword.iskeyword(name) and not PARTS.fullmatch(name)
+def _require_name(what: str, name: str, pattern: re.Pattern[str] = NAME) -> None:
+    fits = pattern.fullmatch(name) and not keyword.iskeyword(name) and not PARTS.fullmatch(name)
     if not fits or name in TAKEN or len(name) > 50:
         raise ExpressionError(
             f"{what}: a name in small letters, digits and single underscores that is not taken is "

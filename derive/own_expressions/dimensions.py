@@ -9,6 +9,7 @@ from operator import mul
 
 import sympy as sp
 
+from gainproof.derive.own_expressions.conditions import relation_of
 from gainproof.derive.own_expressions.expressions import ExpressionError, ExpressionKernel
 from gainproof.derive.quantity import ONE, Unit
 
@@ -16,6 +17,13 @@ from gainproof.derive.quantity import ONE, Unit
 def require_units(kernel: ExpressionKernel) -> None:
     """Raise ExpressionError unless every output has the unit that it is said to have."""
     units = {each.quantity.symbol: each.quantity.unit for each in kernel.inputs}
+    for number, condition in enumerate(kernel.conditions, 1):
+        left, right = (sp.sympify(side) for side in relation_of(condition).args)
+        if not (left.is_number or right.is_number):
+            try:
+                unit_of(sp.Add(left, right, evaluate=False), units)
+            except ExpressionError as error:
+                raise ExpressionError(f"{kernel.name}: condition {number}: {error}") from None
     for output in kernel.outputs:
         quantity = output.quantity
         try:

@@ -32,11 +32,33 @@ class Argument:
 
 
 @dataclass(frozen=True)
+class Condition:
+    """What inputs fulfil together; a kernel refuses others, with their place.
+
+    `relation`: of SymPy, over the symbols of the inputs' quantities: `x**2 + y**2 > 0`,
+    `a**2 < b**2`, `sp.Eq(q**2 + r**2, 1)`. Numbers in it are exact, and count as fulfilling it, but
+    for 0. `meaning`: a phrase for the greater side, or for the difference where the other is no
+    number. `single`: the number in float32, as text, where it is another. `within`: by how much the
+    sides of an equality may differ, as texts in float64 and in float32.
+    """
+
+    relation: sp.Basic | bool
+    meaning: str
+    single: str | None = None
+    within: tuple[str, str] | None = None
+
+
+@dataclass(frozen=True)
 class Result:
-    """An output: a quantity, and what it is over the symbols of the inputs' quantities."""
+    """An output: a quantity, and what it is over the symbols of the inputs' quantities.
+
+    `by_terms`: an error that is small beside the terms of the expression, taken positive, will do,
+    also where it is no small part of the value, as where that passes through 0 whatever its form.
+    """
 
     quantity: Quantity
     expression: sp.Expr
+    by_terms: bool = False
 
 
 @dataclass(frozen=True)
@@ -50,6 +72,7 @@ class ExpressionKernel:
     inputs: tuple[Argument, ...]
     outputs: tuple[Result, ...]
     source: str = "the expressions of its author"
+    conditions: tuple[Condition, ...] = ()
 
 
 @dataclass(frozen=True)

@@ -5,9 +5,10 @@ from __future__ import annotations
 import textwrap
 from collections.abc import Iterator
 from dataclasses import replace
-from fractions import Fraction
 
 from gainproof.derive.own_expressions.angles import with_angles
+from gainproof.derive.own_expressions.checks import require_number
+from gainproof.derive.own_expressions.conditions import asked
 from gainproof.derive.own_expressions.expressions import (
     Argument,
     ExpressionError,
@@ -25,8 +26,9 @@ COLUMNS = 88
 """Of a formula in a docstring."""
 
 
-def kernel_of(given: ExpressionKernel, graph: Graph) -> Kernel:
-    """The kernel of this graph. An output whose terms may cancel is measured by them.
+def kernel_of(given: ExpressionKernel, graph: Graph, stepwise: bool = False) -> Kernel:
+    """The kernel of this graph; `stepwise`: with bounds step by step where boxes say nothing. An
+    output whose terms may cancel is measured by them.
 
     PrintingError where it has no bound, ExpressionError for a domain that cannot be one, or that
     admits what has no value.
@@ -37,9 +39,14 @@ def kernel_of(given: ExpressionKernel, graph: Graph) -> Kernel:
         summary=f"{given.title.removesuffix('.')}.",
         equations=tuple(line for output in given.outputs for line in _formula(output)),
         inputs=inputs_of(given),
-        outputs=tuple(Output(o.quantity.name, _meaning(o.quantity)) for o in given.outputs),
+        outputs=tuple(
+            Output(o.quantity.name, _meaning(o.quantity), accepted=o.by_terms)
+            for o in given.outputs
+        ),
         graph=graph,
         source=given.source,
+        stepwise=stepwise,
+        requirements=tuple(each.required for each in asked(given.conditions)),
     )
     if not has_signs(made):
         return made
@@ -68,14 +75,14 @@ def _meaning(quantity: Quantity) -> str:
 def _input(argument: Argument, kernel: ExpressionKernel) -> Input:
     quantity = argument.quantity
     place = f"{kernel.name}: {quantity.name}"
-    lower, upper = _number(place, argument.lower), argument.upper
-    if lower < 0 or (upper is not None and _number(place, upper) <= lower):
+    lower, upper = require_number(place, argument.lower), argument.upper
+    if lower < 0 or (upper is not None and require_number(place, upper) <= lower):
         raise ExpressionError(
             f"{place}: a domain of positive numbers is wanted, its greatest above its least, it is "
             f"{argument.lower} to {upper}; signed=True makes it one of magnitudes"
         )
     for text in argument.single or ():
-        _number(place, text)
+        require_number(place, text)
     words = quantity.name, _meaning(quantity)
     if upper is not None and (argument.signed or lower > 0):
         if argument.signed:
@@ -90,13 +97,3 @@ def _input(argument: Argument, kernel: ExpressionKernel) -> Input:
     if argument.zero:
         raise ExpressionError(f"{place}: 0 is admitted beside a domain with both ends above 0")
     return Input(*words, argument.lower, upper, lower == 0, upper is None, single=argument.single)
-
-
-def _number(place: str, text: str) -> Fraction:
-    try:
-        # an exponent of more digits is of no format, and its power of ten fills the memory
-        if isinstance(text, str) and len(text.lower().partition("e")[2].strip("+-0 ")) <= 4:
-            return Fraction(text)
-    except (ValueError, ZeroDivisionError):
-        pass
-    raise ExpressionError(f"{place}: an end of a domain is a number as text, {text!r} came")

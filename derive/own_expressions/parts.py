@@ -36,28 +36,40 @@ class Part:
     function: str
     arguments: tuple[sp.Expr, ...]
 
+    def __str__(self) -> str:
+        arguments = ", ".join(map(str, self.arguments))
+        text = f"1/({arguments})" if self.function == OVER else f"{self.function}({arguments})"
+        return f"{self.symbol} = {text}"
+
 
 @dataclass
 class Parts:
-    """Reads expressions; equal parts are one."""
+    """Reads expressions; equal parts are one. Powers of what is in `roots` are read as powers of
+    its square root.
+    """
 
     known: dict[tuple[str, tuple[sp.Expr, ...]], Part] = field(default_factory=dict)
+    roots: frozenset[sp.Expr] = frozenset()
 
-    def read(self, value: sp.Expr) -> sp.Expr:
+    def read(self, value: sp.Expr, roots: frozenset[sp.Expr] = frozenset()) -> sp.Expr:
         """The expression as a polynomial over inputs and parts; NotReadError names what is none
         of what a kernel can compute.
         """
+        self.roots = roots
+        return self._read(value)
+
+    def _read(self, value: sp.Expr) -> sp.Expr:
         if isinstance(value, (sp.Rational, sp.Symbol)):
             return value
         if value is sp.pi:
             return self._part(PI)
         if isinstance(value, (sp.Add, sp.Mul)):
-            return value.func(*map(self.read, value.args))
+            return value.func(*map(self._read, value.args))
         if isinstance(value, sp.Pow) and isinstance(value.exp, sp.Rational):
             return self._power(value.base, value.exp)
         function = FUNCTIONS.get(value.func)
         if function is not None:
-            return self._part(function, *map(self.read, value.args))
+            return self._part(function, *map(self._read, value.args))
         known = ", ".join(sorted(FUNCTIONS.values()))
         raise NotReadError(
             f"+ - * /, whole powers, roots of order 2, 4, 8, ..., pi and {known} are what a kernel "
@@ -65,6 +77,10 @@ class Parts:
         )
 
     def _power(self, base: sp.Expr, exponent: sp.Rational) -> sp.Expr:
+        if base in self.roots and exponent.q <= 2:
+            root = self._part(SQRT, self._read(base))
+            power = int(2 * exponent)
+            return root**power if power > 0 else self._part(OVER, root) ** -power
         if exponent < 0:
             # one divisor at a time: a power of it is a power of one over it
             return self._part(OVER, self._power(base, -exponent))
@@ -72,7 +88,7 @@ class Parts:
         if order & (order - 1):
             raise NotReadError(f"a root of order 2, 4, 8, ... is wanted, {base**exponent} came")
         whole, rest = divmod(int(exponent.p), order)
-        inner = self.read(base)
+        inner = self._read(base)
         root = inner
         while order > 1:
             root, order = self._part(SQRT, root), order // 2

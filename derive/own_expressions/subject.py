@@ -10,6 +10,7 @@ import sympy as sp
 from gainproof.derive.derivation import Derivation
 from gainproof.derive.own_expressions.as_written import as_written
 from gainproof.derive.own_expressions.checks import require_written_well
+from gainproof.derive.own_expressions.choosing import chosen_forms
 from gainproof.derive.own_expressions.dimensions import require_units
 from gainproof.derive.own_expressions.expressions import (
     ExpressionError,
@@ -74,20 +75,35 @@ def _sympified(kernel: ExpressionKernel) -> ExpressionKernel:
 
 def _formed(given: ExpressionKernel) -> Formed:
     """As it is written if that has a bound relative to each output, else in another form if that
-    has one; then again as it is written, with errors over the terms of an output.
+    has one: of positive inputs as a stable form, of all as `other_forms`; then again as it is
+    written, with errors over the terms of an output.
     """
-    formed, refusal = _proved(as_written, given)
-    if formed is not None and not any(output.by_terms for output in formed.kernel.outputs):
+    written, refusal = _proved(as_written, given)
+    formed = written
+    if formed is not None and _sure(formed) == len(given.outputs):
         return formed
-    if not any(each.signed or each.zero for each in given.inputs):
+    if not given.conditions and not any(each.signed or each.zero for each in given.inputs):
         other, reason = _proved(rewritten, given)
         formed = other or formed
         if reason != refusal:
             refusal = f"{refusal}. No other form helps: {reason}"
+        if other is not None and not other.kernel.cancellations:
+            return other
+    if forms := chosen_forms(given):
+        other, reason = _proved(lambda kernel: as_written(kernel, forms), given)
+        if other is not None and (formed is written or _sure(other) > _sure(formed)):
+            formed = other
+        refusal = reason or refusal
     if formed is None:
         place = "" if refusal.startswith(given.name) else f"{given.name}: "
         raise ExpressionError(place + refusal)
     return formed
+
+
+def _sure(formed: Formed | None) -> int:
+    """How many outputs have a bound relative to themselves."""
+    outputs = () if formed is None else formed.kernel.outputs
+    return sum(not (each.by_terms or each.relative_to) for each in outputs)
 
 
 def _proved(

@@ -46,6 +46,7 @@ def _told(kernel: Kernel) -> Plain:
     for part in (*found["inputs"], *found["outputs"], *found["requirements"]):
         part.pop("meaning")
         part.pop("scale_meaning", None)
+        part.pop("accepted", None)
     return found
 
 

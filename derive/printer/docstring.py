@@ -75,6 +75,8 @@ def _magnitude_text(given: Input) -> str:
 def required_text(required: Requirement) -> str:
     """What is required, in words."""
     least, single = _limit_text(required.least), _limit_text(required.single)
+    if least == single == "0":
+        return "above 0"
     return f"at least {least}" + (f", in float32 {single}" if single != least else "")
 
 

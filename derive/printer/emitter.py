@@ -10,9 +10,8 @@ from dataclasses import dataclass
 
 from gainproof.derive.printer.affine import in_two_parts
 from gainproof.derive.printer.arithmetic import literal
-from gainproof.derive.printer.constant import constant
 from gainproof.derive.printer.formats import FLOAT64, FORMATS, Format
-from gainproof.derive.printer.kernel import Kernel
+from gainproof.derive.printer.kernel import Kernel, least_admitted
 from gainproof.derive.printer.plain import plain
 from gainproof.derive.printer.program import Program, Step
 from gainproof.derive.printer.register_plan import late
@@ -75,11 +74,11 @@ def required(
     kernel: Kernel, language: Language, name: Callable[[int, Step], str]
 ) -> list[tuple[Body, str]]:
     """Of each requirement the steps of what it asks about, and the least number that it admits."""
-    steps, form = plain(kernel.program), language.form
+    steps = plain(kernel.program)
     return [
         (
             emitted(steps, [steps.outputs[each.name]], language, name),
-            language.number(constant(each.least if form is FLOAT64 else each.single).nearest(form)),
+            language.number(least_admitted(each, language.form)),
         )
         for each in kernel.requirements
     ]

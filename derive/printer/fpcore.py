@@ -11,10 +11,9 @@ from dataclasses import dataclass
 
 from gainproof.derive.printer.arithmetic import literal
 from gainproof.derive.printer.bound import KernelBound
-from gainproof.derive.printer.constant import constant
 from gainproof.derive.printer.emitter import Language, emitted
-from gainproof.derive.printer.formats import FLOAT64, Format
-from gainproof.derive.printer.kernel import Input, Kernel, Module
+from gainproof.derive.printer.formats import Format
+from gainproof.derive.printer.kernel import Input, Kernel, Module, least_admitted
 from gainproof.derive.printer.near_cbrt import ERROR
 from gainproof.derive.printer.plain import plain
 from gainproof.derive.printer.program import Program, Step
@@ -100,7 +99,7 @@ def _condition(kernel: Kernel, steps: Program, bound: KernelBound, row: int) -> 
     ends = bound.outputs[row].domain if len(kernel.inputs) == 1 else bound.inputs
     each = [_domain(given, *end) for given, end in zip(kernel.inputs, ends, strict=True)]
     for required in kernel.requirements:
-        least = constant(required.least if form is FLOAT64 else required.single).nearest(form)
+        least = least_admitted(required, form)
         each.append(_let(steps, steps.outputs[required.name], form, f"(>= {{}} {literal(least)})"))
     return f"(and {' '.join(each)})" if len(each) > 1 else each[0]
 

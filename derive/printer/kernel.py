@@ -8,6 +8,8 @@ from dataclasses import dataclass, field
 from fractions import Fraction
 from functools import cached_property
 
+from gainproof.derive.printer.constant import constant
+from gainproof.derive.printer.formats import FLOAT32, Format
 from gainproof.derive.printer.graph import Graph
 from gainproof.derive.printer.program import Program, program
 
@@ -68,13 +70,22 @@ def signed(
 @dataclass(frozen=True)
 class Requirement:
     """What several inputs must fulfil together: the graph's output `name`, `meaning` in words, is
-    at least `least`; in float32 at least `single`.
+    at least `least`; in float32 at least `single`. Of a `least` 0 it is above 0. One below 0 bounds
+    the magnitude of what is never positive.
     """
 
     name: str
     meaning: str
     least: Limit
     single: Limit
+
+
+def least_admitted(required: Requirement, form: Format) -> float:
+    """The least number of a format that a requirement admits; for what is above 0 the least normal
+    one.
+    """
+    limit = required.single if form is FLOAT32 else required.least
+    return constant(limit).nearest(form) or form.least_normal
 
 
 @dataclass(frozen=True)
@@ -86,7 +97,8 @@ class Output:
     vanish. `by_terms`: it is relative to the value of the output's own formula with every term of
     its sums taken positive, which a kernel of signed inputs must say where terms may cancel.
     `scale_meaning`: `relative_to` in words, where no equation of the kernel says what it is. NAME's
-    own scale, NAME_scale, is always the sum of its terms' sizes.
+    own scale, NAME_scale, is always the sum of its terms' sizes. `accepted`: who asks for the
+    kernel knows that digits of the value can be lost.
     """
 
     name: str
@@ -94,6 +106,7 @@ class Output:
     relative_to: str | None = None
     by_terms: bool = False
     scale_meaning: str = ""
+    accepted: bool = False
 
 
 @dataclass(frozen=True)
@@ -125,7 +138,8 @@ class Kernel:
     `accurate`: the domain in which its one input is taken with `accurate=True`, in double-words;
     `accurate_graph`: what is computed then, if it is another graph of the same outputs;
     `refinement`: how it comes to a root. `search`: times as many boxes as kernels of several inputs
-    have for their bounds.
+    have for their bounds. `stepwise`: bounds step by step, as of kernels with signed inputs, and no
+    boxes.
     """
 
     name: str
@@ -142,6 +156,7 @@ class Kernel:
     accurate_graph: Graph | None = None
     refinement: Refinement | None = None
     search: int = 1
+    stepwise: bool = False
 
     @cached_property
     def program(self) -> Program:

@@ -6,6 +6,7 @@ computed in float64 or float32 has no part in them.
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
 from fractions import Fraction
 from typing import Any
@@ -13,10 +14,9 @@ from typing import Any
 import flint
 
 from gainproof.derive.printer.bound import KernelBound
-from gainproof.derive.printer.constant import constant
 from gainproof.derive.printer.exact import Point, enclosures_at
-from gainproof.derive.printer.formats import FLOAT32, Format
-from gainproof.derive.printer.kernel import Kernel, Output, Requirement
+from gainproof.derive.printer.formats import Format
+from gainproof.derive.printer.kernel import Kernel, Output, Requirement, least_admitted
 from gainproof.derive.printer.points import points
 from gainproof.derive.printer.program import Program
 from gainproof.derive.printer.reference import Reference
@@ -26,6 +26,7 @@ DIGITS = 40
 """Significant decimal digits of a value; it is known to more than these."""
 KNOWN = 2.0**-140
 """What the radius of a ball may be of the scale."""
+HALVINGS = 64
 PRECISIONS = (256, 1024, 4096, 8192)
 
 Balls = Sequence[flint.arb]
@@ -71,7 +72,8 @@ def _points(kernel: Kernel, bound: KernelBound, seed: str) -> list[dict[str, Any
     form = bound.format
     used, known = references(kernel, form) if has_signs(kernel) else (kernel.program, None)
     found = []
-    for at in points(kernel, bound, seed):
+    for drawn in points(kernel, bound, seed):
+        at = together(kernel, used, known, drawn, bound)
         point = tuple(Fraction(at[_place(kernel, name)]) for name in used.inputs)
         entry = _known(kernel, bound, used, known, point, at)
         if entry is not None:
@@ -102,7 +104,7 @@ def _known(
     for precision in PRECISIONS:
         balls = enclosures_at(used, point, bound.format, precision)
         with flint.ctx.workprec(precision):
-            if not admitted(kernel, used, balls, bound.format):
+            if not admitted(kernel, used, known, balls, bound.format):
                 return None
             sizes = scales(used, known, balls)
             pairs = {output: _pair(output, used, balls, sizes) for output in promised}
@@ -120,17 +122,66 @@ def _by_other(output: Output) -> bool:
     return output.by_terms or output.relative_to is not None
 
 
-def admitted(kernel: Kernel, used: Program, balls: Balls, form: Format) -> bool:
-    """Whether what is required of the inputs together is so, with room for rounding."""
+def admitted(
+    kernel: Kernel, used: Program, known: Sequence[Reference] | None, balls: Balls, form: Format
+) -> bool:
+    """Whether what is required of the inputs together is so, also as it is computed."""
+    return all(_fulfilled(each, used, known, balls, form) for each in kernel.requirements)
 
-    def limit(each: Requirement) -> flint.arb:
-        least = each.single if form is FLOAT32 else each.least
-        return flint.arb(constant(least).nearest(form))
 
-    return all(
-        balls[used.outputs[each.name]] > limit(each) * (1 + 2.0**-10)
-        for each in kernel.requirements
-    )
+def _fulfilled(
+    required: Requirement,
+    used: Program,
+    known: Sequence[Reference] | None,
+    balls: Balls,
+    form: Format,
+) -> bool:
+    """With room for what the computed value may be off."""
+    number = used.outputs[required.name]
+    value, least = balls[number], flint.arb(least_admitted(required, form))
+    room = abs(least) * 2.0**-10
+    if known is not None and known[number].clean:
+        room = abs(value) * (2.0 * known[number].count * form.unit_roundoff)
+    return bool(value > least + room)
+
+
+def together(
+    kernel: Kernel,
+    used: Program,
+    known: Sequence[Reference] | None,
+    at: Sequence[float],
+    bound: KernelBound,
+) -> Sequence[float]:
+    """A point as it is or, if its inputs together are not admitted, times a number with which they
+    are, where halving finds one: what is too small asks for a larger one.
+    """
+    if not kernel.requirements or not any(at):
+        return at
+    sizes = [
+        (max(low, bound.format.least) / abs(x), high / abs(x))
+        for x, (low, high) in zip(at, bound.inputs, strict=True)
+        if x
+    ]
+    low, high = max(low for low, _ in sizes), min(high for _, high in sizes)
+    found, factor = list(at), 1.0
+    for _ in range(HALVINGS):
+        point = tuple(Fraction(found[_place(kernel, name)]) for name in used.inputs)
+        balls = enclosures_at(used, point, bound.format, PRECISIONS[0])
+        with flint.ctx.workprec(PRECISIONS[0]):
+            short = [
+                each
+                for each in kernel.requirements
+                if not _fulfilled(each, used, known, balls, bound.format)
+            ]
+        if not short:
+            return found
+        if least_admitted(short[0], bound.format) > 0:
+            low = factor
+        else:
+            high = factor
+        factor = math.sqrt(low) * math.sqrt(high)
+        found = [bound.format.nearest(Fraction(x * factor)) for x in at]
+    return at
 
 
 def _pair(
@@ -158,6 +209,10 @@ def scales(used: Program, known: Sequence[Reference] | None, balls: Balls) -> Ba
             found.append(parts[0] * (parts[1] if step.scale is None else flint.arb(step.scale)))
         elif step.operation == "div":
             found.append(parts[0] / abs(balls[step.operands[1]]))
+        elif step.operation == "atan2":
+            y, x = (balls[part] for part in step.operands)
+            may_turn = (parts[0] * abs(x) + parts[1] * abs(y)) / (x * x + y * y)
+            found.append(abs(balls[number]) + may_turn)
         else:
             found.append(parts[0])
     return found

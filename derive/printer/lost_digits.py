@@ -119,7 +119,7 @@ class Asked:
         """Value and scale at a point; None where it is not admitted."""
         balls = enclosures_at(self.program, tuple(point), self.form, PRECISION)
         with flint.ctx.workprec(PRECISION):
-            if not admitted(self.kernel, self.program, balls, self.form):
+            if not admitted(self.kernel, self.program, self.known, balls, self.form):
                 return None
             value = balls[self.end]
             if self.output.relative_to is not None:

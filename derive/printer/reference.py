@@ -20,6 +20,7 @@ from __future__ import annotations
 from dataclasses import dataclass, replace
 
 from gainproof.derive.printer.formats import Format
+from gainproof.derive.printer.value import PrintingError
 
 LARGER = 1.0 + 2.0**-40  # than a few roundings of these bounds themselves
 
@@ -46,6 +47,7 @@ class Reference:
 
 
 SETTLED = 2.0**-10  # of a rounding: what a stray may be beside a radicand's least value
+MOST = 500.0  # roundings of what is known by its requirement alone
 FEW = 100.0  # roundings: the square of their relative error is below SETTLED of one, at 2^-24 too
 
 
@@ -63,3 +65,26 @@ def settled(found: Reference, least: float, form: Format) -> Reference:
     if not few or found.stray > room:
         return found
     return replace(found, count=found.count + (2.0 * SETTLED if found.stray else 0.0), stray=0.0)
+
+
+def required(found: Reference, least: float, form: Format) -> Reference:
+    """A step that is required to be at least `least` as it is computed.
+
+    If terms may cancel, its error is a part of its reference, and so of `least`, which it must not
+    come near: then the true value is positive too, but for a factor of 1 + 2^-10, and where that
+    part is a few roundings the relative error is bounded.
+
+    PrintingError where the error is no small part of `least`.
+    """
+    if found.clean:
+        return replace(found, low=max(found.low, least), sign=1, zero=False)
+    error = (found.count * found.high * form.unit_roundoff + found.stray) * (1.0 + 2.0**-8)
+    if error > least * 2.0**-10:
+        raise PrintingError(
+            f"a requirement of an uncertain value: next to {least:.3g} its error is no small part "
+            f"of it; wanted: at least {error * 2.0**10:.2g} ({form.name})"
+        )
+    part = error / least / form.unit_roundoff
+    if part > MOST:
+        return replace(found, low=least, sign=1, zero=False)
+    return replace(found, count=part, low=least, sign=1, zero=False, tight=True, stray=0.0)

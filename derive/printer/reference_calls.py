@@ -14,7 +14,33 @@ from gainproof.derive.printer.value import PrintingError
 # 4 ulp are at most 8 u; (1 - u)^n <= 1 - 8 u needs n a little above 8
 CALLED = 2.0 * ULP * (1.0 + 2.0**-18)
 
+SECOND = 1.0 + 2.0**-8  # what errors of errors add
 GREATEST_EXPONENT = 700.0  # exp of it is a number of float64; of float32 what may overflow is seen
+
+
+def turned(over: Reference, under: Reference, apart: float) -> Reference:
+    """The angle of two legs whose terms may cancel, where the root of the sum of their squares is
+    at least `apart`: errors e and f of theirs turn it by (e |x| + f |y|)/(x^2 + y^2) at most, to
+    first order. They are below 2^-9 of that root, since the error of the sum of the squares is
+    below 2^-10 of it (see `reference.required`), so that second order is a 2^-8 more. So its
+    reference is its magnitude, and what that makes of the references of both (see
+    `known_values.scales`). Where x < 0 the sign of y, which an error may change, decides between
+    angles that differ by 2 pi: that is one direction.
+
+    PrintingError where nothing keeps the legs from 0.
+    """
+    if not apart:
+        raise PrintingError("atan2 of an uncertain value")
+    count = max(over.count, under.count)
+    high = (over.high + under.high) / apart * LARGER
+    stray = (over.stray + under.stray) / apart * SECOND
+    found = (count + CALLED) * SECOND, _least_angle(over, under), 3.1416 + high
+    return Reference(*found, over.sign, True, False, stray)
+
+
+def _least_angle(over: Reference, under: Reference) -> float:
+    """atan t >= t pi/4 for t <= 1; against 0 the angle is a right one."""
+    return 0.78 * (min(over.low / under.high / LARGER, 1.0) if under.high else 1.0)
 
 
 def called(name: str, parts: list[Reference], form: Format) -> Reference:
@@ -37,9 +63,7 @@ def called(name: str, parts: list[Reference], form: Format) -> Reference:
             # |d log angle/d log of either argument| is at most 1: sin 2t <= 2t
             count = sum(part.count for part in parts) + CALLED
             over, under = parts
-            # atan t >= t pi/4 for t <= 1; against 0 the angle is a right one
-            low = 0.78 * (min(over.low / under.high / LARGER, 1.0) if under.high else 1.0)
-            return Reference(count, low, 3.1416, over.sign, True)
+            return Reference(count, _least_angle(over, under), 3.1416, over.sign, True)
         case "exp" | "expm1" if first.sign == 0:
             raise PrintingError(f"{name} of what may have either sign")
         case "exp" | "expm1" if first.high > GREATEST_EXPONENT:

@@ -3,17 +3,16 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
 
 from gainproof.derive.printer.affine import affine_sum
-from gainproof.derive.printer.constant import constant
-from gainproof.derive.printer.formats import FLOAT32, Format
-from gainproof.derive.printer.kernel import Requirement
+from gainproof.derive.printer.formats import Format
+from gainproof.derive.printer.kernel import Requirement, least_admitted
 from gainproof.derive.printer.library import ULP
 from gainproof.derive.printer.program import FUNCTIONS, Program, Step
-from gainproof.derive.printer.reference import LARGER, Reference, settled
-from gainproof.derive.printer.reference_calls import called
+from gainproof.derive.printer.reference import LARGER, Reference, required, settled
+from gainproof.derive.printer.reference_calls import called, turned
 from gainproof.derive.printer.step_text import formula, unsure, zeros
 from gainproof.derive.printer.value import Box, PrintingError
 
@@ -36,10 +35,12 @@ class References:
         self.program, self.form = program, form
         self.box, self.signs, self.zeros = box, signs, zeros
         self.steps: list[Reference] = []
+        self.least: Mapping[int, float] = {}
+        self.radicands: dict[int, float] = {}
 
-    def run(self, requirements: Sequence[Requirement]) -> list[Reference]:
+    def run(self, requirements: Sequence[Requirement]) -> None:
         """All steps; PrintingError, naming the formula, where one has no bound."""
-        least = {self.program.outputs[each.name]: self._least(each) for each in requirements}
+        self.least = least = self._required(requirements)
         for number, step in enumerate(self.program.steps):
             try:
                 parts = [self.steps[part] for part in step.operands]
@@ -50,12 +51,13 @@ class References:
                 text = formula(self.program, number)
                 raise PrintingError(f"{text}: {error}{self._reason(step)}") from None
             if number in least:
-                if not found.clean:
-                    text = formula(self.program, number)
-                    raise PrintingError(f"{text}: a requirement of an uncertain value")
-                found = replace(found, low=max(found.low, least[number]), zero=False)
+                try:
+                    found = required(found, least[number], self.form)
+                except PrintingError as error:
+                    raise PrintingError(f"{formula(self.program, number)}: {error}") from None
+            elif number in self.radicands and found.clean:
+                found = replace(found, low=max(found.low, self.radicands[number]), zero=False)
             self.steps.append(found)
-        return self.steps
 
     def _reason(self, step: Step) -> str:
         """What of the operands is in the way, over the inputs."""
@@ -65,7 +67,7 @@ class References:
             divisor = formula(self.program, under)
             return (
                 f": {divisor} is 0 where {where}, and the domain admits that; wanted: a domain "
-                "without it, such as an input that is not signed"
+                f"without it, such as an input that is not signed, or the condition {divisor} > 0"
             )
         if step.operation in ("sin", "cos"):
             argument = formula(self.program, step.operands[0])
@@ -77,7 +79,10 @@ class References:
         if not parts:
             return ""
         why = dict.fromkeys(unsure(self.program, part, self.steps) for part in parts)
-        return f": {' and '.join(why)}, so that no digit is sure"
+        text = f": {' and '.join(why)}, so that no digit is sure"
+        if step.operation == "atan2":
+            text += "; wanted: the condition that the sum of their squares is above a number"
+        return text
 
     def _vanishes(self, number: int) -> bool:
         """Whether a step may be 0 by its inputs, and not by an underflow alone."""
@@ -88,9 +93,52 @@ class References:
             return True
         return any(self._vanishes(part) for part in step.operands)
 
-    def _least(self, required: Requirement) -> float:
-        limit = required.single if self.form is FLOAT32 else required.least
-        return constant(limit).nearest(self.form) * (1.0 - 2.0**-10)
+    def _required(self, requirements: Sequence[Requirement]) -> dict[int, float]:
+        """What steps are at least, a little below what is required of them; a requirement that
+        something is not above a number says nothing here.
+        """
+        found: dict[int, float] = {}
+        for each in requirements:
+            least = least_admitted(each, self.form)
+            if least > 0:
+                found[self.program.outputs[each.name]] = least * (1.0 - 2.0**-10)
+        for number, least in found.items():
+            step = self.program.steps[number]
+            if step.operation == "sqrt":
+                self.radicands[step.operands[0]] = least * least / LARGER
+        return found
+
+    def apart(self, over: int, under: int) -> float:
+        """What the root of the sum of two steps' squares is required to be at least, or 0."""
+        wanted = sorted([*self._squares(over), *self._squares(under)])
+        for number, least in self.least.items():
+            root = self.program.steps[number].operation == "sqrt"
+            found = self._squares(number) if root else self._terms(number)
+            if sorted(found) == wanted:
+                # as it is computed: the true one is as large, but for a factor
+                return (least if root else math.sqrt(least)) / (1.0 + 2.0**-9)
+        return 0.0
+
+    def _squares(self, number: int) -> Iterator[int]:
+        """The steps the sum of whose squares is the square of a step."""
+        step = self.program.steps[number]
+        if step.operation == "sqrt":
+            yield from self._terms(step.operands[0])
+        elif step.operation in ("neg", "abs"):
+            yield from self._squares(step.operands[0])
+        else:
+            yield number
+
+    def _terms(self, number: int) -> Iterator[int]:
+        """The steps the sum of whose squares is a step; a term that is no square as -1 - number."""
+        step = self.program.steps[number]
+        if step.operation == "add":
+            for part in step.operands:
+                yield from self._terms(part)
+        elif step.operation == "mul" and step.operands == (step.operands[0],) * 2:
+            yield from self._squares(step.operands[0])
+        else:
+            yield -1 - number
 
     def _step(self, number: int, step: Step, parts: list[Reference]) -> Reference:
         if step.operation == "input":
@@ -105,6 +153,9 @@ class References:
         if step.operation in ("neg", "abs"):
             (part,) = parts
             return replace(part, sign=-part.sign if step.operation == "neg" else 1)
+        if step.operation == "atan2" and not all(part.clean for part in parts):
+            over, under = parts
+            return self._normal(turned(over, under, self.apart(*step.operands)))
         found = _result(step, parts, self.form)
         if step.operation == "div" and self._is_leg(*step.operands):
             found = replace(found, high=min(found.high, 1.0 + 2.0**-10))
@@ -149,16 +200,19 @@ class References:
         exact = a.count == 0 and b.count == 0 and a.clean and b.clean
         high = (a.high + b.high) * LARGER
         low, sign = min(a.low, b.low), a.sign if alike else 0
-        # exact numbers of which one is always the larger: no difference of them is 0
-        gap = max(a.low - b.high, b.low - a.high) if exact and not (a.zero or b.zero) else 0.0
+        # where one is always the larger no difference is 0
+        larger, smaller = (a, b) if a.low > b.high else (b, a)
+        gap, weight = _gap(larger, smaller)
         if not alike and gap > 0:
-            low, sign = gap, a.sign if a.low > b.high else turned
+            low, sign = gap, a.sign if larger is a else turned
         elif not alike:
             low *= self.form.unit_roundoff
         elif not (a.zero and b.zero):
             low = max(part.low for part in (a, b) if not part.zero)
         count = 1.0 if exact else max(a.count, b.count) + 1.0
         tight = exact or (alike and a.tight and b.tight)
+        if not alike and gap > 0:
+            count, tight = weight + 1.0, True
         zero = (not alike and gap <= 0) or (a.zero and b.zero)
         stray = (a.stray + b.stray) * SECOND
         found = Reference(count, low, high, sign, zero, tight, stray)
@@ -179,6 +233,24 @@ class References:
         if found.count > GREATEST_COUNT:
             raise PrintingError("too many roundings to bound")
         return found
+
+
+def _gap(larger: Reference, smaller: Reference) -> tuple[float, float]:
+    """What two numbers differ by at least, if their ranges are apart, and roundings of their
+    difference that theirs make: each counts as often as it is larger than the difference, and that
+    is most where the larger is least and the smaller greatest.
+    """
+    if larger.zero or not (larger.clean and smaller.clean):
+        return 0.0, 0.0
+    exact = larger.count == 0 and smaller.count == 0
+    # ends of what is rounded are known but for a factor
+    room = 1.0 if exact else 1.0 + 2.0**-10
+    low, high = larger.low / room, smaller.high * room
+    gap = low - high
+    if not gap > 0:
+        return 0.0, 0.0
+    weight = (larger.count * low + smaller.count * high) / gap * SECOND
+    return (gap, weight) if weight < GREATEST_COUNT / 2 else (0.0, 0.0)
 
 
 def _result(step: Step, parts: list[Reference], form: Format) -> Reference:

@@ -6,11 +6,10 @@ from collections.abc import Collection, Iterator
 from dataclasses import dataclass, replace
 
 from gainproof.derive.printer.arithmetic import Arithmetic, literal
-from gainproof.derive.printer.constant import constant
 from gainproof.derive.printer.docstring import required_text
 from gainproof.derive.printer.formats import FORMATS
 from gainproof.derive.printer.graph import Graph, operands
-from gainproof.derive.printer.kernel import Kernel, Output, Requirement
+from gainproof.derive.printer.kernel import Kernel, Output, Requirement, least_admitted
 
 
 @dataclass(frozen=True)
@@ -76,10 +75,7 @@ def _function(block: str, arithmetic: Arithmetic) -> Iterator[str]:
 def _entry(
     block: str, arithmetic: Arithmetic, required: Requirement, leg: tuple[int, ...]
 ) -> Iterator[str]:
-    double, single = (
-        literal(constant(limit).nearest(form))
-        for limit, form in zip((required.least, required.single), FORMATS, strict=True)
-    )
+    double, single = (literal(least_admitted(required, form)) for form in FORMATS)
     yield "Required("
     yield f'    "{required.meaning}",'
     yield f'    "{required_text(required)}",'

@@ -18,9 +18,12 @@ from gainproof.derive.printer.value import PrintingError
 
 
 def has_signs(kernel: Kernel) -> bool:
-    """Whether a kernel is one of those: boxes of positive numbers say nothing of it."""
+    """Whether a kernel is one of those, or asks something of its inputs together, of which boxes of
+    positive numbers say nothing; or is to be bounded as they are.
+    """
     calls = any(node[0] == "call" and node[1] in FUNCTIONS for node in kernel.graph["nodes"])
-    return calls or any(given.signed for given in kernel.inputs)
+    by_steps = calls or kernel.stepwise or bool(kernel.requirements)
+    return by_steps or any(given.signed for given in kernel.inputs)
 
 
 def by_reference(kernel: Kernel, form: Format) -> Settled:
@@ -46,6 +49,12 @@ def by_reference(kernel: Kernel, form: Format) -> Settled:
 
 def references(kernel: Kernel, form: Format) -> tuple[Program, list[Reference]]:
     """The steps of a kernel over its inputs in their order, and what is known of each."""
+    found = known_steps(kernel, form)
+    return found.program, found.steps
+
+
+def known_steps(kernel: Kernel, form: Format) -> References:
+    """The same with what is known of them together."""
     names = tuple(given.name for given in kernel.inputs)
     used = kernel.program
     if not set(used.inputs) <= set(names):
@@ -54,7 +63,8 @@ def references(kernel: Kernel, form: Format) -> tuple[Program, list[Reference]]:
     signs = [0 if given.signed else 1 for given in kernel.inputs]
     zeros = [given.zero for given in kernel.inputs]
     found = References(used, form, product(kernel.inputs, form), signs, zeros)
-    return used, found.run(kernel.requirements)
+    found.run(kernel.requirements)
+    return found
 
 
 def _bound(found: Reference, form: Format) -> float:

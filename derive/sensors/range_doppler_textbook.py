@@ -10,6 +10,7 @@ from collections.abc import Callable, Mapping
 
 import sympy as sp
 
+from gainproof.derive.algebra.derivative import by
 from gainproof.derive.expression import real
 from gainproof.derive.sensors.range_doppler_names import (
     LIGHT,
@@ -41,11 +42,11 @@ def _one_station(along: Axes) -> dict[str, Formulas]:
     shift = -rate * real("carrier_frequency") / LIGHT
     unit, turning = _slopes("range", distance, along), _slopes("range_rate", rate, along)
     by_velocity = {
-        f"range_rate_D_{name.removeprefix('target_')}": sp.diff(rate, real(name))
+        f"range_rate_D_{name.removeprefix('target_')}": by(rate, real(name))
         for name in velocities("target", along)
     }
     shifted = {
-        f"doppler_shift_D_{name.removeprefix('target_')}": sp.diff(shift, real(name))
+        f"doppler_shift_D_{name.removeprefix('target_')}": by(shift, real(name))
         for name in (*places("target", along), *velocities("target", along))
     }
     return {
@@ -93,11 +94,11 @@ def _apart(kind: Callable[[str, Axes], Axes], along: Axes, station: str) -> list
 
 
 def _slopes(what: str, value: sp.Expr, along: Axes) -> Formulas:
-    return {f"{what}_D_{axis}": sp.diff(value, real(f"target_{axis}")) for axis in along}
+    return {f"{what}_D_{axis}": by(value, real(f"target_{axis}")) for axis in along}
 
 
 def _bends(what: str, value: sp.Expr, along: Axes) -> Formulas:
     return {
-        f"{what}_D_{a}{b}": sp.diff(value, real(f"target_{a}"), real(f"target_{b}"))
+        f"{what}_D_{a}{b}": by(by(value, real(f"target_{a}")), real(f"target_{b}"))
         for a, b in pairs(along)
     }

@@ -25,8 +25,9 @@ BY_SHARES = "root of a sum of squares by the shares of what is squared"
 PLACES = (Fraction(0), Fraction(1, 2), Fraction(1))
 
 
-def best(expression: sp.Expr, inputs: Sequence[Input], prefix: str) -> Found:
-    """The candidate with the fewest subtractions, then the widest domain, then the least bound.
+def best(expression: sp.Expr, inputs: Sequence[Input], prefix: str, budget: int) -> Found:
+    """The candidate with the fewest subtractions, then the widest domain, then the least bound, of
+    the first `budget` ones.
 
     `prefix` begins the names of functions' values.
 
@@ -34,11 +35,11 @@ def best(expression: sp.Expr, inputs: Sequence[Input], prefix: str) -> Found:
     """
     found: list[tuple[tuple[float, ...], Found]] = []
     seen: list[Graph] = []
-    refusal = _tried(expression, inputs, prefix, False, found, seen)
+    refusal = _tried(expression, inputs, prefix, False, found, seen, budget)
     if not found:
         raise refusal or NoReading(f"no form of {expression}")
     if min(each[0] for each in found)[:2] == (0, 1):  # no subtraction, and no bound for all inputs
-        _tried(expression, inputs, prefix, True, found, seen)
+        _tried(expression, inputs, prefix, True, found, seen, budget)
     ranked = [each for _, each in sorted(found, key=lambda each: each[0])]
     return replace(within_range(ranked, inputs), tried=len(seen))
 
@@ -50,8 +51,11 @@ def _tried(
     shares: bool,
     found: list[tuple[tuple[float, ...], Found]],
     seen: list[Graph],
+    budget: int,
 ) -> NoReading | None:
-    """Adds what is found, with its cost, to those found before, whose graphs were `seen`."""
+    """Adds what is found, with its cost, to those found before, whose graphs were `seen`, until
+    these are as many as the budget.
+    """
     refusal: NoReading | None = None
     domains = list(coordinates(inputs))
     for domain in domains:
@@ -67,6 +71,8 @@ def _tried(
                 break
             shortest = min(len(candidate.graph["nodes"]) for candidate in candidates)
             for candidate in candidates:
+                if len(seen) >= budget:
+                    return refusal
                 if candidate.graph in seen or len(candidate.graph["nodes"]) > LONGER * shortest:
                     continue
                 seen.append(candidate.graph)

@@ -19,6 +19,8 @@ from gainproof.derive.stable_form.ranking import Candidate
 from gainproof.derive.stable_form.writing import SCALE, VALUE
 
 ARGUMENT = "a function is taken of it"
+BUDGET = 400
+"""Ways of writing an output that are compared: more than formulas of a few roots have."""
 REASON = "no form without this subtraction was found"
 
 
@@ -58,7 +60,9 @@ class StableForm:
     claims: list[dict[str, Any]]
 
 
-def stable(outputs: Mapping[str, sp.Expr], inputs: Sequence[Input]) -> StableForm:
+def stable(
+    outputs: Mapping[str, sp.Expr], inputs: Sequence[Input], budget: int = BUDGET
+) -> StableForm:
     """A form of every output that loses no digits to subtraction, where one is found.
 
     `outputs`: expressions of the inputs' names, made of numbers, sums, products, quotients, square
@@ -67,10 +71,15 @@ def stable(outputs: Mapping[str, sp.Expr], inputs: Sequence[Input]) -> StableFor
     and so by continuity at its ends wherever both are defined: the certificate is to be put before
     the checker of certificates, which alone decides that.
 
+    `budget`: how many ways of writing each output are compared at most (1 or more), the best of
+    those being taken; a number of ways, no time, so that the same form comes on every machine.
+
     NoReading if an expression is none of these, or a root, a divisor or an argument in it is not
     shown to be positive or negative on the domain.
     """
-    found = {name: best(expression, inputs, name) for name, expression in outputs.items()}
+    if budget < 1:
+        raise ValueError(f"a budget of 1 or more is wanted, {budget} came")
+    found = {name: best(expression, inputs, name, budget) for name, expression in outputs.items()}
     candidates = {name: each.candidate for name, each in found.items()}
     graph, cancellations = _joined({name: each.graph for name, each in candidates.items()})
     scales = {name: f"{name}_{SCALE}" for name in found if f"{name}_{SCALE}" in graph["outputs"]}

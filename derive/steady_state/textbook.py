@@ -9,6 +9,7 @@ from collections.abc import Mapping
 
 import sympy as sp
 
+from gainproof.derive.algebra.derivative import by
 from gainproof.derive.steady_state.context import Context
 from gainproof.derive.steady_state.names import ALPHA, BETA, INDEX
 from gainproof.derive.steady_state.spectrum import index_equation
@@ -51,11 +52,11 @@ def textbook_forms(c: Context) -> Mapping[str, Forms]:
     forms: dict[str, Forms] = {}
     for name, outputs in kernels.items():
         forms[name] = {output: values[output] for output in outputs}
-        derivatives = {output: sp.diff(values[output], INDEX) for output in outputs}
+        derivatives = {output: by(values[output], INDEX) for output in outputs}
         own = name.removesuffix("s") if name.endswith("gains") else name
         forms[f"{own}_derivatives"] = derivatives
         forms[f"{own}_second_derivatives"] = {
-            output: sp.diff(value, INDEX) for output, value in derivatives.items()
+            output: by(value, INDEX) for output, value in derivatives.items()
         }
     forms["gains_with_derivatives"] = {
         **forms["gains"],

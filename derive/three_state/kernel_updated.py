@@ -14,6 +14,7 @@ from typing import Any
 
 import sympy as sp
 
+from gainproof.derive.algebra.derivative import by
 from gainproof.derive.steady_state.towers import rational
 from gainproof.derive.three_state import kernel_rational
 from gainproof.derive.three_state.excess import node_of, positive_terms
@@ -70,7 +71,7 @@ class Updated:
         s, eta = self.k.spectrum, self.eta
         a1, a2, e = rational(s.a1), rational(s.a2), rational(s.e)
         g, h = eta**2 - a2, (3 * eta**2 + 2 * a1 * eta + a2) / 2
-        slope = XI * sp.diff(entry, XI) - entry
+        slope = XI * by(entry, XI) - entry
         return sp.expand(2 * entry * g * h - 2 * (g**2 / 4 - e * XI**2) * slope)
 
     def value(self, polynomial: sp.Expr) -> Any:

@@ -14,6 +14,7 @@ from typing import Any
 import sympy as sp
 from sympy.polys.fields import FracField
 
+from gainproof.derive.algebra.derivative import by
 from gainproof.derive.algebra.tower import Poly, Tower, is_manifestly_positive
 from gainproof.derive.three_state.names import DELTA, INDEX, TAU, XI
 from gainproof.derive.three_state.spectrum import Spectrum
@@ -62,7 +63,7 @@ class Quotients:
     def along_index(self, quotient: Quotient) -> Quotient:
         """Lambda d/dLambda of a quotient: as in `forms`, L xi = -64 xi/(Lambda^2 delta tau)."""
         rate = self.of(-64 * XI / (INDEX**2 * DELTA * TAU))
-        return rate * quotient.diff(self.field.gens[0])
+        return rate * by(quotient, self.field.gens[0])
 
     def _lowered(self, value: Quotient, power: int) -> tuple[Quotient, int]:
         pairs, rest = divmod(power, 2)

@@ -12,7 +12,7 @@ from typing import Any
 
 import sympy as sp
 
-from gainproof.derive.algebra.derivative import derivative
+from gainproof.derive.algebra.derivative import by, derivative
 from gainproof.derive.algebra.tower import Fraction, Tower
 from gainproof.derive.expression import real
 from gainproof.derive.three_state.context import Context
@@ -113,5 +113,5 @@ def slope_by_parameter(c: Context, expression: sp.Expr) -> Hint:
 def _by_parameter(c: Context, expression: sp.Expr) -> sp.Expr:
     """d/dp, as d/dxi with xi = 1 + b + 4/wide."""
     value = c.quotients.of(expression)
-    fall = sp.diff(4 / scale_of_parameter(c.spectrum), PARAMETER)
-    return shown(c, -value.diff(c.quotients.field.gens[0])) * -fall
+    fall = by(4 / scale_of_parameter(c.spectrum), PARAMETER)
+    return shown(c, -by(value, c.quotients.field.gens[0])) * -fall

@@ -15,6 +15,7 @@ from collections.abc import Mapping
 
 import sympy as sp
 
+from gainproof.derive.algebra.derivative import by
 from gainproof.derive.steady_state.towers import rational
 from gainproof.derive.three_state.context import Context
 from gainproof.derive.three_state.forms import numbers
@@ -73,7 +74,7 @@ def textbook_forms(c: Context) -> Mapping[str, Forms]:
     for name, outputs in kernels.items():
         forms[name] = {output: values[output] for output in outputs}
         own = name.removesuffix("s") if name.endswith("gains") else name
-        forms[f"{own}_derivatives"] = {output: sp.diff(values[output], INDEX) for output in outputs}
+        forms[f"{own}_derivatives"] = {output: by(values[output], INDEX) for output in outputs}
     forms["gains_with_derivatives"] = {
         **forms["gains"],
         **{f"d_{output}": value for output, value in forms["gain_derivatives"].items()},

@@ -108,6 +108,18 @@ def test_what_is_shown_decides(
     assert true_loss(lower) <= float(shown) <= true_loss(lower) + 0.5
 
 
+def test_by_terms_of_a_result_is_enough_to_write_it(
+    file: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """Its author knows; what can be lost is said all the same."""
+    text = file.read_text("utf-8").replace("exp(-x) - 1)", "exp(-x) - 1, by_terms=True)")
+    file.write_text(text, encoding="utf-8")
+    assert cli.main(["generate", str(file), "--out", str(tmp_path / "kernels")]) == 0
+    said = capsys.readouterr().out
+    assert "Digits that can be lost: up to" in said
+    assert "written" in said
+
+
 @pytest.mark.thorough  # the page itself is run: `test_pages.py`
 def test_what_the_page_says_can_be_done_is_written(
     tmp_path: Path, capsys: pytest.CaptureFixture[str]

@@ -131,6 +131,7 @@ def _refused(remarks: Sequence[Remark], allowed: bool) -> bool:
     for text in (
         f"narrower domains of the inputs, without this part: {'; '.join(refused)}",
         'a form whose terms do not cancel: docs/stable-forms.md, "What you can do"',
+        "by_terms=True of a Result, where an error that is small beside its terms will do",
         "--allow-loss, which writes the kernels as they are",
     ):
         print("\n".join(filled(text, "- ", "  ")))

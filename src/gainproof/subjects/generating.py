@@ -202,6 +202,8 @@ def _losses(
                 name = f"{kernel.name}, {output.name}"
                 yield {
                     "text": f"{name}: {loss_text(losses)}",
-                    "refused": refusing and any(loss.half for loss in losses),
+                    "refused": refusing
+                    and not output.accepted
+                    and any(loss.half for loss in losses),
                     "where": f"for {name} where {place_text(losses)}",
                 }

@@ -91,3 +91,21 @@ def test_another_graph_is_rejected() -> None:
 def test_what_cannot_be_read_is_refused(expression: sp.Expr) -> None:
     with pytest.raises(NoReading):
         stable({"y": expression}, POSITIVE)
+
+
+def test_a_budget_ends_the_search_with_the_best_so_far() -> None:
+    """More ways of writing never make the bound larger, and one is enough for a form."""
+    value = ((X + 4) * ROOT - X**2 - 8 * X) / 8
+    bounds = []
+    for budget in (1, 2, 20, 400):
+        form = stable({"y": value}, POSITIVE, budget)
+        found = form.bounds["y"]
+        assert found is not None
+        assert form.tried <= budget
+        assert not form.cancellations
+        assert accepted(form)
+        bounds.append(found.bound)
+    assert bounds == sorted(bounds, reverse=True)
+    assert bounds[0] > bounds[-1]
+    with pytest.raises(ValueError, match="a budget of 1 or more is wanted, 0 came"):
+        stable({"y": value}, POSITIVE, 0)
