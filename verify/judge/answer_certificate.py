@@ -248,7 +248,9 @@ class Writer:
             self.bend()
             if not self.prove():
                 raise ValueError(f"no proof was found that the file can check: {self.first}")
-        return {"point": dict(proof.checker.data["point"]), "lines": proof.lines}
+        point = proof.checker.data["point"]
+        said_of = {n: v for n, v in point.items() if n in proof.checker.letters}
+        return {"point": said_of, "lines": proof.lines}
 
     def meet(self, equations: Sequence[Rel]) -> None:
         """Has the point meet them, each solved for a variable."""

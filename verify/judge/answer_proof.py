@@ -80,6 +80,8 @@ class Proof:
         self, p: Poly, sign: str, terms: Sequence[Any], times: Any = None, by: Poly | None = None
     ) -> int | None:
         """The number of the fact, None where the checker does not see it."""
+        if (found := self.fact(p, sign)) is not None:
+            return found
         line = ["shows", said(p), sign, times or [[1], []], terms]
         try:
             return self.say(*line, *([said(by)] if by is not None else []))
