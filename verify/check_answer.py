@@ -18,7 +18,7 @@ from operator import add, mul, sub
 from typing import Any
 
 FORMAT = "gainproof answer certificate 2"
-MOST_BYTES, MOST_TERMS, MOST_DEGREE, MOST_BITS, FINE = 4_000_000, 200_000, 250, 20_000, 1 << 400
+MOST_BYTES, MOST_TERMS, MOST_DEGREE, MOST_BITS, FINE = 4_000_000, 200_000, 250, 20_000, 1 << 200
 TEXT = re.compile(r"(?a:[\w+*/()\[\],<>=! -]{0,2000})")
 SUMS: Any = {ast.Add: add, ast.Sub: sub, ast.Mult: mul}
 SIGNS = {ast.Eq: "==", ast.NotEq: "!=", ast.Gt: ">", ast.GtE: ">="}

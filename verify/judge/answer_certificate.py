@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import ast
 import contextlib
+import json
 import re
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
@@ -151,6 +152,8 @@ def _certificate(
         try:
             writer = Writer(replace(said, relations=chosen), point, refutes, latest)
             found = {"format": check_answer.FORMAT, **writer.written()}
+            if len(json.dumps(found)) > check_answer.MOST_BYTES - 10_000:
+                raise TimeoutError("its proof is too long")
             check_answer.Certificate(found).decide()
             return found
         except ValueError as error:

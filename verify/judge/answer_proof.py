@@ -125,6 +125,8 @@ class Proof:
             if name in done:
                 return
             below = {k for m in letters[name][1] for k in m}
+            if letters[name][0] == "sin":
+                below |= {f"cos{name[3:]}"} & {*letters}
             if name in self.of_sums:
                 below |= {k for m in self.checker.facts[self.of_sums[name]][0] for k in m}
             if name in self.solved:
@@ -183,8 +185,8 @@ class Proof:
 
     def solve(self, p: Poly, number: int | None) -> None:
         """Uses p = 0, a fact if it has a number, for a variable that is of degree 1 in it."""
-        while (name := next((k for m in p for k in m if k in self.solved), None)) is not None:
-            own, relation = self.solved[name]
+        while (name := next((k for m in p for k in m if self.is_short(k)), None)) is not None:
+            _, own, relation = self.relation(name)
             e, bottom, other, cofactor = self.cleared(p, name, relation)
             if number is not None:
                 power = self.from_flint(self.to_flint(bottom) ** e)
@@ -201,6 +203,9 @@ class Proof:
                 self.solved[name] = number, p
                 self.order = []
                 return
+
+    def is_short(self, name: str) -> bool:
+        return name in self.solved or self.checker.letters[name][0] == "part"
 
     def rests_on(self, name: str, other: str) -> bool:
         inner = {k for m in self.checker.letters[name][1] for k in m}
