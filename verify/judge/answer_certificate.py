@@ -33,7 +33,7 @@ from gainproof.verify.judge.exact.witness import free_values
 
 Data = dict[str, Any]
 Graph = Mapping[str, Any]
-SECONDS = 20
+SECONDS = 5
 """Of the processor, after which no proof is looked for any more."""
 OF_MODEL = re.compile(r"[PKSX]\[\d,\d\]")
 """Entries of a filter's matrices, as the file names them."""
