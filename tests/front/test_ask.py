@@ -367,6 +367,19 @@ def test_certificates_are_written_and_decided_by_their_file(
     assert "--certificate writes one formula, got 2" in capsys.readouterr().err
 
 
+def test_json_carries_the_certificate_or_why_there_is_none(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    file = tmp_path / "certificate.json"
+    assert main(["ask", "x + 1/x >= 2", "D = a + b", "--domain", "x > 0", "--json"]) == 0
+    first, other = json.loads(capsys.readouterr().out)["answers"]
+    file.write_text(json.dumps(first["certificate"]))
+    assert check_answer.main([str(file)]) == 0
+    assert first["no_certificate"] is None
+    assert other["certificate"] is None
+    assert other["no_certificate"] == "the verdict is definition"
+
+
 def test_a_claim_file_has_certificates(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     claims, folder = tmp_path / "claims.toml", tmp_path / "certificates"
     assert main(["ask", r"\sqrt{x^2 + y^2} = x + y", "--save", str(claims)]) == 0

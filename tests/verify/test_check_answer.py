@@ -1,7 +1,8 @@
 """Certificates of answers: what is true is accepted, what is false never, however it is altered.
 
-What an altered certificate states is evaluated here from its data with mpmath, its filter by going
-through the Riccati recursion until it settles: nothing of the checker's own.
+Steps are written here by hand, right ones and wrong ones. What an altered certificate states is
+evaluated from its lines with mpmath, its filter by going through the Riccati recursion until it
+settles: nothing of the checker's own.
 """
 
 from __future__ import annotations
@@ -24,20 +25,12 @@ import pytest
 
 from gainproof.answers.judge import Judge
 from gainproof.verify import check_answer
-from gainproof.verify.check_answer import main
+from gainproof.verify.check_answer import FILTER, FORMAT, Poly, main, symmetric
 from gainproof.verify.judge.answer_certificate import rejected
 
 FILE = Path(check_answer.__file__)
 Data = dict[str, Any]
-NUMBER = {"low": None, "high": None}
-OPERATORS = {
-    "=": lambda d: d == 0,
-    "!=": lambda d: d != 0,
-    "<": lambda d: d < 0,
-    "<=": lambda d: d <= 0,
-    ">": lambda d: d > 0,
-    ">=": lambda d: d >= 0,
-}
+ALONE: list[Any] = [[1], []]
 # true by hand, or refuted at a point: (formula, what else is said, verdict)
 ASKED: list[Any] = [
     (r"\beta = 2(2 - \alpha) - 4\sqrt{1 - \alpha}", {"model": "random-acceleration"}, "proved"),
@@ -50,9 +43,11 @@ ASKED: list[Any] = [
     (r"x^3 - x + 1 > 0", {"domain": "0 < x < 5"}, "proved"),
     (r"\frac{x^2 - y^2}{x - y} = x + y", {}, "proved"),
     (r"\cos(2 u) = 1 - 2 \sin^2 u", {"model": "none"}, "proved"),
+    (r"\sin(u - v) = \sin u \cos v - \cos u \sin v", {"model": "none"}, "proved"),
     (r"e^{a + b} = e^a e^b", {}, "proved"),
     (r"a/c >= b/c", {"given": "a >= b", "domain": "c > 0"}, "proved"),
     (r"(x + y)^2 = x^2 + y^2", {}, "refuted"),
+    (r"e^{x} = 1 + x", {"domain": "x > 0"}, "refuted"),
     (r"\sqrt{3 + 2 \sqrt{2}} = 1 + \sqrt{2}", {}, "proved"),
 ]
 
@@ -61,9 +56,8 @@ ASKED: list[Any] = [
 def certificates() -> Iterator[list[Data]]:
     with Judge(seconds=60) as judge:
         found = []
-        for formula, said, verdict in ASKED:
+        for formula, said, _ in ASKED:
             answer = judge.ask(formula, **said)
-            assert answer.certificate.get("verdict") == verdict, (formula, answer.verdict)
             found.append(json.loads(json.dumps(answer.certificate)))
         yield found
 
@@ -74,231 +68,280 @@ def run(path: Path, data: Any, capsys: pytest.CaptureFixture[str]) -> tuple[int,
     return status, capsys.readouterr().out.splitlines()
 
 
-def certificate(relations: list[Any], among: Mapping[str, Any], **more: Any) -> Data:
-    """One about real numbers, each between two ends (low, high) that are left out."""
-    boxes = {name: [low, True, high, True, False] for name, (low, high) in among.items()}
-    return {
-        "format": check_answer.FORMAT,
-        "verdict": "proved",
-        "typed": "",
-        "unit": 1,
-        "everywhere": False,
-        "domain": boxes,
-        "given": [],
-        "model": None,
-        "letters": [],
-        "relations": relations,
-        "needed": [],
-    } | more
+def certificate(*lines: Any, **point: list[Any]) -> Data:
+    return {"format": FORMAT, "point": point, "lines": [*lines]}
 
 
-X, Y = ["symbol", "x"], ["symbol", "y"]
-ROOT = [X, ["pow", 0, "2"], ["pow", 1, "1/2"]]
-MINUS_X = [X, ["neg", 0]]
-CUBE = [X, ["pow", 0, "3"], ["pow", 1, "1/3"]]
-ANY, PLUS, MINUS = (None, None), ("0", None), (None, "0")
-ZERO, ONE = [["number", "0"]], [["number", "1"]]
-SQUARE = [X, ["pow", 0, "2"]]
-QUOTIENT = [X, ["div", 0, 0]]
-DIFFERENCE = [X, Y, ["neg", 1], ["add", 0, 2], ["pow", 3, "2"]]
-# by hand: sqrt(x^2) is |x|, a square may be 0, x/x has no value at 0, x y > 0 for both of one sign
-STATED: list[Any] = [
-    ([ROOT, "=", [X]], {"x": PLUS}, True, True),
-    ([ROOT, "=", [X]], {"x": ("-1", None)}, False, False),
-    ([ROOT, "=", [X]], {"x": ANY}, False, False),
-    ([ROOT, "=", [X]], {"x": MINUS}, False, False),
-    ([ROOT, "=", MINUS_X], {"x": MINUS}, True, True),
-    ([CUBE, "=", [X]], {"x": PLUS}, True, True),
-    ([CUBE, "=", [X]], {"x": MINUS}, True, True),
-    ([CUBE, "=", MINUS_X], {"x": PLUS}, False, False),
-    ([SQUARE, ">", ZERO], {"x": ANY}, False, False),
-    ([SQUARE, ">=", ZERO], {"x": ANY}, True, True),
-    ([SQUARE, ">", ZERO], {"x": PLUS}, True, True),
-    ([SQUARE, ">", ONE], {"x": PLUS}, False, False),
-    ([SQUARE, ">", ONE], {"x": ("1", None)}, True, True),
-    ([SQUARE, "<", ONE], {"x": ("-1", "1")}, True, True),
-    ([SQUARE, "<", ONE], {"x": ("-1", "2")}, False, False),
-    ([QUOTIENT, "=", ONE], {"x": PLUS}, True, True),
-    ([QUOTIENT, "=", ONE], {"x": ANY}, True, False),
-    ([DIFFERENCE, ">", ZERO], {"x": ANY, "y": ANY}, False, False),
-    ([[X, Y, ["mul", 0, 1]], ">", ZERO], {"x": ANY, "y": PLUS}, False, False),
-    ([[X, Y, ["mul", 0, 1]], "<", ZERO], {"x": MINUS, "y": PLUS}, True, True),
-    ([[X, ["neg", 0], ["pow", 1, "1/2"]], ">=", ZERO], {"x": PLUS}, False, False),
+def real(name: str, *conditions: str) -> list[Any]:
+    return [["real", name], *[["where", c] for c in conditions]]
+
+
+X = real("x")
+PLUS = real("x", "x > 0")
+ONE: list[Any] = [[1]]
+P: list[Any] = [[[1], "x"]]
+SQUARE: list[Any] = [[[1], "x", "x"]]
+ROOT: list[Any] = [[[1], "sqrt(x ** 2)"]]
+DIFFERENCE = [*ROOT, [[-1], "x"]]
+SUM = [*ROOT, *P]
+CLAIM = ["claim", "sqrt(x**2) == x"]
+# facts of PLUS: 0 x > 0; then 1 x^2 > 0, 2 r^2 - x^2 == 0, 3 r > 0
+ABSOLUTE = [
+    ["shows", SQUARE, ">", ALONE, [[[1], [0, 0]]]],
+    ["opens", "sqrt(x ** 2)", 1],
+    ["shows", SQUARE, ">=", ALONE, [[[1], [1]]]],
+]
+SHOWN = ["shows", DIFFERENCE, "==", ALONE, [[[1], [2]]], SUM]
+
+
+def test_a_root_has_its_sign_where_it_is_shown() -> None:
+    assert rejected(certificate(*PLUS, CLAIM, *ABSOLUTE, SHOWN, x=[2])) is None
+    negative = [["shows", SUM, "==", ALONE, [[[1], [2]]], DIFFERENCE]]
+    wrong = ["claim", "sqrt(x**2) == 0 - x"]
+    assert rejected(certificate(*PLUS, wrong, *ABSOLUTE, *negative, x=[2])) is not None
+
+
+@pytest.mark.parametrize(
+    ("domain", "opening"),
+    [
+        # of any x the root has a kink at 0; without 0 the domain falls apart
+        (X, [["shows", SQUARE, ">=", ALONE, [[[1], [], P]]], ["opens", "sqrt(x ** 2)", 0]]),
+        (
+            real("x", "x != 0"),
+            [
+                ["shows", SQUARE, "!=", ALONE, [[[1], [0, 0]]]],
+                ["shows", SQUARE, ">=", ALONE, [[[1], [], P]]],
+                ["opens", "sqrt(x ** 2)", 2],
+            ],
+        ),
+        (
+            real("x", "x**2 > 1"),
+            [
+                ["shows", SQUARE, ">", ALONE, [[[1], [0]], [[1], []]]],
+                ["opens", "sqrt(x ** 2)", 1],
+                ["shows", SQUARE, ">=", ALONE, [[[1], [1]]]],
+            ],
+        ),
+    ],
+)
+def test_a_branch_is_not_carried_over_a_kink_or_a_gap(domain: Any, opening: Any) -> None:
+    fact = {1: 1, 3: 3, 2: 2}
+    for number in fact:
+        shown = ["shows", DIFFERENCE, "==", ALONE, [[[1], [number]]], SUM]
+        assert rejected(certificate(*domain, CLAIM, *opening, shown, x=[2])) is not None
+
+
+POSITIVE = ["claim", "x > 0"]
+WRONG: list[Any] = [
+    # what is said to be shown, with what: none of it follows
+    (PLUS, ["claim", "x > 1"], ["shows", [*P, [[-1]]], ">", ALONE, [[[1], [0]]]]),
+    (PLUS, ["claim", "0 > x"], ["shows", [[[-1], "x"]], ">", ALONE, [[[-1], [0]]]]),
+    (X, POSITIVE, ["shows", P, ">", ALONE, []]),
+    (X, ["claim", "x**2 > 0"], ["shows", SQUARE, ">", ALONE, [[[1], [], P]]]),
+    (real("x", "x >= 0"), POSITIVE, ["shows", P, ">", ALONE, [[[1], [0]]]]),
+    (X, ["claim", "x == 0"], ["shows", P, "==", [[0], []], []]),
+    (X, ["claim", "x == 0"], ["shows", P, "==", [[1], [], []], []]),
+    (X, ["claim", "x == 0"], ["shows", P, "==", ALONE, [], [[[0]]]]),
+    (X, ["claim", "0 != 0"], ["shows", [], "!=", ALONE, [[[0], []]]]),
+    (X, ["claim", "0 > 0"], ["shows", [], ">", ALONE, [[[0], []]]]),
+    (X, ["claim", "x != 0"], ["shows", P, "!=", ALONE, [[[1], [], P]], ONE]),
+    (X, ["claim", "x != 0"], ["shows", P, "!=", ALONE, []]),
+    (real("x", "x >= 0"), ["claim", "x == 0"], ["shows", P, "==", [[1], [0]], []]),
+    (real("x", "x >= 0"), ["claim", "0 - x >= 0"], ["shows", [[[-1], "x"]], ">=", [[1], [0]], []]),
+    (PLUS, POSITIVE, ["shows", P, "=", ALONE, [[[1], [0]]]]),
+    (X, POSITIVE, ["shows", P, ">", ALONE, [], P]),
+    # never 0 on a domain that falls apart
+    (real("x", "x != 0"), POSITIVE, ["shows", P, ">", ALONE, [[[1], [0]]]]),
+    (PLUS, ["claim", "1/x > 0"], ["opens", "1/(x)", 7]),
+    (PLUS, ["claim", "1/(x - 1) != 0"], ["opens", "1/(x - 1)", 0]),
+    (X, ["claim", "exp(x) == exp(x)*exp(x)"], ["sums", "x", "x", "x"]),
+    (X, ["claim", "1/x == 1/x"], ["shows", [], "==", ALONE, []]),
+    (X, ["claim", "sqrt(x) == sqrt(x)"], ["shows", [], "==", ALONE, []]),
+    # where x = 0, x times -1 is -x, which is not negative
+    (
+        real("x", "x >= 0", "0 - x >= 0"),
+        ["claim", "0 - 1 >= 0"],
+        ["shows", [[[-1]]], ">=", [[1], [0]], [[[1], [1]]]],
+    ),
 ]
 
 
-@pytest.mark.parametrize(("relation", "domain", "proved", "everywhere"), STATED)
-def test_what_is_false_is_rejected_and_what_is_true_accepted(
-    relation: list[Any], domain: dict[str, Any], proved: bool, everywhere: bool
-) -> None:
-    stated = certificate([relation], domain)
-    assert (rejected(stated) is None) == proved
-    assert (rejected({**stated, "everywhere": True}) is None) == everywhere
+@pytest.mark.parametrize("number", range(len(WRONG)))
+def test_a_step_that_does_not_follow_is_refused(number: int) -> None:
+    domain, claim, step = WRONG[number]
+    point = [0] if "0 - x >= 0" in str(domain) else [3]
+    assert rejected(certificate(*domain, claim, step, x=point)) is not None
+
+
+@pytest.mark.parametrize(("by", "accepted"), [(2, True), (0, False)])
+def test_a_letter_is_opened_by_its_own_divisor(by: int, accepted: bool) -> None:
+    less = [[[1], "x"], [[-1]]]
+    lines = [
+        *real("x", "x > 5"),
+        ["claim", f"({'x - 1' if accepted else 'x - 5'})*(1/(x - 1)) == 1"],
+        ["shows", less, ">", ALONE, [[[1], [0]], [[4], []]]],
+        ["shows", less, "!=", ALONE, [[[1], [1]]]],
+        ["opens", "1/(x - 1)", by],
+    ]
+    assert (rejected(certificate(*lines, x=[6])) is None) == accepted
 
 
 @pytest.mark.parametrize(
-    ("box", "operator", "proved"),
+    ("conditions", "point"),
     [
-        (["0", False, "2", True, False], ">", False),  # 0 belongs to it
-        (["0", False, "2", True, False], ">=", True),
-        (["0", True, "2", False, False], ">", True),
-        (["-1", True, "0", False, False], "<", False),
-        (["0", True, "0", True, False], "<", False),
+        (["x > 0", "0 - 1 > x"], [1]),
+        (["x > 5", "1 > x"], [6]),
+        (["x == 5", "1 > x"], [5]),
+        (["x**2 == 2"], [7, 5]),
+        (["0 > x**2"], [0]),
     ],
 )
-def test_ends_that_belong_to_the_domain_count(box: list[Any], operator: str, proved: bool) -> None:
-    stated = certificate([[[X], operator, ZERO]], {}, domain={"x": box})
-    assert (rejected(stated) is None) == proved
+def test_nothing_is_shown_of_no_number(conditions: list[str], point: list[int]) -> None:
+    lines: list[Any] = [*real("x", *conditions), ["claim", "0 == 1"]]
+    shown = ["shows", [[[1]]], "==", ALONE, []]
+    assert rejected(certificate(*lines, shown, x=point)) is not None
+    lines[-1] = ["claim", "0 == 0"]
+    assert rejected(certificate(*lines, ["shows", [], "==", ALONE, []], x=point)) is not None
 
 
 @pytest.mark.parametrize(
-    ("given", "relation", "proved"),
+    "line",
     [
-        ([[X], "<", [Y]], [[X], "<", [Y]], True),
-        ([[X], "<=", [Y]], [[X], "<", [Y]], False),
-        ([[X], "<=", [Y]], [[X], "<=", [Y]], True),
-        ([[X], "!=", [Y]], [[X], "<", [Y]], False),
-        ([[X], "=", [Y]], [SQUARE, "=", [Y, ["pow", 0, "2"]]], True),
-        ([SQUARE, "=", [Y, ["pow", 0, "2"]]], [[X], "=", [Y, ["neg", 0]]], False),
-        ([[X, Y, ["mul", 0, 1]], "=", [X]], [[Y], "=", ONE], True),  # x > 0, so y = 1
+        ["with", "sqrt(2) = 5"],
+        ["with", "K[1,1] = 5"],
+        ["with", "x = 5"],
+        ["with", "y == 5"],
+        ["with", "y = x\nclaim:      x == 1"],
+        ["real", "y\nclaim: 1 == 2"],
+        ["real", "y = 3"],
+        ["typed", "a\nclaim: 1 == 2"],
+        ["other", "x"],
+        ["claim", "[x, x]"],
+        ["claim", "x = 1"],
+        ["claim", "x == 1 # == 2"],
+        ["with", "y = exp(x, y=3)"],
+        ["with", "y = exp(*x)"],
+        ["with", "y = x.real"],
+        ["with", "y = x if x else x"],
+        ["with", "y = x // x"],
+        ["claim", "\u0430 == \u0430"],
+        ["claim", "x < 1 < 2"],
+        ["filter", FILTER],
+        ["filter", "P is the covariance"],
+        ["with", "y = z"],
     ],
 )
-def test_conditions_are_used_as_far_as_they_go(
-    given: list[Any], relation: list[Any], proved: bool
-) -> None:
-    stated = certificate([relation], {"x": PLUS, "y": PLUS}, given=[given])
-    assert (rejected(stated) is None) == proved
+def test_lines_that_mislead_are_refused(line: list[str]) -> None:
+    true = [["claim", "x == x"], ["shows", [], "==", ALONE, []]]
+    assert rejected(certificate(*X, *true)) is None
+    assert rejected(certificate(*X, *true[:1], line, *true[1:])) is not None
 
 
-SUM_OF_BOTH = [X, Y, ["add", 0, 1]]
-LEFT_OVER = [["number", "1"], X, Y, ["add", 1, 2], ["neg", 3], ["add", 0, 4], ["mul", 1, 5]]
+def test_without_a_claim_nothing_is_proved() -> None:
+    assert rejected(certificate()) is not None
+    assert rejected(certificate(*X)) is not None
+
+
+def matrix(rows: Any) -> str:
+    return f"[{', '.join('[' + ', '.join(map(str, row)) + ']' for row in rows)}]"
+
+
+def of_filter(numbers: Mapping[str, Any]) -> Data:
+    """All that is wanted is of numbers, each of which has the sign that is seen, or is 0."""
+    lines: list[Any] = [["with", f"{name} = {matrix(rows)}"] for name, rows in numbers.items()]
+    lines += [["filter", FILTER], ["claim", "K[1,1] == K[1,1]"]]
+    whole = certificate(*lines)
+    checker = check_answer.Certificate(whole)
+    for line in lines:
+        checker.line(*line)
+    for p, sign in checker.wanted:
+        said = [
+            [[*c.as_integer_ratio()] if isinstance(c, Fraction) else [c], *m] for m, c in p.items()
+        ]
+        if said:
+            lines.append(["shows", said, ">", ALONE, []])
+            if sign == ">=":
+                lines.append(["shows", said, ">=", ALONE, [[p[()].as_integer_ratio(), []]]])
+        else:
+            lines.append(["shows", [], sign, ALONE, []])
+    return certificate(*lines)
+
+
+SCALAR = {"F": [[2]], "H": [[1]], "Q": [[0]], "R": [[1]], "P": [[3]], "K": [["3/4"]]}
 
 
 @pytest.mark.parametrize(
-    ("relation", "proved"),
+    ("other", "accepted"),
     [
-        ([[X], "<", ONE], True),
-        ([[Y], "<", ONE], True),
-        ([LEFT_OVER, ">", ZERO], True),  # x (1 - x - y)
-        ([SUM_OF_BOTH, "<", ONE], True),
-        ([SUM_OF_BOTH, "<", [["number", "1/2"]]], False),
-        ([[X], "<", [Y]], False),
-        ([[X, Y, ["mul", 0, 1]], "<", [["number", "1/5"]]], False),  # 1/4 is nearly reached
+        ({}, True),
+        ({"P": [[0]], "K": [[0]]}, False),  # P = 4 P/(P + 1) for P = 0 too, but F - F K H = 2
+        ({"K": [["1/2"]]}, False),
+        ({"Q": [[1]]}, False),
+        ({"F": [[3]]}, False),
+        ({"R": [[2]]}, False),
+        ({"P": [[2]]}, False),
+        ({"H": [[1, 0]]}, False),
     ],
 )
-def test_a_condition_on_two_numbers_bounds_each(relation: list[Any], proved: bool) -> None:
-    stated = certificate([relation], {"x": PLUS, "y": PLUS}, given=[[SUM_OF_BOTH, "<", ONE]])
-    assert (rejected(stated) is None) == proved
-
-
-@pytest.mark.parametrize(("low", "proved"), [("0", True), ("-1", False), (None, False)])
-def test_what_is_above_a_positive_number_is_positive(low: str | None, proved: bool) -> None:
-    stated = certificate([[[Y], ">", ZERO]], {"x": (low, None), "y": ANY})
-    assert (rejected({**stated, "given": [[[X], "<", [Y]]]}) is None) == proved
-
-
-def test_a_condition_with_a_factor_that_may_vanish_says_nothing() -> None:
-    stated = certificate([[[Y], "=", ONE]], {"x": ANY, "y": ANY})
-    stated["given"] = [[[X, Y, ["mul", 0, 1]], "=", [X]]]  # x = 0, y = 2 too
-    assert rejected(stated) is not None
-
-
-@pytest.mark.parametrize(
-    ("covariance", "gain", "accepted"), [("3", "3/4", True), ("0", "0", False)]
-)
-def test_of_two_solutions_only_the_stable_one_is_the_filter(
-    covariance: str, gain: str, accepted: bool
-) -> None:
-    # F = 2, H = 1, Q = 0, R = 1: P = 4 P/(P + 1) for P = 0 too, but there F - F K H = 2
-    numbers = {"F": "2", "H": "1", "Q": "0", "R": "1", "P": covariance, "K": gain}
-    model = {name: [[[["number", text]]]] for name, text in numbers.items()}
-    stated = certificate([[[["symbol", "K[1,1]"]], "=", [["number", gain]]]], {}, model=model)
-    assert (rejected(stated) is None) == accepted
-    for wrong in ({"K": "1/2"}, {"Q": "1"}, {"F": "3"}, {"R": "2"}, {"P": "2"}):
-        other = {name: [[[["number", text]]]] for name, text in (numbers | wrong).items()}
-        assert rejected({**stated, "model": other}) is not None
-
-
-def scalars(*rows: str) -> list[Any]:
-    """A matrix of numbers, each row as words."""
-    return [[[["number", word]] for word in row.split()] for row in rows]
-
-
-def times_state(n: int, number: str) -> list[Any]:
-    return scalars(*(" ".join(number if i == j else "0" for j in range(n)) for i in range(n)))
+def test_of_two_solutions_only_the_stable_one_is_the_filter(other: Any, accepted: bool) -> None:
+    try:
+        found = rejected(of_filter(SCALAR | other))
+    except (ValueError, TypeError) as error:
+        found = str(error)
+    assert (found is None) == accepted
 
 
 @pytest.mark.parametrize(
     ("q", "r", "accepted"),
     [
-        (["3"], "1", True),
-        (["0"], "1", True),
-        (["-3"], "1", False),
-        (["3"], "0", False),
-        (["3"], "-1", False),
-        (["1 1", "1 1"], "2", True),
-        (["0 1", "1 0"], "2", False),
-        (["1 2", "2 1"], "2", False),
-        (["0 0", "0 -1"], "2", False),
-        (["2 1 1", "1 2 1", "1 1 2"], "1", True),
-        (["2 -2 -2", "-2 2 -2", "-2 -2 2"], "1", False),  # only the whole determinant tells
+        ([[3]], 1, True),
+        ([[0]], 1, True),
+        ([[-3]], 1, False),
+        ([[3]], 0, False),
+        ([[3]], -1, False),
+        ([[1, 1], [1, 1]], 2, True),
+        ([[0, 1], [1, 0]], 2, False),
+        ([[1, 2], [2, 1]], 2, False),
+        ([[0, 0], [0, -1]], 2, False),
+        ([[2, 1, 1], [1, 2, 1], [1, 1, 2]], 1, True),
+        ([[2, -2, -2], [-2, 2, -2], [-2, -2, 2]], 1, False),  # only the determinant tells
     ],
 )
-def test_noise_has_a_covariance(q: list[str], r: str, accepted: bool) -> None:
+def test_noise_has_a_covariance(q: list[list[int]], r: int, accepted: bool) -> None:
     # F = 1/2 and H = 0: K = 0 and P = P/4 + Q solve all equations whatever Q and R are
     n = len(q)
-    p = [" ".join(str(Fraction(4, 3) * Fraction(w)) for w in row.split()) for row in q]
-    model = {"F": times_state(n, "1/2"), "H": scalars(" ".join("0" * n)), "Q": scalars(*q)}
-    model |= {"R": scalars(r), "P": scalars(*p), "K": scalars(*("0" * n))}
-    entry = [["symbol", "P[1,1]"]]
-    stated = certificate([[entry, "=", scalars(p[0])[0][0]]], {}, model=model)
-    assert (rejected(stated) is None) == accepted
-
-
-@pytest.mark.parametrize(
-    ("box", "given", "empty"),
-    [
-        (["0", True, "1", True, False], [[X], "=", [["number", "5"]]], True),
-        (["0", True, "1", True, False], [[X], ">", [["number", "5"]]], True),
-        (["0", True, "1", True, False], [[X], "=", [["number", "1"]]], True),
-        (["0", True, "1", False, False], [[X], "=", [["number", "1"]]], False),
-        (["0", True, None, True, False], [[X], "<", [["number", "-1"]]], True),
-        (["0", True, None, True, True], [[X], "=", [["number", "5/2"]]], True),
-        (["0", True, None, True, True], [[X], "=", [["number", "4"]]], False),
-        (["1/3", True, "2/3", True, True], None, True),
-        (["1/3", True, "5/3", True, True], None, False),
-        (["0", True, "1", True, True], None, True),
-        (["5/2", False, "7/2", True, True], None, False),
-    ],
-)
-def test_nothing_is_shown_of_no_number(box: list[Any], given: Any, empty: bool) -> None:
-    stated = certificate([[[X], "=", [X]]], {}, domain={"x": box}, given=[given] if given else [])
-    assert (rejected(stated) is not None) == empty
-
-
-def test_the_square_of_a_sine_whose_angle_is_said_in_other_letters() -> None:
-    sine = [Y, ["call", "sin", 0]]
-    given = [[[X], "=", sine], [[Y], "=", [["symbol", "z"]]]]
-    stated = certificate([[SQUARE, "<=", ONE]], {"x": ANY, "y": ANY, "z": ANY}, given=given)
-    assert rejected({**stated, "relations": [[SQUARE, "=", SQUARE]]}) is None
-    assert rejected({**stated, "relations": [[SQUARE, ">", ONE]]}) is not None
+    half = [["1/2" if i == j else 0 for j in range(n)] for i in range(n)]
+    p = [[Fraction(4 * e, 3) for e in row] for row in q]
+    model = {"F": half, "H": [[0] * n], "Q": q, "R": [[r]], "P": p, "K": [[0]] * n}
+    assert (rejected(of_filter(model)) is None) == accepted
 
 
 @pytest.mark.parametrize("size", [1, 2, 3])
 def test_stability_is_that_of_the_eigenvalues(size: int) -> None:
     source, met = random.Random(size), set[bool]()
-    for _ in range(150):
+    zero = [["0"] * size]
+    for _ in range(60):
         rows = [
             [Fraction(source.randint(-9, 9), source.choice((4, 7, 11))) for _ in range(size)]
             for _ in range(size)
         ]
-        entries = [[{0: x} if x else {} for x in row] for row in rows]
-        whole = check_answer.Certificate(certificate([], {}))
-        positive = all(e.get(0, 0) > 0 for e in whole.stability(entries))
+        checker = check_answer.Certificate(certificate())
+        null = [["0"] * size] * size
+        for name, a in zip(
+            "FHQRPK", (rows, zero, null, [["1"]], null, [["0"]] * size), strict=True
+        ):
+            checker.line("with", f"{name} = {matrix(a)}")
+        checker.filter()
+        positive = all(p.get((), 0) > 0 for p, sign in checker.wanted[-5:])
         radius = max(abs(np.linalg.eigvals(np.array(rows, dtype=float))))
         if abs(radius - 1) > 1e-6:
             assert positive == (radius < 1), rows
             met.add(positive)
+        values = np.linalg.eigvals(np.array(rows, dtype=float))
+        characteristic = np.poly(values)[1:] * [(-1) ** (k + 1) for k in range(size)]
+        entries = [[Poly({(): e}) + Poly() for e in row] for row in rows]
+        found = [float(p.get((), 0)) for p in symmetric(entries)]
+        assert np.allclose(found, characteristic.real)
     assert met == {True, False}
 
 
@@ -310,71 +353,85 @@ def test_each_certificate_says_what_it_shows(
         assert (status, lines[-1]) == (0, verdict), (formula, lines[-1])
     first = certificates[0]
     _, lines = run(tmp_path / "one.json", first, capsys)
-    assert any(r"\beta = 2 * (2 - \alpha) - (4 * " in line for line in lines)
-    assert any(
-        line.startswith("model:") and "Q = [1/4 * tracking_index^2" in line for line in lines
-    )
-    assert any(r"\beta stands for K[2,1] * sampling_interval" in line for line in lines)
-    # the formula that is shown is the one that is checked, whatever is said beside it
-    other = {**certificates[2], "typed": first["typed"]}
-    _, lines = run(tmp_path / "one.json", other, capsys)
-    assert any("checked:" in line and r"\beta = \alpha^2 / (2 - \alpha)" in line for line in lines)
+    assert "claim:      beta == 2*(2 - alpha) - 4*sqrt(1 - alpha)" in lines
+    assert f"filter:     {FILTER}" in lines
+    assert "with:       beta = K[2,1]*sampling_interval" in lines
+    assert any(line.startswith("with:       Q = [[1/4*tracking_index**2") for line in lines)
 
 
-def test_it_needs_nothing_but_python(certificates: list[Data], tmp_path: Path) -> None:
-    tree = ast.parse(FILE.read_text())
-    names = {a.name for n in ast.walk(tree) if isinstance(n, ast.Import) for a in n.names}
-    names |= {n.module or "" for n in ast.walk(tree) if isinstance(n, ast.ImportFrom)}
-    assert {name.partition(".")[0] for name in names} <= sys.stdlib_module_names
-    (tmp_path / "copied.py").write_text(FILE.read_text())
-    (tmp_path / "one.json").write_text(json.dumps(certificates[0]))
-    command = [sys.executable, "-I", "copied.py", "one.json"]
+def test_one_file_decides_alone(certificates: list[Data], tmp_path: Path) -> None:
+    names = {
+        a.name
+        for n in ast.walk(ast.parse(FILE.read_text()))
+        if isinstance(n, ast.Import)
+        for a in n.names
+    }
+    names |= {
+        str(n.module)
+        for n in ast.walk(ast.parse(FILE.read_text()))
+        if isinstance(n, ast.ImportFrom)
+    }
+    assert names <= sys.stdlib_module_names
+    assert len(FILE.read_text().splitlines()) <= 300
+    (tmp_path / "alone.py").write_text(FILE.read_text())
+    (tmp_path / "one.json").write_text(json.dumps(certificates[2]))
+    command = [sys.executable, "-I", "alone.py", "one.json"]
     done = subprocess.run(command, cwd=tmp_path, capture_output=True, text=True, check=True)
     assert done.stdout.splitlines()[-1] == "proved"
-
-
-# what an altered certificate states, evaluated from its data
-
-
-def value(graph: list[Any], known: Mapping[str, Any]) -> Any:
-    read: list[Any] = []
-    for kind, *rest in graph:
-        p = [read[k] for k in rest if isinstance(k, int)]
-        match kind:
-            case "number":
-                top, _, bottom = rest[0].partition("/")
-                read.append(mpmath.mpf(top) / mpmath.mpf(bottom or 1))
-            case "symbol":
-                read.append(known[rest[0]])
-            case "add":
-                read.append(mpmath.fsum(p))
-            case "mul":
-                read.append(mpmath.fprod(p))
-            case "neg":
-                read.append(-p[0])
-            case "div":
-                read.append(p[0] / p[1])
-            case "pow":
-                top, _, bottom = rest[1].partition("/")
-                if bottom == "3":
-                    read.append(mpmath.sign(p[0]) * mpmath.cbrt(abs(p[0])) ** int(top))
-                elif bottom:
-                    if p[0] < 0:
-                        raise ZeroDivisionError
-                    read.append(mpmath.root(p[0], int(bottom)) ** int(top))
-                else:
-                    read.append(p[0] ** int(top))
-            case _:
-                read.append(
-                    {"sin": mpmath.sin, "cos": mpmath.cos, "exp": mpmath.exp}[rest[0]](p[0])
-                )
-    return read[-1]
-
-
-def steady_state(model: Mapping[str, Any], known: Mapping[str, Any]) -> dict[str, Any]:
-    f, h, q, r = (
-        mpmath.matrix([[value(g, known) for g in row] for row in model[name]]) for name in "FHQR"
+    (tmp_path / "one.json").write_text(json.dumps(certificate(["typed", "\u03b1"])))
+    done = subprocess.run(
+        command,
+        cwd=tmp_path,
+        env={"PYTHONIOENCODING": "ascii"},
+        capture_output=True,
+        text=True,
+        check=False,
     )
+    assert done.returncode == 1
+    assert done.stdout.startswith("REJECTED: ")
+
+
+# what an altered certificate states, evaluated from its lines
+
+
+def value(node: Any, known: Mapping[str, Any]) -> Any:
+    match node:
+        case str():
+            return value(ast.parse(node.strip(), mode="eval").body, known)
+        case ast.Constant(value=number):
+            return mpmath.mpf(number)
+        case ast.Name() | ast.Subscript():
+            return known[ast.unparse(node)]
+        case ast.List(elts=parts):
+            return [value(part, known) for part in parts]
+        case ast.UnaryOp(operand=a):
+            return -value(a, known)
+        case ast.Call(func=ast.Name(id=name), args=[a]):
+            inner = value(a, known)
+            if name == "sqrt" and inner < 0:
+                raise ZeroDivisionError
+            return getattr(mpmath, name)(inner)
+        case ast.BinOp(left=left, op=op, right=right):
+            a, b = value(left, known), value(right, known)
+            names = {ast.Add: "add", ast.Sub: "sub", ast.Mult: "mul", ast.Div: "truediv"}
+            return (
+                a ** int(b) if isinstance(op, ast.Pow) else getattr(a, f"__{names[type(op)]}__")(b)
+            )
+    raise AssertionError(ast.dump(node))
+
+
+def holds(text: str, known: Mapping[str, Any]) -> bool:
+    node: Any = ast.parse(text.strip(), mode="eval").body
+    left, right = value(node.left, known), value(node.comparators[0], known)
+    difference = left - right
+    if abs(difference) < (1 + abs(left) + abs(right)) * mpmath.mpf(10) ** -30:
+        difference = mpmath.mpf(0)
+    names = {ast.Eq: "eq", ast.NotEq: "ne", ast.Gt: "gt", ast.GtE: "ge"}
+    return bool(getattr(difference, f"__{names[type(node.ops[0])]}__")(0))
+
+
+def steady_state(known: dict[str, Any]) -> None:
+    f, h, q, r = (mpmath.matrix(known[name]) for name in "FHQR")
     p = q + mpmath.eye(f.rows)
     for _ in range(3000):
         s = h * p * h.T + r
@@ -385,118 +442,96 @@ def steady_state(model: Mapping[str, Any], known: Mapping[str, Any]) -> dict[str
         p = after
         if done:
             break
-    entries = {}
     for name, a in (("P", p), ("K", k), ("S", s), ("X", x)):
         for i in range(a.rows):
             for j in range(a.cols):
-                entries[f"{name}[{i + 1},{j + 1}]"] = a[i, j]
-    return entries
+                known[f"{name}[{i + 1}, {j + 1}]"] = a[i, j]
 
 
-def is_so(data: Data, known: dict[str, Any]) -> bool | None:
-    """Whether it states what is so at a point of its domain; None where nothing is said there."""
-
-    def holds(relation: list[Any]) -> bool:
-        left, right = value(relation[0], known), value(relation[2], known)
-        size = 1 + abs(left) + abs(right)
-        difference = left - right
-        if abs(difference) < size * mpmath.mpf(10) ** -30:
-            difference = mpmath.mpf(0)
-        return bool(OPERATORS[relation[1]](difference))
-
+def is_so(data: Data, known: dict[str, Any]) -> bool:
+    """Whether it states what is so with these values of its variables."""
+    missing = False
+    for title, *said in data["lines"]:
+        try:
+            if title == "with":
+                name, _, text = said[0].partition("=")
+                known[name.strip()] = value(text, known)
+            elif title == "filter":
+                steady_state(known)
+            elif title == "where" and not holds(said[0], known):
+                return True
+        except (ZeroDivisionError, KeyError):
+            missing = True
     try:
-        if not all(map(holds, data["given"])):
-            return None
+        claims = [line[:2] for line in data["lines"] if line[0] in ("claim", "false")]
+        return not missing and all(holds(t, known) == (kind == "claim") for kind, t in claims)
     except ZeroDivisionError:
-        return None
-    try:
-        if data["model"]:
-            known |= steady_state(data["model"], known)
-        for token, graph in data["letters"]:
-            known[token] = value(graph, known)
-        return all(map(holds, data["relations"]))
-    except ZeroDivisionError:
-        return None if data["verdict"] == "proved" and not data["everywhere"] else False
+        return False
 
 
 def states_what_is_so(data: Data, source: random.Random) -> bool:
-    boxes = {
-        name: [None if end is None else value([["number", end]], {}) for end in (box[0], box[2])]
-        for name, box in data["domain"].items()
-    }
+    names = [line[1].strip() for line in data["lines"] if line[0] == "real"]
     with mpmath.workdps(60):
-        if data["verdict"] == "refuted":
-            point = {n: mpmath.mpf(value([["number", v]], {})) for n, v in data["point"].items()}
-            for name, box in data["domain"].items():
-                low, high = boxes[name]
-                v = point[name]
-                if (low is not None and (v < low or (v == low and box[1]))) or (
-                    high is not None and (v > high or (v == high and box[3]))
-                ):
-                    return False
-            return is_so(data, point) is False
-        for _ in range(12):
-            point = {}
-            for name, (low, high) in boxes.items():
-                t = mpmath.mpf(source.randint(1, 999)) / 1000
-                if low is not None and high is not None:
-                    point[name] = low + (high - low) * t
-                else:
-                    far = t / (1 - t)
-                    point[name] = low + far if low is not None else (high or 0) - far
-                    if low is high:
-                        point[name] = (far - 1) * source.choice((1, 3))
-            if is_so(data, point) is False:
+        for _ in range(40 if names else 1):
+            far = [
+                mpmath.mpf(source.randint(1, 999)) / source.choice((100, 300, 1000)) for _ in names
+            ]
+            known = {n: v * source.choice((1, 1, -1)) for n, v in zip(names, far, strict=True)}
+            if not is_so(data, known):
                 return False
     return True
 
 
 def altered(data: Data, source: random.Random) -> Data:
-    """One number, exponent, sign, letter, node, end or flag of it changed."""
+    """One number, sign, letter or fact of a step changed, or of the text of a line, or one gone."""
     data = copy.deepcopy(data)
-    graphs = [g for r in (*data["relations"], *data["given"]) for g in (r[0], r[2])]
-    graphs += [graph for _, graph in data["letters"]]
-    graphs += [g for rows in (data["model"] or {}).values() for row in rows for g in row]
+    steps = [line for line in data["lines"] if line[0] in ("shows", "opens", "sums")]
+    texts = [
+        line for line in data["lines"] if line[0] in ("with", "where", "claim", "false", "real")
+    ]
     choice = source.random()
     if choice < 0.1:
-        relation = source.choice(data["relations"])
-        relation[1] = source.choice([o for o in OPERATORS if o != relation[1]])
-    elif choice < 0.25 and data["domain"]:
-        box = data["domain"][source.choice([*data["domain"]])]
-        place = source.randrange(4)
-        box[place] = not box[place] if place % 2 else source.choice([None, "-1", "0", "1/2", "7"])
-    elif choice < 0.35:
-        flag = source.choice(["everywhere", "verdict", "unit"])
-        new: Data = {"everywhere": not data["everywhere"], "unit": source.randint(1, 4)}
-        new["verdict"] = "refuted" if data["verdict"] == "proved" else "proved"
-        data[flag] = new[flag]
-        if data["verdict"] == "refuted":
-            data.setdefault(
-                "point", {name: source.choice(["1", "2", "1/3"]) for name in data["domain"]}
-            )
-    elif choice < 0.4 and data["given"]:
-        data["given"].pop()
+        data["lines"].remove(source.choice(data["lines"]))
+    elif choice < 0.2 and data["point"]:
+        data["point"][source.choice([*data["point"]])] = [source.randint(-3, 3)]
+    elif choice < 0.6 or not steps:
+        line = source.choice(texts)
+        pairs = [
+            ("+", "-"),
+            ("-", "+"),
+            ("2", "3"),
+            ("4", "5"),
+            ("1", "2"),
+            ("==", "!="),
+            (">", ">="),
+            ("*", "+"),
+        ]
+        old, new = source.choice([pair for pair in pairs if pair[0] in line[1]] or [("x", "y")])
+        places = [k for k in range(len(line[1])) if line[1].startswith(old, k)]
+        if places:
+            k = source.choice(places)
+            line[1] = line[1][:k] + new + line[1][k + len(old) :]
     else:
-        graph = source.choice(graphs)
-        node = graph[source.randrange(len(graph))]
-        match node[0]:
-            case "number":
-                node[1] = source.choice(["0", "1", "-1", "2", "3", "1/2", "-4"])
-            case "symbol":
-                node[1] = source.choice(
-                    [*data["domain"], *[token for token, _ in data["letters"]], "x"]
-                )
-            case "pow":
-                node[2] = source.choice(["2", "3", "1", "1/2", "-1", "1/3"])
-            case "add" | "mul":
-                node[0] = "mul" if node[0] == "add" else "add"
-            case "neg":
-                node[:] = ["pow", node[1], "1"]
-            case "div":
-                node[1], node[2] = node[2], node[1]
-            case _:
-                node[1] = source.choice(["sin", "cos", "exp"])
+        alter(source.choice(steps), source)
     return data
+
+
+def alter(step: list[Any], source: random.Random) -> None:
+    places: list[tuple[list[Any], int]] = []
+
+    def visit(part: list[Any]) -> None:
+        for k, each in enumerate(part):
+            if isinstance(each, list):
+                visit(each)
+            elif part is not step or k:
+                places.append((part, k))
+
+    visit(step)
+    part, k = source.choice(places)
+    if isinstance(part[k], int):
+        part[k] += source.choice((-1, 1, 2))
+    else:
+        part[k] = source.choice(["==", ">", ">=", "!=", "x", "y", "alpha"])
 
 
 @pytest.mark.parametrize("seed", range(len(ASKED)))
@@ -513,66 +548,49 @@ def test_an_altered_certificate_is_rejected_or_states_what_is_so(
             assert states_what_is_so(data, source), json.dumps(data)
         else:
             refused += 1
-    # most that may be changed in a false formula leaves it false
-    assert refused > 4 or original["verdict"] == "refuted"
+    assert refused > 4 or ASKED[seed][2] == "refuted"
 
 
 DEEP = "[" * 100_000 + "]" * 100_000
-TOWER = [X, ["pow", 0, "64"], ["pow", 1, "64"], ["pow", 2, "64"]]
-SUM = [X, Y, ["add", 0, 1], ["pow", 2, "64"], ["pow", 3, "12"]]
-ROOTS: list[Any] = [X]
-for place in range(200):
-    ROOTS += [["number", str(place + 2)], ["add", 2 * place, 2 * place + 1]]
-NESTED: list[Any] = [X, *[["pow", k, "1/2"] for k in range(240)]]
-LONG: list[Any] = [["number", "9" * 400], *[["mul", k, k] for k in range(40)]]
-ANGLES: list[Any] = [["number", "39"], *[["call", "exp", 0], ["call", "exp", 1]]]
-BOTH = {"x": PLUS, "y": PLUS}
-MANY = dict.fromkeys("abcdef", PLUS)
-WIDE = [*[["symbol", name] for name in MANY], ["add", 0, 1, 2, 3, 4, 5], ["pow", 6, "60"]]
-CLOSED = [f"v{k}" for k in range(230)]
-ALL_CLOSED = [*[["symbol", name] for name in CLOSED], ["number", "1"], ["add", *range(231)]]
-ODD: list[Any] = [[], {}, None, 1, True, ""]
+GROWING = [["with", f"a{k} = a{k - 1}**64"] for k in range(1, 9)]
 HOSTILE: list[Any] = [
-    certificate(
-        [[ALL_CLOSED, ">", ZERO]], {}, domain={n: ["0", False, "1", False, False] for n in CLOSED}
-    ),
-    *[certificate([[[X], odd, [X]]], BOTH) for odd in ODD],
-    certificate([["x", "=", [X]]], BOTH),
-    certificate([[[X], "=", [X]]], BOTH, given={"x": 1}),
-    certificate([[[X], "=", [X]]], BOTH, letters=[[[], [X]]]),
-    certificate([[[["symbol", "P[1,1]"]], "=", ONE]], {}, letters=[["P[1,1]", ONE]]),
-    certificate([[[["symbol", "K[2,1]"]], "=", [["symbol", "K[2,1]"]]]], {"K[2,1]": ANY}),
-    certificate([[WIDE, ">", ZERO]], MANY),
     "",
     "[]",
     "{}",
     DEEP,
     '{"format": 1e999}',
     "9" * 10_000,
-    certificate([], {}),
-    certificate([[TOWER, "=", TOWER]], BOTH) | {"unit": 10**9},
-    certificate([[TOWER, ">", ZERO]], BOTH),
-    certificate([[SUM, "=", ZERO]], BOTH),
-    certificate([[NESTED, "=", ZERO]], BOTH),
-    certificate([[LONG, "=", ZERO]], {}),
-    certificate([[ANGLES, "=", ZERO]], {}),
-    certificate([[[["number", "1" * 5000]], "=", ZERO]], {}),
-    certificate([[[["number", "1/0"]], "=", ZERO]], {}),
-    certificate([[[["number", "1e9999999"]], "=", ZERO]], {}),
-    certificate([[[["add", 0, 0]], "=", ZERO]], {}),
-    certificate([[[X, ["pow", 0, "1000000000"]], "=", ZERO]], BOTH),
-    certificate([[[X, ["pow", 0, "1/7"]], "=", ZERO]], BOTH),
-    certificate([[[X, ["mul", *[0] * 9999]], "=", ZERO]], BOTH),
-    certificate([[[["symbol", "z"]], "=", ZERO]], BOTH),
-    certificate([[[X, ["call", "system", 0]], "=", ZERO]], BOTH),
-    certificate([[[["number", "1"], ["number", "0"], ["div", 0, 1]], "=", ZERO]], {}),
-    certificate([[[X], "=", [X]]], BOTH, letters=[["x", ONE]]),
-    certificate([[[X], "=", [X]]], BOTH, model={"F": []}),
-    certificate([[[X], "=", [X]]], {}, domain={"x": ["1", True, "0", True, False]}),
-    certificate([[[X], "=", [X]]], {}, domain={"x": [0, True, 1, True, False]}),
-    certificate([[[X], "<", ZERO]], BOTH, verdict="refuted"),
-    certificate([[[X], "<", ZERO]], BOTH, verdict="refuted", point={"x": "-1", "y": "1"}),
-    certificate([[[X], ">", ZERO]], BOTH, verdict="refuted", point={"x": "1", "y": "1"}),
+    certificate(*X, ["claim", "(" * 900 + "x" + ")" * 900 + " == x"]),
+    certificate(*X, ["claim", "-" * 1900 + "x == x"]),
+    certificate(*X, ["claim", "+".join(["x"] * 900) + " == x"]),
+    certificate(*X, ["claim", "x**1000000000 == 0"]),
+    certificate(*X, ["claim", "2**64**64 == 0"]),
+    certificate(*X, ["claim", "x" * 5000 + " == 0"]),
+    certificate(["with", "a0 = 1/7"], *GROWING, ["claim", "a8 == 0"]),
+    certificate(*X, ["with", "a0 = x + 1"], *GROWING, ["claim", "a8 == 0"]),
+    certificate(*X, ["claim", f"{'9' * 1900} == 0"]),
+    certificate(*X, ["claim", "1/0 == 0"]),
+    certificate(*X, ["claim", "1/(x - x) == 0"], ["opens", "1/(x - x)", 0]),
+    certificate(
+        ["claim", "exp(exp(exp(9))) == 0"], ["shows", [[[1], "exp(exp(exp(9)))"]], ">", ALONE, []]
+    ),
+    certificate(["claim", "1 > 0"], ["shows", [[["1e99999999"]]], ">", ALONE, []]),
+    certificate(["claim", "1 > 0"], ["shows", [[[1, 0]]], ">", ALONE, []]),
+    certificate(*real("x", "x > 0"), ["claim", "x > 0"], x=["1e99999999"]),
+    certificate(*real("x", "x > 0"), ["claim", "x > 0"]),
+    certificate(["claim", "system(1) == 0"]),
+    certificate(["claim", "__import__ == 0"]),
+    certificate([]),
+    certificate(["shows"]),
+    certificate(["claim", 1]),
+    certificate(["claim", None]),
+    certificate(["claim", "1 == 1", "1 == 1"]),
+    certificate("claim"),
+    certificate(*X, ["shows", [[[1], 5]], "==", ALONE, []]),
+    certificate(*X, ["shows", {"x": 1}, "==", ALONE, []], ["claim", "x == 0"]),
+    {"format": FORMAT, "lines": {"claim": "1 == 1"}},
+    {"format": FORMAT},
+    {"format": "gainproof answer certificate 1", "lines": []},
 ]
 
 
@@ -583,70 +601,7 @@ def test_what_is_hostile_is_refused_in_a_line(
     start = time.process_time()
     status, lines = run(tmp_path / "one.json", HOSTILE[number], capsys)
     assert status == 1
-    assert lines[-1].startswith("REJECTED: ")
-    assert all(len(line) < 5000 for line in lines)
+    assert len(lines) == 1
+    assert lines[0].startswith("REJECTED: ")
+    assert len(lines[0]) < 500
     assert time.process_time() - start < 30
-
-
-@pytest.mark.parametrize(
-    "gone", ["domain", "given", "letters", "relations", "needed", "typed", "unit"]
-)
-def test_a_missing_part_is_told(gone: str) -> None:
-    whole = certificate([[[X], "=", [X]]], BOTH)
-    assert rejected(whole) is None
-    del whole[gone]
-    assert rejected(whole) is not None
-
-
-def test_names_cannot_pass_for_formulas(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
-    name = "1 + 1 = 3; \u0430"
-    data = certificate([[[["symbol", name]], "=", [["symbol", name]]]], {name: ANY})
-    _, lines = run(tmp_path / "one.json", data, capsys)
-    assert any('"1 + 1 = 3; \\u0430" = "1 + 1 = 3; \\u0430"' in line for line in lines)
-
-
-@pytest.mark.parametrize(
-    ("name", "plain"),
-    [
-        (r"\frac{1}{2}", False),
-        (r"a\le{}b", False),
-        (r"\alpha\beta", False),
-        ('x" + 1 = "x', False),
-        ("x_1, a real number", False),
-        ("2", False),
-        ("#1", False),
-        (r"\sqrt{x}", False),
-        (r"\alpha", True),
-        (r"\hat{P}_{11}", True),
-        (r"\sigma_{v}", True),
-        (r"\tilde\Gamma_{13}'", False),
-        (r"\dot{\theta}_\mu", True),
-        ("sampling_interval", True),
-        ("T'", True),
-    ],
-)
-def test_a_name_that_reads_as_a_formula_is_quoted(name: str, plain: bool) -> None:
-    shown = check_answer.named(name)
-    assert (shown == name) == plain
-    assert plain or (shown[0] == shown[-1] == '"' and json.loads(shown) == name)
-
-
-def test_what_was_typed_stays_in_its_line(
-    tmp_path: Path, capsys: pytest.CaptureFixture[str]
-) -> None:
-    typed = "x = y" + 75 * " " + "\nformula as checked:   x = y"
-    _, lines = run(tmp_path / "one.json", certificate([[[X], "=", [X]]], BOTH, typed=typed), capsys)
-    assert lines[0] == "formula as typed:     x = y formula as checked: x = y"
-
-
-def test_a_terminal_that_knows_ascii_alone(tmp_path: Path) -> None:
-    (tmp_path / "one.json").write_text(
-        json.dumps(certificate([[[X], "=", [X]]], BOTH, typed="\u03b1"))
-    )
-    command = [sys.executable, "-X", "utf8=0", str(FILE), "one.json"]
-    environment = {"PYTHONIOENCODING": "ascii"}
-    done = subprocess.run(
-        command, cwd=tmp_path, env=environment, capture_output=True, text=True, check=True
-    )
-    assert "\\u03b1" in done.stdout
-    assert done.stdout.splitlines()[-1] == "proved"

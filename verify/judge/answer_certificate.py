@@ -7,27 +7,34 @@ out.
 
 from __future__ import annotations
 
+import ast
 import contextlib
+import json
 import re
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from dataclasses import dataclass, replace
 from fractions import Fraction
+from itertools import product
+from keyword import iskeyword
+from time import process_time
 from typing import Any
 
 from gainproof.verify import check_answer
+from gainproof.verify.check_answer import VALUE, ZERO, Poly
+from gainproof.verify.judge.answer_proof import Proof, pair, text_of
 from gainproof.verify.judge.exact.box import Box
 from gainproof.verify.judge.exact.calculus import rebuilt
 from gainproof.verify.judge.exact.certificate import boxes_from, statement_from
 from gainproof.verify.judge.exact.expression import Expr, symbol, symbols_of, walk
 from gainproof.verify.judge.exact.graph import read_graph
-from gainproof.verify.judge.exact.graph_writing import graph_of
 from gainproof.verify.judge.exact.limits import Malformed
 from gainproof.verify.judge.exact.statement import TURNED, Rel
 from gainproof.verify.judge.exact.witness import free_values
 
 Data = dict[str, Any]
 Graph = Mapping[str, Any]
-UNITS = (1, 2, 6)
-"""Parts of angles and exponents that are tried: x/2 beside x needs halves."""
+SECONDS = 5
+"""Of the processor, after which no proof is looked for any more."""
 OF_MODEL = re.compile(r"[PKSX]\[\d,\d\]")
 """Entries of a filter's matrices, as the file names them."""
 
@@ -51,34 +58,33 @@ def answer_certificate(claim: Mapping[str, Any]) -> Data:
     if statement is None:
         method = claim["evidence"]["method"]
         raise NoCertificateError(f"no statement about numbers is kept of what rests on: {method}")
-    reason = "no point was found at which it fails"
     try:
-        for candidate in _candidates(claim, evidence, statement):
-            weaker = candidate["verdict"] == "proved" and not candidate["everywhere"]
-            if weaker and reason != check_answer.NO_VALUES:
-                continue  # it failed for another reason, and would again
-            said = rejected(candidate)
-            if said is None:
-                return candidate
-            reason = said
-    except (Malformed, KeyError, TypeError) as error:
-        reason = str(error)
-    raise NoCertificateError(reason)
+        return _certificate(claim, evidence, statement)
+    except (
+        ArithmeticError,
+        SyntaxError,
+        TimeoutError,
+        Malformed,
+        KeyError,
+        TypeError,
+        ValueError,
+    ) as error:
+        raise NoCertificateError(str(error)) from None
 
 
 def rejected(certificate: Mapping[str, Any]) -> str | None:
     """Why the file does not accept it; None if it does."""
     try:
-        check_answer.Certificate(certificate).decide(lambda _: None)
+        check_answer.Certificate(certificate).decide()
     except Exception as reason:  # noqa: BLE001  as in the file itself
         return str(reason)
     return None
 
 
-def _candidates(
+def _certificate(
     claim: Mapping[str, Any], evidence: Mapping[str, Any], data: Mapping[str, Any]
-) -> Iterator[Data]:
-    """What the claim says, in ways of which one may be accepted, the strongest first."""
+) -> Data:
+    """What the claim says, and its proof. Raises ValueError and others."""
     statement, boxes, _, labels = statement_from(data)
     if statement.connective != "if":
         raise Malformed("an equivalence or implication")
@@ -88,17 +94,6 @@ def _candidates(
 
     def in_tokens(expr: Expr) -> Expr:
         return rebuilt(expr, lambda node, _: tokens.get(node.key))
-
-    def told(expr: Expr) -> list[Any]:
-        """The nodes of a graph, with variables as the source calls them."""
-        names = {name: symbol(label) for name, label in labels.items()}
-        change = rebuilt(
-            expr, lambda node, _: names.get(str(node.value)) if _is_name(node) else None
-        )
-        return list(graph_of(change)["nodes"])
-
-    def relation(rel: Rel) -> list[Any]:
-        return [told(rel.left), rel.operator, told(rel.right)]
 
     relations = [
         Rel(r.operator, in_tokens(r.left), in_tokens(r.right)) for r in statement.relations
@@ -135,40 +130,323 @@ def _candidates(
     entries = [entry for rows in model.values() for row in rows for entry in row]
     spoken = symbols_of(*statement.exprs(), *letters.values(), *entries)
     boxes = {name: boxes[name] for name in sorted(spoken) if not OF_MODEL.fullmatch(name)}
-    base: Data = {
-        "format": check_answer.FORMAT,
-        "verdict": "refuted" if claim["verdict"] == "refuted" else "proved",
-        "typed": claim["latex"] or str(claim["id"]),
-        "convention": claim["convention"],
-        "domain": {labels.get(name, name): _interval(box) for name, box in boxes.items()},
-        "given": [relation(_turned(r)) for r in statement.domain],
-        "model": {n: [[told(e) for e in row] for row in rows] for n, rows in model.items()} or None,
-        "letters": [[token, told(expr)] for token, expr in letters.items()],
-        "relations": [relation(r) for r in relations],
-        "needed": [told(expr) for expr in needed],
-    }
-    if base["verdict"] == "refuted":
-        witness = (claim["evidence"]["witness"] or {}).get("point", {})
-        for point in _points(witness, boxes, labels):
-            yield {**base, "unit": 1, "everywhere": False, "point": point}
-        return
-    functions = {
-        n[1] for r in base["relations"] for side in (r[0], r[2]) for n in side if n[0] == "call"
-    } | {n[1] for _, graph in base["letters"] for n in graph if n[0] == "call"}
-    for unit in UNITS if functions else UNITS[:1]:
-        for everywhere in (True, False):
-            yield {**base, "unit": unit, "everywhere": everywhere}
+    names = [labels.get(name, name) for name in boxes]
+    said = Said(
+        typed=claim["latex"] or str(claim["id"]),
+        convention=claim["convention"],
+        boxes={labels.get(name, name): box for name, box in boxes.items()},
+        given=tuple(_turned(r) for r in statement.domain),
+        model=model,
+        letters=letters,
+        relations=tuple(relations),
+        needed=tuple(needed),
+        labels=labels,
+    )
+    refutes = claim["verdict"] == "refuted"
+    points = _inner_points(said.boxes)
+    if refutes:
+        points = _points((claim["evidence"]["witness"] or {}).get("point", {}), boxes, names)
+    reason, latest = "no point was found", process_time() + SECONDS
+    claims = [(rel,) for rel in relations] if refutes else [tuple(relations)]
+    for point, chosen in product(points, claims):
+        try:
+            writer = Writer(replace(said, relations=chosen), point, refutes, latest)
+            found = {"format": check_answer.FORMAT, **writer.written()}
+            if len(json.dumps(found)) > check_answer.MOST_BYTES - 10_000:
+                raise TimeoutError("its proof is too long")
+            check_answer.Certificate(found).decide()
+            return found
+        except ValueError as error:
+            reason = str(error)
+    raise ValueError(reason)
 
 
-def _is_name(node: Expr) -> bool:
-    return node.kind == "symbol"
+@dataclass(frozen=True)
+class Said:
+    """A statement, with variables as the source calls them where they have a label."""
+
+    typed: str
+    convention: str | None
+    boxes: Mapping[str, Box]
+    given: Sequence[Rel]
+    model: Mapping[str, Sequence[Sequence[Expr]]]
+    letters: Mapping[str, Expr]
+    relations: Sequence[Rel]
+    needed: Sequence[Expr]
+    labels: Mapping[str, str]
+
+
+class Writer:
+    """A statement as lines with their proof, at a point of its domain."""
+
+    def __init__(self, said: Said, point: Mapping[str, str], refutes: bool, latest: float) -> None:
+        self.said, self.point, self.refutes = said, point, refutes
+        self.first = ""
+        self.names: dict[str, str] = {}
+        self.texts: dict[bytes, tuple[str, int]] = {}
+        self.parts = 0
+        self.later: list[str] = []
+        for token in (*said.boxes, *said.letters):
+            self.name(token)
+        called = {self.names[n]: pair(Fraction(v)) for n, v in point.items()}
+        self.proof = Proof(({} if refutes else called) | {"pi": pair(Fraction(PI[0]))}, latest)
+
+    def name(self, token: str) -> str:
+        """How the file calls a symbol."""
+        if token not in self.names:
+            plain = re.sub("[^A-Za-z0-9]+", "_", token.replace("'", "_prime")).strip("_")
+            plain = plain if plain[:1].isalpha() else f"x_{plain}"
+            taken = {*self.names.values(), *check_answer.FUNCTIONS, "pi"}
+            taken |= {*"FHQRPKSX"} if self.said.model else set()
+            while plain in taken or iskeyword(plain) or re.fullmatch(r"part\d+", plain):
+                plain += "_"
+            self.names[token] = plain
+        return self.names[token]
+
+    def written(self) -> Data:
+        """Format apart. Raises ValueError where something is not shown."""
+        proof, said = self.proof, self.said
+        proof.say("typed", " ".join(said.typed.split()))
+        if said.convention is not None:
+            proof.say("convention", said.convention)
+        for token, plain in self.names.items():
+            if token != plain:
+                proof.say("name", f"{plain} for {token}")
+        given, defined = [*said.given], dict[str, Expr]()
+        for rel in said.given:
+            name = said.labels.get(str(rel.left.value), str(rel.left.value))
+            spoken = {said.labels.get(n, n) for n in symbols_of(rel.right)}
+            alone = rel.operator == "=" and rel.left.kind == "symbol" and name in said.boxes
+            if alone and not spoken & {name, *defined} and not self.uses(name, defined):
+                defined[name] = rel.right
+                given.remove(rel)
+        for token in said.boxes:
+            if token not in defined:
+                value = f" = {self.point[token]}" if self.refutes else ""
+                proof.say("with" if self.refutes else "real", self.name(token) + value)
+        nodes = walk(*self.expressions())
+        if any(node.kind == "call" and node.name == "pi" for node in nodes):
+            proof.say("real", "pi")
+            self.where(f"pi > {PI[0]} - 1/{PI[1]}")
+            self.where(f"{PI[0]} + 1/{PI[1]} > pi")
+        for token, expr in defined.items():
+            proof.say("with", f"{self.name(token)} = {self.text(expr)}")
+        for token, box in said.boxes.items():
+            self.box(self.name(token), box)
+        if not self.refutes and any(rel.operator == "=" for rel in given):
+            self.meet([rel for rel in given if rel.operator == "="])
+        for rel in given:
+            self.where(self.relation(rel))
+        self.filter()
+        for token, expr in said.letters.items():
+            proof.say("with", f"{self.name(token)} = {self.text(expr)}")
+        for k, expr in enumerate(said.needed, 1):
+            proof.say("with", f"value{k}_ = {self.text(expr)}")
+        for rel in said.relations:
+            proof.say("false" if self.refutes else "claim", self.relation(rel))
+        self.first = self.relation(said.relations[0])
+        proof.angles()
+        proof.open()
+        if not self.prove() or proof.closed():
+            self.bend()
+            if not self.prove():
+                raise ValueError(f"no proof was found that the file can check: {self.first}")
+        point = proof.checker.data["point"]
+        said_of = {n: v for n, v in point.items() if n in proof.checker.letters}
+        return {"point": said_of, "lines": proof.lines}
+
+    def meet(self, equations: Sequence[Rel]) -> None:
+        """Has the point meet them, each solved for a variable."""
+        proof, point = self.proof, self.proof.checker.data["point"]
+        for rel in equations:
+            proof.solve(proof.read(self.relation(rel))[0], None)
+        for name in [*proof.solved][::-1]:
+            parts = proof.by_degree(proof.solved[name][1], name)
+            (top, other), (bottom, _) = (proof.checker.enclosed(parts.get(e, ZERO)) for e in (0, 1))
+            if top != other:
+                raise ValueError("no rational point was found")
+            point[name] = pair(-top / bottom)
+            proof.checker.ends, proof.values = {}, {}
+        proof.solved = {}
+        proof.order = []
+
+    def expressions(self) -> Iterator[Expr]:
+        said = self.said
+        for rel in (*said.given, *said.relations):
+            yield from (rel.left, rel.right)
+        yield from (*said.needed, *said.letters.values())
+
+    def uses(self, name: str, defined: Mapping[str, Expr]) -> bool:
+        labels = self.said.labels
+        return any(name in {labels.get(n, n) for n in symbols_of(e)} for e in defined.values())
+
+    def prove(self) -> bool:
+        """Whether all that is wanted is found, parts with a value apart."""
+        values = [
+            (p, VALUE[kind][0]) for kind, p in self.proof.checker.letters.values() if kind in VALUE
+        ]
+        wanted = [each for each in self.proof.checker.wanted if each not in values]
+        return all(map(bool, [self.established(*each) for each in wanted]))
+
+    def bend(self) -> None:
+        """Adds conditions that may leave no convex domain, those of parts without a value last."""
+        proof = self.proof
+        for text in self.later:
+            proof.say("where", text)
+        self.later = []
+        proof.open()
+        for name in proof.closed():
+            if name in proof.closed():
+                node: Any = ast.parse(name, mode="eval").body
+                inner = node.right if isinstance(node, ast.BinOp) else node.args[0]
+                sign = "!= 0" if isinstance(node, ast.BinOp) else ">= 0"
+                proof.say("where", f"{ast.unparse(inner)} {sign}")
+                proof.open()
+
+    def established(self, p: Poly, sign: str) -> bool:
+        """Whether the checker has it as a fact, which is looked for."""
+        proof = self.proof
+        if sign == "==":
+            return proof.zero(p) is not None
+        found = proof.nonzero(p) if sign == "!=" else proof.sign(p, sign == ">")
+        if found is not None and proof.fact(p, sign) is None:
+            proof.shows(p, sign, [["1", [found]]])
+        return proof.fact(p, sign) is not None
+
+    def filter(self) -> None:
+        """Matrices of the model and what the file wants of them."""
+        if not self.said.model:
+            return
+        proof = self.proof
+        for name in "FHQRPK":
+            rows = [", ".join(self.text(e) for e in row) for row in self.said.model[name]]
+            proof.say("with", f"{name} = [{', '.join(f'[{row}]' for row in rows)}]")
+        proof.say("filter", check_answer.FILTER)
+
+    def box(self, name: str, box: Box) -> None:
+        if box.lower is not None:
+            self.where(f"{name} {'>' if box.lower_open else '>='} {box.lower}")
+        if box.upper is not None:
+            self.where(f"{box.upper} {'>' if box.upper_open else '>='} {name}")
+
+    def where(self, text: str) -> None:
+        """A condition now, if it keeps the domain convex, else later."""
+        p, sign = self.proof.read(text)
+        letters = self.proof.checker.letters
+        flat = all(len(m) < 2 and {letters[k][0] for k in m} <= {"real"} for m in p)
+        if self.refutes or (flat and sign != "!="):
+            self.proof.say("where", text)
+        else:
+            self.later.append(text)
+
+    def relation(self, rel: Rel) -> str:
+        left, right = self.text(rel.left), self.text(rel.right)
+        if rel.operator in ("<", "<="):
+            left, right = right, left
+        operator = {"=": "==", "<": ">", "<=": ">="}.get(rel.operator, rel.operator)
+        return f"{left} {operator} {right}"
+
+    # expressions as text
+
+    def text(self, expr: Expr) -> str:
+        for node in walk(expr):
+            if node.key not in self.texts:
+                text, level = self.node(node, [self.texts[part.key] for part in node.parts])
+                if len(text) > 120:
+                    self.parts += 1
+                    self.proof.say("with", f"part{self.parts} = {text}")
+                    text, level = f"part{self.parts}", ATOM
+                self.texts[node.key] = text, level
+        return self.texts[expr.key][0]
+
+    def node(self, node: Expr, parts: Sequence[tuple[str, int]]) -> tuple[str, int]:
+        match node.kind:
+            case "number":
+                value = Fraction(str(node.value))
+                return str(value), SUM if value < 0 else PRODUCT if value.denominator > 1 else ATOM
+            case "symbol":
+                name = str(node.value)
+                if OF_MODEL.fullmatch(name):
+                    return name, ATOM
+                return self.name(self.said.labels.get(name, name)), ATOM
+            case "add":
+                text = parts[0][0]
+                for part, _ in parts[1:]:
+                    text += f" - {part[1:]}" if part[0] == "-" else f" + {part}"
+                return text, SUM
+            case "mul":
+                return "*".join(_bracketed(part, PRODUCT) for part in parts), PRODUCT
+            case "neg":
+                return f"-{_bracketed(parts[0], PRODUCT)}", SUM
+            case "div":
+                return f"{_bracketed(parts[0], PRODUCT)}/{_bracketed(parts[1], ATOM)}", PRODUCT
+            case "pow":
+                e = Fraction(str(node.value))
+                if e.denominator > 2:
+                    raise Malformed(f"not known: a power {e}")
+                base = _bracketed(parts[0], ATOM)
+                base = base if e.denominator == 1 else f"sqrt({parts[0][0]})"
+                text = base if abs(e) in (1, Fraction(1, 2)) else f"{base}**{abs(e.numerator)}"
+                return (
+                    (text, POWER) if e > 0 else (f"1/{_bracketed((text, POWER), POWER)}", PRODUCT)
+                )
+            case "call":
+                return self.function(node.name, parts)
+        raise Malformed(f"not known: {node.kind}")
+
+    def function(self, name: str, parts: Sequence[tuple[str, int]]) -> tuple[str, int]:
+        """Of an argument whose first term is positive."""
+        if name == "pi":
+            return "pi", ATOM
+        if name not in ("exp", "sin", "cos", "tan"):
+            raise Malformed(f"not known: {name}")
+        argument = self.proof.read(parts[0][0])
+        if not argument:
+            return ("0" if name in ("sin", "tan") else "1"), ATOM
+        negative = argument[min(argument)] < 0
+        text = text_of(ZERO - argument if negative else argument)
+        if name == "exp":
+            return (f"1/exp({text})", PRODUCT) if negative else (f"exp({text})", ATOM)
+        if name == "cos":
+            return f"cos({text})", ATOM
+        sine = f"sin({text})" if name == "sin" else f"sin({text})/cos({text})"
+        return (f"-{sine}", SUM) if negative else (sine, PRODUCT)
+
+
+PI = "245850922/78256779", 10**15
+"""A number that is closer to pi than one part of the other."""
+SUM, PRODUCT, POWER, ATOM = 0, 1, 2, 3
+
+
+def _bracketed(part: tuple[str, int], least: int) -> str:
+    text, level = part
+    return text if level >= least else f"({text})"
+
+
+def _inner_points(boxes: Mapping[str, Box]) -> Iterator[dict[str, str]]:
+    """Simple ones inside."""
+    spreads = ((1, 2, 3, 5, 7), (2, 1, 5, 1, 4), (13, 3, 11, 17, 6), (3, 2, 1, 9, 1))
+    scales = Fraction(1), Fraction(1, 4), Fraction(1, 20), Fraction(20)
+    for scale, spread in product(
+        scales if boxes else scales[:1], spreads if boxes else spreads[:1]
+    ):
+        point = {}
+        for k, (name, box) in enumerate(boxes.items()):
+            step = scale * (spread[k % 5] + k // 5)
+            if box.lower is not None and box.upper is not None:
+                value = box.lower + (box.upper - box.lower) * step / (step + 1)
+            elif box.lower is None and box.upper is None:
+                value = step - Fraction(7, 2)
+            else:
+                value = box.lower + step if box.lower is not None else (box.upper or 0) - step
+            point[name] = str(Fraction(value // 1) if box.integer else value)
+        yield point
 
 
 def _points(
-    witness: Mapping[str, str], boxes: Mapping[str, Box], labels: Mapping[str, str]
+    witness: Mapping[str, str], boxes: Mapping[str, Box], names: Sequence[str]
 ) -> Iterator[dict[str, str]]:
     """That of the witness if it is in these variables and rational, then simple ones."""
-    names = [labels.get(name, name) for name in boxes]
     with contextlib.suppress(KeyError, ValueError):  # it may be told in other variables
         yield {name: str(Fraction(witness[name])) for name in names}
     for values in free_values(tuple(boxes), boxes):
@@ -184,8 +462,3 @@ def _turned(rel: Rel) -> Rel:
     if rel.right.kind == "symbol" and rel.left.kind != "symbol":
         return Rel(TURNED.get(rel.operator, rel.operator), rel.right, rel.left)
     return rel
-
-
-def _interval(box: Box) -> list[Any]:
-    low, high = (None if end is None else str(end) for end in (box.lower, box.upper))
-    return [low, box.lower_open, high, box.upper_open, box.integer]

@@ -86,13 +86,17 @@ class Answer:
         """Data that one file without the judge decides, `gainproof/verify/check_answer.py`; found
         anew at each use. Empty where there is none.
         """
+        return self.certified()["certificate"] or {}
+
+    def certified(self) -> dict[str, Any]:
+        """The certificate, or None and why there is none, as `ask --json` has them."""
         # the exact arithmetic is not loaded for answers of which no certificate is wanted
         from gainproof.verify.judge.answer_certificate import NoCertificateError, answer_certificate
 
         try:
-            return answer_certificate(self.claim)
-        except NoCertificateError:
-            return {}
+            return {"certificate": answer_certificate(self.claim), "no_certificate": None}
+        except NoCertificateError as reason:
+            return {"certificate": None, "no_certificate": str(reason)}
 
     def explain(self, columns: int = WIDTH) -> str:
         """The whole proof or witness, as `gainproof explain` prints it."""

@@ -20,7 +20,10 @@ DECIDED = "decided by `python -m gainproof.verify.check_answer`, or a copy of it
 
 def certificate_text(claim: Mapping[str, Any]) -> str:
     """The certificate of a claim as the text of a file. Raises NoCertificateError."""
-    return json.dumps(answer_certificate(claim), indent=1, ensure_ascii=False) + "\n"
+    found = answer_certificate(claim)
+    lines = ",\n".join(json.dumps(line, ensure_ascii=False) for line in found["lines"])
+    head = json.dumps({name: part for name, part in found.items() if name != "lines"})
+    return f'{head[:-1]}, "lines": [\n{lines}\n]}}\n'
 
 
 def write(path: Path, text: str) -> None:

@@ -119,7 +119,8 @@ def run(options: argparse.Namespace) -> int:
         sys.stdout.flush()
         print(f"gainproof: {harmless(told)}", file=sys.stderr)
     if options.json:
-        data = {"format": FORMAT, "answers": [a.plain() for a in answers], "errors": errors}
+        plain = [a.plain() | a.certified() for a in answers]
+        data = {"format": FORMAT, "answers": plain, "errors": errors}
         print(json.dumps(data, indent=2))
     if errors:
         return 2
