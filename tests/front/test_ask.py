@@ -9,6 +9,7 @@ import sys
 import tomllib
 from collections.abc import Iterator, Mapping
 from concurrent.futures import ThreadPoolExecutor
+from fractions import Fraction
 from pathlib import Path
 from typing import Any
 
@@ -434,3 +435,29 @@ def test_models_that_are_shipped_have_strengths_that_are_known() -> None:
 
     positions = [m["name"] for m in shipped_models() if len(m["measurement"]) == 1]
     assert set(positions) == set(NOISE_ORDERS)
+
+
+@pytest.mark.parametrize(
+    ("formula", "point", "domain"),
+    [
+        ("sqrt(q)*sqrt(r) = 2*sqrt(q*r)", {"q", "r"}, ""),
+        ("P = 2*sqrt(2)*q^(1/4)*r^(3/4)", {"q", "r"}, ""),
+        ("q^(1/3)*r^(2/3) = r", {"q", "r"}, ""),
+        ("sqrt(q)*sqrt(r) = sqrt(q*r)", set(), "q > 0, r > 0"),
+        ("q^(1/4)*r^(3/4) = (q*r^3)^(1/4)", set(), "q > 0, r > 0"),
+    ],
+)
+def test_what_is_found_with_roots_as_symbols_is_told_without_them(
+    judge: Judge, formula: str, point: set[str], domain: str
+) -> None:
+    said = {"given": ["P = sqrt(2)*q^(1/4)*r^(3/4)"]} if "P" in formula else {}
+    found = judge.ask(formula, symbols={"q": "1 > 0", "r": "1 > 0"}, **said)
+    if domain:
+        assert (found.verdict, found.domain) == ("proved", domain)
+        return
+    assert found.verdict == "refuted"
+    assert point <= set(found.witness["point"]) <= point | {"P"}
+    q, r = (float(Fraction(found.witness["point"][name])) for name in ("q", "r"))
+    left = {"sqrt(q": (q * r) ** 0.5, "P = 2*": 2**0.5 * q**0.25 * r**0.75}
+    wanted = left.get(formula[:6], q ** (1 / 3) * r ** (2 / 3))
+    assert float(found.witness["left"]["midpoint"]) == pytest.approx(wanted, rel=1e-9)
