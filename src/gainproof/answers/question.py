@@ -41,6 +41,10 @@ FILTER = "filter"
 """What is assumed of no symbol."""
 
 
+_DELIMITERS = re.compile(r"(?s)^(?:\$\$?|\\\[|\\\()((?:(?!\$).)*?)(?:\$\$?|\\\]|\\\))$")
+"""What LaTeX puts round a formula."""
+
+
 @dataclass(frozen=True)
 class Assumed:
     """What was taken for granted of a symbol, or of the `filter`: in words, whether it is a guess,
@@ -109,6 +113,7 @@ def question(formula: str, options: Options, models: Sequence[Mapping[str, objec
             raise unknown_name("convention", name, CONVENTIONS)
         if value not in CONVENTIONS[name]:
             raise unknown_name(f"value of the convention {name}", value, CONVENTIONS[name])
+    formula = _DELIMITERS.sub(r"\1", formula.strip())
     names = {symbol_name(name): text for name, text in options.symbols.items()}
     open_ = not (options.model or options.conventions or options.domain)
     said_so = options.model == MATRICES or any(map(says_matrix, names.values()))

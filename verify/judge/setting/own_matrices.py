@@ -25,7 +25,7 @@ from gainproof.verify.judge.exact.limits import Undecided
 from gainproof.verify.judge.exact.statement import Rel, Statement
 from gainproof.verify.judge.exact.tree import read_tree
 from gainproof.verify.judge.formula import Graph
-from gainproof.verify.judge.freed.monomials import UNIT, Monomial, monomials
+from gainproof.verify.judge.freed.monomials import UNIT, Monomial, monomials, ordered
 from gainproof.verify.judge.hypothesis import settle
 from gainproof.verify.judge.meaning.reach import Reach, names_in
 from gainproof.verify.judge.scope import Scope
@@ -164,7 +164,7 @@ def measurement_noise(r: Expr) -> dict[str, Expr]:
         return {}
     if len(found) == 1:
         ((monomial, c),) = found.items()
-        powers = dict(monomial)
+        powers = dict(ordered(monomial))
         unknown = [base for base in powers if source_token(base)]
         if len(unknown) == 1 and powers[unknown[0]] in (1, 2) and len(powers) == 1 and c > 0:
             exponent = Fraction(1, powers[unknown[0]])
@@ -283,7 +283,7 @@ def _strength(shared: Monomial) -> Driven:
     """From index^2 = shared what the one free symbol of it is, be it of the process noise or
     of the measurement. Raises Undecided.
     """
-    powers = dict(shared)
+    powers = dict(ordered(shared))
     unknown = [base for base in powers if source_token(base)]
     if len(unknown) == 1 and powers[unknown[0]] in (1, 2):
         rest = [power(base, -n) for base, n in powers.items() if base != unknown[0]]
