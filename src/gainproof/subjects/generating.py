@@ -236,8 +236,8 @@ def _in_one_format(kernel: Kernel) -> Kernel:
 def _not_accurate(kernel: Kernel) -> dict[str, Any]:
     """What is said of a kernel in double-words where one format is wanted."""
     said = (
-        f"{kernel.name}: without accurate=True, which computes float32 through float64 and is "
-        "printed where both formats are (without --format)"
+        f"{kernel.name}: without accurate=True, which needs both formats: float32 is computed in "
+        "float64 there"
     )
     return {"text": said, "refused": False, "where": ""}
 
