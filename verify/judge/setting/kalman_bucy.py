@@ -38,6 +38,7 @@ from gainproof.verify.judge.exact.statement import Rel, Statement
 from gainproof.verify.judge.fixed_gain.rational_system import lowest
 from gainproof.verify.judge.hypothesis import settle
 from gainproof.verify.judge.meaning.square import determinant, inverse
+from gainproof.verify.judge.scope import Scope
 from gainproof.verify.judge.setting.environment import Environment, Fact, NotEstablished
 from gainproof.verify.judge.setting.established import UNIQUENESS, characteristic
 from gainproof.verify.judge.setting.matrix import Exprs, minus, plus, scaled, times, transposed
@@ -91,16 +92,25 @@ def kalman_bucy(setting: Setting) -> Environment:
         raise Undecided("the matrices of a Kalman-Bucy filter hold free symbols and numbers alone")
     if len(r) != 1:
         raise Undecided(f"a Kalman-Bucy filter with {len(r)} measurements is not covered")
-    said = [scope.relation(d) for t in tuple(scope.used) for d in setting.symbols[t].domain]
     a, q, h = (tuple(map(tuple, rows)) for rows in (a, q, h))
-    gain, covariance, facts = _solved(a, q, h, r[0][0], tuple(sorted(names)), Domain(tuple(said)))
+    said = _said(scope)
+    gain, covariance, facts = _solved(a, q, h, r[0][0], tuple(sorted(names)), Domain(said))
     quantities = {f"continuous_gain.{i + 1}": row[0] for i, row in enumerate(gain)}
     quantities |= {
         f"covariance.{i + 1}.{j + 1}": covariance[max(i, j)][min(i, j)]
         for i in range(len(gain))
         for j in range(len(gain))
     }
-    return Environment("a Kalman-Bucy filter", quantities, facts=facts)
+    return Environment("a Kalman-Bucy filter", quantities, facts=facts, rests=said)
+
+
+def _said(scope: Scope) -> tuple[Rel, ...]:
+    """What the source says of the symbols of the matrices, and of those that it says it with."""
+    found: dict[str, tuple[Rel, ...]] = {}
+    while pending := [token for token in scope.used if token not in found]:
+        for token in pending:
+            found[token] = tuple(map(scope.relation, scope.setting.symbols[token].domain))
+    return tuple(rel for relations in found.values() for rel in relations)
 
 
 def _solved(
