@@ -32,6 +32,7 @@ from gainproof.verify.judge.exact.expression import (
     symbols_of,
 )
 from gainproof.verify.judge.exact.expression_text import labelled
+from gainproof.verify.judge.exact.formal import decide_formally
 from gainproof.verify.judge.exact.free_names import is_free, with_tokens
 from gainproof.verify.judge.exact.limits import Undecided
 from gainproof.verify.judge.exact.statement import Rel, Statement
@@ -39,7 +40,12 @@ from gainproof.verify.judge.fixed_gain.rational_system import lowest
 from gainproof.verify.judge.hypothesis import settle
 from gainproof.verify.judge.meaning.square import determinant, inverse
 from gainproof.verify.judge.scope import Scope
-from gainproof.verify.judge.setting.environment import Environment, Fact, NotEstablished
+from gainproof.verify.judge.setting.environment import (
+    ANY_REAL,
+    Environment,
+    Fact,
+    NotEstablished,
+)
 from gainproof.verify.judge.setting.established import UNIQUENESS, characteristic
 from gainproof.verify.judge.setting.matrix import Exprs, minus, plus, scaled, times, transposed
 from gainproof.verify.judge.setting.own_matrices import not_symmetric, read_matrices
@@ -72,6 +78,17 @@ class Domain:
             return settle(statement, boxes, None, {}, only_proof=True).verdict == "proved"
         except Undecided:
             return False
+
+    def equal(self, left: Expr, right: Expr) -> bool:
+        """Whether sides that have a value wherever the symbols lie are proved to be equal there:
+        mostly by the relations of their roots alone, which is the quicker way.
+        """
+        statement = Statement((Rel("=", left, right),))
+        anywhere = {name: ANY_REAL for name in statement.symbols()}
+        try:
+            return decide_formally(statement, anywhere, {}).verdict == "proved"
+        except Undecided:
+            return self.holds(*statement.relations)
 
     def require(self, expr: Expr, operator: str, what: str) -> None:
         """Raises Undecided unless it compares so with 0."""
@@ -160,8 +177,8 @@ def _solved(
     relations = [Rel("=", x, ZERO) for row in (*residual, *other) for x in row]
     relations += [Rel("=", x, c) for x, c in zip(loop, coefficients, strict=True)]
     for rel in relations:
-        left, right = (substituted(side, roots) for side in (rel.left, rel.right))
-        if not domain.holds(Rel("=", left, right)):
+        # they divide by the density r and the determinant alone, which are not 0 on the domains
+        if not domain.equal(substituted(rel.left, roots), substituted(rel.right, roots)):
             raise NotEstablished("the Riccati equation does not hold identically")
     stable = left_half_plane([*(substituted(c, roots) for c in coefficients), ONE])
     if not domain.holds(*stable):
