@@ -84,7 +84,7 @@ class Domain:
         mostly by the relations of their roots alone, which is the quicker way.
         """
         statement = Statement((Rel("=", left, right),))
-        anywhere = {name: ANY_REAL for name in statement.symbols()}
+        anywhere = dict.fromkeys(statement.symbols(), ANY_REAL)
         try:
             return decide_formally(statement, anywhere, {}).verdict == "proved"
         except Undecided:
