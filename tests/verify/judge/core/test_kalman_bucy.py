@@ -22,6 +22,7 @@ from gainproof.verify.judge.judge import judge_file
 from gainproof.verify.judge.setting import kalman_bucy as module
 from gainproof.verify.judge.setting.environment import NotEstablished
 from gainproof.verify.judge.setting.kalman_bucy import kalman_bucy
+from gainproof.verify.judge.setting.own_matrices import model_key
 from gainproof.verify.judge.verdict import ClaimVerdict
 
 Rows = list[list[str]]
@@ -282,6 +283,12 @@ def test_the_domain_holds_all_that_the_steady_state_rests_on(
     (found,) = judged(model, "a + a = 2 a", domains={**POSITIVE, **domains})
     assert found.verdict == "proved"
     assert "r > 0" not in (found.domain or "")
+
+
+def test_what_is_kept_of_a_model_depends_on_all_that_it_rests_on() -> None:
+    model = ([["a"]], [["0"]], [["1"]], "r")
+    domains = [{**POSITIVE, "a": "a > b", "b": b} for b in ("b > 0", "b > 1", "")]
+    assert len({model_key(read(model, domains=d).settings["s"]) for d in domains}) == 3
 
 
 def test_equations_follow_from_the_relations_of_roots(monkeypatch: pytest.MonkeyPatch) -> None:
