@@ -308,8 +308,9 @@ def _check_kind(
     if kind == "kalman_bucy" and not given:
         problem = "this matrix is missing: a Kalman-Bucy filter has four"
         raise fields.fail(MATRICES[0], problem)
-    if kind == "kalman_bucy" and (name := next(filter(fields.has, CONVENTIONS), None)):
-        raise fields.fail(name, f"a setting of kind {kind} has no such convention")
+    for name in CONVENTIONS if kind == "kalman_bucy" else ():
+        if fields.has(name):
+            raise fields.fail(name, f"a setting of kind {kind} has no such convention")
     if (kind != "steady_state" and model is not None) or (given and kind not in OWN):
         raise fields.fail("model", f"a setting of kind {kind} has no model")
     if kind in FITTED and degree is None:

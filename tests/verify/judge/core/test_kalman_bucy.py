@@ -18,6 +18,7 @@ from gainproof.verify.judge.claim.file import read_claim_text
 from gainproof.verify.judge.claim.record import ClaimFile
 from gainproof.verify.judge.exact.expression import Expr, walk
 from gainproof.verify.judge.exact.free_names import free_name
+from gainproof.verify.judge.hypothesis import settle
 from gainproof.verify.judge.judge import judge_file
 from gainproof.verify.judge.setting import kalman_bucy as module
 from gainproof.verify.judge.setting.environment import NotEstablished
@@ -254,6 +255,13 @@ RESTING: list[tuple[Model, dict[str, str], str, set[str]]] = [
         {"a != 0", "b != 0", "r > 0"},
     ),
     (([["0"]], [["q - a"]], [["1"]], "r"), {"q": "q > a", "a": ""}, "K_1 > 0", {"q > a", "r > 0"}),
+    # a bound that is told says nothing of the number that is taken out
+    (
+        ([["a"]], [["0"]], [["b"]], "r"),
+        {"a": r"a > -5, a \neq 0", "b": r"b \neq 0"},
+        r"b K_1 = a + \left|a\right|",
+        {"a > -5", "a != 0", "b != 0", "r > 0"},
+    ),
     # a relation with a symbol that no matrix holds
     (
         ([["a"]], [["0"]], [["1"]], "r"),
@@ -296,7 +304,6 @@ def test_equations_follow_from_the_relations_of_roots(monkeypatch: pytest.Monkey
         assert all(rel.operator != "=" for rel in statement.relations)
         return settle(statement, *given, **more)
 
-    settle = module.settle
     monkeypatch.setattr(module, "settle", refused)
     model = ([["a", "b"], ["q", "u"]], [["b", "0"], ["0", "q"]], FIRST, "r")
     assert "covariance.2.2" in kalman_bucy(read(model).settings["s"]).quantities
