@@ -201,8 +201,89 @@ def test_densities_make_a_filter_one_in_continuous_time(judge: Judge) -> None:
     assert found.verdict == "refuted"
     found = judge.ask(r"K_1 = \sqrt{q/r}", symbols={"q": "m^2/s > 0", "r": "m^2 s > 0"})
     assert found.verdict == "proved"
-    with pytest.raises(BadInputError, match="density of the process noise is"):
-        judge.ask("K_1 = 1/r", symbols={"r": "m^2 s > 0"})
+
+
+VELOCITY = {"q": "m^2/s > 0", "r": "m^2 s > 0"}
+BOTH = {"q_1": "m^2/s > 0", "q_2": "m^2 s^-3 > 0", "r": "m^2 s > 0"}
+
+
+def test_each_density_has_its_place(judge: Judge) -> None:
+    # two integrators, both driven: P_12 = sqrt(q_2 r), P_11^2 / r = q_1 + 2 P_12
+    true, false = (rf"P_{{11}} = r \sqrt{{q_1/r + {n} \sqrt{{q_2/r}}}}" for n in (2, 3))
+    found = judge.ask(true, symbols=BOTH)
+    assert found.verdict == "proved"
+    told = "q_1 of a white velocity, q_2 of a white acceleration, r of the measured position"
+    assert told in " ".join(str(found).split())
+    assert judge.ask(false, symbols=BOTH).verdict == "refuted"
+
+
+@pytest.mark.parametrize(
+    ("formula", "more", "told"),
+    [
+        ("K_1 = 1/r", {"q": None}, "density of the process noise is.*--model"),
+        (r"K_1 = \sqrt{q/r}", {"r_2": "m^2 s > 0"}, r"r and r_2 are both in m\^2 s,"),
+        (r"K_1 = \sqrt{q/r}", {"q_2": "m^2/s > 0"}, "q and q_2 are both in m.2 s.-1"),
+        (r"K_1 = \sqrt{a^2 + q/r} - a", {"a": "s^-1 > 0"}, "a in s.-1 is no density.*claim file"),
+        (r"K_1 = \sqrt{q/r} + 1/\theta", {r"\theta": "s > 0"}, "in s is no density"),
+        (r"K_2 = q/r", {}, "K_2 is a component 2, .*m.2 s.-3 > 0"),
+        (r"P_{33} = q/r", {}, "component 3, .*m.2 s.-5 > 0"),
+        (r"K_1 = T \sqrt{q/r}", {}, "T is taken for the time between samples"),
+        (r"K_1 = \sqrt{q/r}", {"K_1": "filter_gain.1"}, "K_1 .*in continuous time does not have"),
+        (r"K_1 = \sqrt{(q + q_c)/r}", {}, "q_c is taken for another density.* by its unit"),
+    ],
+)
+def test_what_the_densities_leave_out_is_refused(
+    judge: Judge, formula: str, more: dict[str, str | None], told: str
+) -> None:
+    said = {name: text for name, text in {**VELOCITY, **more}.items() if text is not None}
+    with pytest.raises(BadInputError, match=told):
+        judge.ask(formula, symbols=said)
+
+
+def test_a_convention_of_discrete_time_is_refused_beside_densities(judge: Judge) -> None:
+    with pytest.raises(BadInputError, match="a Kalman-Bucy filter has none"):
+        judge.ask(r"K_1 = \sqrt{q/r}", symbols=VELOCITY, conventions={"gain": "predictor"})
+
+
+def test_densities_need_not_stand_in_the_formula(judge: Judge) -> None:
+    assert judge.ask("K_1 > 0", symbols=VELOCITY).verdict == "proved"
+    said = {"q": "m^2 s^-3 > 0", "r": "m^2 s > 0"}
+    assert judge.ask(r"\beta = \alpha^2/2", symbols=said).verdict == "proved"
+    assert judge.ask(r"\beta = \alpha^2/3", symbols=said).verdict == "refuted"
+    with pytest.raises(BadInputError, match="has no x"):
+        judge.ask("K_1 > 0", symbols={**VELOCITY, "x": "m"})
+
+
+def test_a_domain_of_densities_belongs_to_the_model(judge: Judge) -> None:
+    plain = {"q": "m^2/s", "r": "m^2 s"}
+    found = judge.ask(r"K_1 = \sqrt{q/r}", symbols=plain, domain="q > 0, r > 0")
+    assert found.verdict == "proved"
+    found = judge.ask(r"K_1 = \sqrt{q/r}", symbols=plain)
+    assert found.verdict == "undecided"
+    assert "could be solved: the density of the measurement noise" in " ".join(str(found).split())
+
+
+def test_a_number_in_the_unit_of_a_density_may_stand_in_discrete_time(judge: Judge) -> None:
+    said = {"r": "m^2 s > 0"}
+    assert judge.ask(r"T r > 0, \alpha > 0", symbols=said).verdict == "proved"
+
+
+@pytest.mark.parametrize(
+    ("formula", "more", "verdict"),
+    [
+        # of one degree: x is estimated by (1 - theta) sum theta^j y_j, of variance R (1-t)/(1+t)
+        (r"S = \frac{2 R}{1 + \theta}", {}, "proved"),
+        (r"e = \frac{\theta}{1 - \theta} T v", {"e": "updated_lag.1.1"}, "proved"),
+        (r"e = \frac{\theta}{1 + \theta} T v", {"e": "updated_lag.1.1"}, "refuted"),
+    ],
+)
+def test_a_weight_alone_makes_it_a_filter(
+    judge: Judge, formula: str, more: dict[str, str], verdict: str
+) -> None:
+    said = {r"\theta": "forgetting_factor", **more}
+    if more:
+        said["v"] = "target_motion.1"
+    assert judge.ask(formula, symbols=said).verdict == verdict
 
 
 @pytest.mark.parametrize(

@@ -28,6 +28,7 @@ from gainproof.verify.judge.formula import Graph
 from gainproof.verify.judge.freed.monomials import UNIT, Monomial, monomials, ordered
 from gainproof.verify.judge.hypothesis import settle
 from gainproof.verify.judge.meaning.reach import Reach, names_in
+from gainproof.verify.judge.reach import closure
 from gainproof.verify.judge.scope import Scope
 from gainproof.verify.judge.setting.environment import (
     DEVIATION,
@@ -51,7 +52,8 @@ def model_key(setting: Setting) -> str:
     trees = [read_tree(entry) for matrix in matrices for row in matrix for entry in row]
     direct = {name for tree in trees for name in names_in(tree)}
     reach = Reach(setting.symbols)
-    used = sorted(direct.union(*[reach.of(name) for name in direct]))
+    # domains too may speak of further symbols, which have their own
+    used = sorted(closure(direct.union(*[reach.of(name) for name in direct]), setting.symbols))
     return repr((setting.name, own, [setting.symbols.get(name) for name in used]))
 
 
