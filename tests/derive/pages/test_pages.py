@@ -174,7 +174,12 @@ MISTAKES = [
     ("    P_11 = 2 a\n", "    [2] is positive definite\n", 21, "a matrix of quantities is wanted"),
     ("    P_11 = 2 a\n", "    gain [a] is stable in model\n", 21, "a model is wanted"),
     ("    P_11 = 2 a\n", "    P_11 = a/2 b\n", 21, "parentheses around the quotient"),
-    ("    P_11 = 2 a\n", "    P_11 is 2 a\n", 21, "wanted 'positive' after 'P_11 is'"),
+    (
+        "    P_11 = 2 a\n",
+        "    P_11 is 2 a\n",
+        21,
+        "wanted 'positive' or 'symmetric' or 'invertible' after",
+    ),
     ("    P_11 = 2 a\n", "    P_11 2 a\n", 21, "wanted '=' or '>'"),
     ("    P_11 = 2 a\n", "    P_11 = 1/0\n", 21, "'1/0' divides by 0"),
     ("    P_11 = 2 a\n", "    P_11 = [1, a] + [1; a]\n", 21, "has no value"),
