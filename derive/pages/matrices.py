@@ -196,11 +196,9 @@ class _Hint:
 
     def search(self, inverses: set[str]) -> Search:
         names = self.entries.get("using")
-        listed = [
-            found
-            for name, found in self.known.items()
-            if (_says_of(found, inverses) if names is None else name in names)
-        ]
+        if names is None:
+            names = [name for name, each in self.known.items() if _says_of(each, inverses)]
+        listed = [self.known[name] for name in names]
         entries = self.entries
         apart = [self.known[name] for name in entries.get("aside", ())]
         return Search(

@@ -35,7 +35,7 @@ from gainproof.derive.pages.statement import Statement, read_statement
 
 MAXIMUM_LINES = 5000
 WIDTH = 100
-_ID = r"[a-z0-9{}_-]+"
+_ID = r"[A-Za-z0-9{}_-]+"
 _MARK = re.compile(
     rf"({_ID})(?: \((?=\w)(?:in ([A-Za-z0-9{{}}_]+))?(?:, |\b)?(hidden)?(?:, |\b)?(essential)?\))?"
 )
@@ -49,8 +49,9 @@ _NAMES = re.compile(
 )
 _DEFINED = re.compile(rf"({NAME}'?)(?:\(({NAME}(?:, {NAME})*)\))? = (.+)")
 _LETTER = re.compile(rf"({NAME})(?: = ({NAME}))?(?: as ([A-Za-z0-9_+|]+))?")
+_SIZE = rf"(?:1|{NAME})"
 _WHAT = re.compile(
-    rf"(.+): ({NAME} by (?:1|{NAME})|positive|real|unit of {NAME}|blocks of {NAME}|with inverse)"
+    rf"(.+): ({_SIZE} by {_SIZE}|positive|real|(?:unit|blocks) of {_SIZE}|with inverse)"
 )
 _PARAMETER = re.compile(rf"({NAME}) (>=?) (0|[1-9]\d*)")
 

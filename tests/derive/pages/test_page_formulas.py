@@ -187,6 +187,10 @@ LATEX = {
     "R_theta": r"R_\theta",
     "c_v": "c_v",
     "P_11": "P_{11}",
+    "x_+": "x_{+}",
+    "V_l|d": "V_{l|d}",
+    "I_m+n": "I_{m+n}",
+    "1": "1",
     "along": "",
     "less_sine": "",
 }
