@@ -5,13 +5,12 @@ from __future__ import annotations
 from typing import Any
 
 HINTS: dict[str, dict[str, Any]] = {
-    "weight-symmetric": {"rounds": 1},
     "weight-definite": {"squares": [("V^-1", 1, {"left_inverse": "V"})]},
     "information-definite": {
         "using": ["information-regular"],
         "squares": [("A", "weight-definite", {"left_inverse": "M^-1 A' V^-1"})],
     },
-    "covariance-symmetric": {"using": ["weight-symmetric", "information-regular"], "rounds": 1},
+    "covariance-symmetric": {"using": ["weight-symmetric", "information-regular"]},
     "covariance-definite": {"squares": [("M^-1", "information-definite", {"left_inverse": "M"})]},
     "least-cost": {"squares": [("x - a_e", "information-definite")]},
     "only-estimate": {"definite": "information-definite", "side": "left"},
@@ -58,7 +57,7 @@ HINTS: dict[str, dict[str, Any]] = {
         ],
         "squares": [("M^-1 - U M_U^-1 U'", "information-definite")],
     },
-    "fewer-symmetric": {"using": ["weight-symmetric", "fewer-regular"], "rounds": 1},
+    "fewer-symmetric": {"using": ["weight-symmetric", "fewer-regular"]},
     "fewer-unknowns": {
         "using": [
             "weight-symmetric",
@@ -79,14 +78,11 @@ HINTS: dict[str, dict[str, Any]] = {
     },
     "range-model": {"heavy": ["z"]},
     "doppler-model": {"heavy": ["z"]},
-    "location-weight-symmetric": {"rounds": 1},
     "location-weight-definite": {"squares": [("V^-1", 1, {"left_inverse": "V"})]},
     "range-noise-definite": {"squares": [("E_l", 1, {"left_inverse": "E_l'"})]},
-    "range-noise-inverse-symmetric": {"rounds": 1},
     "doppler-noise-definite": {"squares": [("E_d", 1, {"left_inverse": "E_d'"})]},
-    "doppler-noise-inverse-symmetric": {"rounds": 1},
     "g11-definite": {"squares": [("E_l", "location-weight-definite", {"left_inverse": "E_l'"})]},
-    "g11-inverse-symmetric": {"using": ["location-weight-symmetric", "g11-regular"], "rounds": 1},
+    "g11-inverse-symmetric": {"using": ["location-weight-symmetric", "g11-regular"]},
     "gram-schur": {"squares": [("N_a' - S_b D12'", 1, {"left_inverse": "N_a"})]},
     "gram-corner": {"squares": [("N_a'", 1, {"left_inverse": "N_a"})]},
     "projection": {"squares": [("(I_n - H H') A_l", ("unit", "n"))]},
@@ -103,15 +99,13 @@ HINTS: dict[str, dict[str, Any]] = {
         "squares": [("A", "location-weight-definite", {"left_inverse": "A2^-1 A'"})],
     },
     "full-information-inverse-symmetric": {
-        "using": ["location-weight-symmetric", "full-information-regular"],
-        "rounds": 1,
+        "using": ["location-weight-symmetric", "full-information-regular"]
     },
     "kept-information-definite": {
         "squares": [("U", "full-information-definite", {"left_inverse": "N_nb' N_a + U_b H' S_b'"})]
     },
     "kept-information-inverse-symmetric": {
-        "using": ["location-weight-symmetric", "kept-information-regular"],
-        "rounds": 1,
+        "using": ["location-weight-symmetric", "kept-information-regular"]
     },
     "doppler-gram-definite": {"squares": [("W", 1, {"left_inverse": "N_a"})]},
     "gram-from-doppler": {
@@ -122,8 +116,7 @@ HINTS: dict[str, dict[str, Any]] = {
     },
     "bias-information-definite": {"squares": [("H", "g11-definite", {"left_inverse": "H'"})]},
     "bias-information-inverse-symmetric": {
-        "using": ["location-weight-symmetric", "bias-information-regular"],
-        "rounds": 1,
+        "using": ["location-weight-symmetric", "bias-information-regular"]
     },
     "kept-covariance-product": {
         "taken": [
@@ -155,13 +148,10 @@ HINTS: dict[str, dict[str, Any]] = {
         "squares": [("N_a'", "full-information-definite", {"left_inverse": "N_a"})]
     },
     "clean-information-inverse-symmetric": {
-        "using": ["location-weight-symmetric", "clean-information-regular"],
-        "rounds": 1,
+        "using": ["location-weight-symmetric", "clean-information-regular"]
     },
     "f22-definite": {"squares": [("H_S", 1, {"left_inverse": "H_S'"})]},
-    "f22-symmetric": {"rounds": 1},
     "c33-definite": {"squares": [("H_L", 1, {"left_inverse": "H_L'"})]},
-    "c33-symmetric": {"rounds": 1},
     "padded-below": {
         "taken": [
             ("-I_t", ("inverse", "f22-regular", "left"), "F22^-1"),
@@ -232,8 +222,7 @@ HINTS: dict[str, dict[str, Any]] = {
         "squares": [("B", "doppler-weight-definite", {"left_inverse": "B2^-1 B'"})],
     },
     "doppler-information-inverse-symmetric": {
-        "using": ["doppler-noise-inverse-symmetric", "doppler-information-regular"],
-        "rounds": 1,
+        "using": ["doppler-noise-inverse-symmetric", "doppler-information-regular"]
     },
     "rest-product": {
         "taken": [
@@ -306,13 +295,9 @@ HINTS: dict[str, dict[str, Any]] = {
         ]
     },
     "range-information-turned": {
-        "using": ["range-noise-inverse-symmetric", "range-information-given"],
-        "rounds": 1,
+        "using": ["range-noise-inverse-symmetric", "range-information-given"]
     },
-    "clean-information-turned": {
-        "using": ["location-weight-symmetric", "clean-information-given"],
-        "rounds": 1,
-    },
+    "clean-information-turned": {"using": ["location-weight-symmetric", "clean-information-given"]},
     "doppler-helps": {
         "using": [
             "location-noise-regular",
@@ -361,16 +346,14 @@ HINTS: dict[str, dict[str, Any]] = {
         "squares": [("unit_both", 1, {"left_inverse": "D^-1", "through": True})],
     },
     "D11-definite": {"squares": [("E1", "regular-definite", {"left_inverse": "E1'"})]},
-    "D11-inverse-symmetric": {"rounds": 1},
     "D22-definite": {"squares": [("E2", "regular-definite", {"left_inverse": "E2'"})]},
-    "D22-inverse-symmetric": {"rounds": 1},
     "H1-definite": {
         "squares": [("E1 - E2 D22^-1 D12'", "regular-definite", {"left_inverse": "E1'"})]
     },
     "H2-definite": {
         "squares": [("E2 - E1 D11^-1 D12", "regular-definite", {"left_inverse": "E2'"})]
     },
-    "D22-given-symmetric": {"using": ["D22-given"], "rounds": 1},
+    "D22-given-symmetric": {"using": ["D22-given"]},
     "inverse-by-H1-product-columns-1": {"using": ["H1-given", "D22-given-symmetric"]},
     "inverse-by-H1-product-columns-2": {"using": ["D22-given"]},
     "inverse-by-H1-product": {
@@ -401,7 +384,7 @@ HINTS: dict[str, dict[str, Any]] = {
             ),
         ]
     },
-    "D11-given-symmetric": {"using": ["D11-given"], "rounds": 1},
+    "D11-given-symmetric": {"using": ["D11-given"]},
     "inverse-by-H2-product-columns-1": {"using": ["D11-given"]},
     "inverse-by-H2-product-columns-2": {"using": ["H2-given", "D11-given-symmetric"]},
     "inverse-by-H2-product": {
@@ -480,9 +463,7 @@ HINTS: dict[str, dict[str, Any]] = {
     "order-transitive": {"squares": [("unit(n)", 1), ("unit(n)", 2)]},
     "order-antisymmetric": {"above": 1, "below": 2},
     "larger-definite": {"squares": [("unit(n)", 1, {"left_inverse": "unit(n)"}), ("unit(n)", 2)]},
-    "D1-inverse-symmetric": {"rounds": 1},
     "D1-inverse-definite": {"squares": [("D1^-1", "larger-definite", {"left_inverse": "D1"})]},
-    "D2-inverse-symmetric": {"rounds": 1},
     "D2-inverse-definite": {"squares": [("D2^-1", 1, {"left_inverse": "D2"})]},
     "inverse-order": {
         "using": ["D2-regular", "D2-inverse-symmetric", "D1-regular"],

@@ -62,7 +62,6 @@ HINTS: dict[str, dict[str, Any]] = {
     "axis-position": {"using": ["axis-cross", "axis-velocity"], "taken": [("2 u' E1'", 2, "E1 u")]},
     "axis-updated": {"taken": [("(1 - alpha)^2", "axis-position", "unit(1)")]},
     "innovation-definite": {"squares": [("H'", 1), ("unit(m)", 2, {"left_inverse": "unit(m)"})]},
-    "inverse-symmetric": {"rounds": 1},
     "least-update": {"squares": [("(K - K_o)'", "innovation-definite")]},
     "only-best": {"definite": "innovation-definite", "side": "right"},
     "least-prediction": {"squares": [("Phi'", "least-update")]},
@@ -72,7 +71,6 @@ HINTS: dict[str, dict[str, Any]] = {
         "squares": [("(I - K H)'", 1, {"left_inverse": "I"}), ("K'", 2, {"left_inverse": "H'"})]
     },
     "position-innovation-definite": {"squares": [("E1", 1), ("I", 2, {"left_inverse": "I"})]},
-    "position-inverse-symmetric": {"rounds": 1},
     "smoothed-least": {"squares": [("(K1 - P11 S^-1)'", "position-innovation-definite")]},
     "smoothed-only": {"definite": "position-innovation-definite", "side": "right"},
     "predicted-least": {"squares": [("(K1 - K_f)'", "position-innovation-definite")]},

@@ -102,7 +102,8 @@ class Letters:
         make orders, `definite` with `side` or `above` with `below` an equation, `used` one of
         traces, and `because` or `left_inverse` an inverse. What is referred to is a statement by
         its id, a condition behind `if` by its number from 1, or a source as `Search` has it.
-        Without `using` it is what is said above of the inverses that occur.
+        Without `using` it is what is said above of the inverses that occur; `rounds` is 1 for
+        `M' = M`, else 0.
 
         Raises FormulaError where nothing shows it, and for a condition that it does not need.
         """
@@ -125,7 +126,9 @@ class Letters:
         return found
 
     def _found(self, name: str, said: Statement, hint: _Hint) -> statement.Statement:
-        search, parts, reads = hint.search(self._inverses(said)), said.parts, hint.entries
+        parts, reads = said.parts, hint.entries
+        symmetric = said.form == "equal" and parts[0] == Formula("transpose", "", (parts[1],))
+        search = hint.search(self._inverses(said), rounds=int(symmetric))
         if said.form == "invertible":
             because = self._read(reads["left_inverse"]) if "left_inverse" in reads else None
             because = because or hint.because(self._known(parts[0].text), search)
@@ -194,7 +197,7 @@ class _Hint:
     given: Sequence[Hypothesis]
     known: Mapping[str, statement.Statement]
 
-    def search(self, inverses: set[str]) -> Search:
+    def search(self, inverses: set[str], rounds: int) -> Search:
         names = self.entries.get("using")
         if names is None:
             names = [name for name, each in self.known.items() if _says_of(each, inverses)]
@@ -206,7 +209,7 @@ class _Hint:
             self.given,
             [found for found in listed if found not in apart],
             tuple(self.letters.names[name] for name in entries.get("heavy", ())),
-            entries.get("rounds", 0),
+            entries.get("rounds", rounds),
             self.products("multiples"),
             self.products("taken"),
             [self.letters._read(text) for text in entries.get("numbers", ())],
