@@ -112,9 +112,9 @@ class Letters:
             mine = self.setting.name
             here = {key: each for key, each in known.items() if each.setting.name == mine}
             found = self._found(name, said, _Hint(self, hint, given, here))
-        except (UnprovedError, ShapeError, ValueError, KeyError) as error:
-            if isinstance(error, FormulaError):
-                raise
+        except (FormulaError, ShapeError) as error:
+            raise FormulaError(str(error)) from None
+        except (UnprovedError, ValueError, KeyError) as error:
             raise FormulaError(f"nothing shows that this is so: {error}") from None
         if list(found.given) != given:
             needed = [each for each in range(len(given)) if given[each] in found.given]

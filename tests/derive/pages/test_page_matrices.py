@@ -105,7 +105,7 @@ WRONG = [
         "P - K_o S K_o' if",
         "P + K_o S K_o' if",
         31,
-        "nothing shows that this is so: share: left over",
+        "nothing shows that this is so: share: left over -2 P H' S_inverse H P",
     ),
     ("(t - c/2) P if", "(t - c) P if", 32, "nothing shows that this is so"),
     ("(t - c/2) P if P is symmetric", "(t - c/2) P", 32, "nothing shows that this is so"),
