@@ -289,7 +289,9 @@ class _Reading:
             rest = chunks.pop(0)
             match kind:
                 case "#" | "##":
-                    yield Prose(kind, first[len(kind) + 1 :], _joined(rest[1:]), self._at(number))
+                    yield Prose(
+                        kind, first[len(kind) + 1 :], self._prose(rest[1:]), self._at(number)
+                    )
                 case "names" | "let" | "setting" | "matrices" | "kernel":
                     yield self._block(kind, rest)
                 case "include" | "steps":
@@ -335,8 +337,16 @@ class _Reading:
         if len(chunks) > 3 or (len(chunks) == 3 and chunks[2][0][1].startswith(" ")):
             self._at_error(chunks[-1][0][0], "one block of statements and one reason are wanted")
         items = tuple(self._items(chunks[1]))
-        reason = _joined(chunks[2]).removeprefix("because ") if len(chunks) == 3 else ""
-        return PageStep(mark, _joined(beneath), items, reason, self._at(number))
+        reason = self._prose(chunks[2]).removeprefix("because ") if len(chunks) == 3 else ""
+        return PageStep(mark, self._prose(beneath), items, reason, self._at(number))
+
+    def _prose(self, lines: Numbered) -> str:
+        """A sentence or several, each formula in a pair of backticks."""
+        text = " ".join(line.strip() for _, line in lines)
+        if text.count("`") % 2:
+            odd = [number for number, line in lines if line.count("`") % 2]
+            self._at_error(odd[-1], "a formula stands between two backticks, one is alone here")
+        return text
 
     def _mark(self, number: int, text: str) -> Mark:
         match = _MARK.fullmatch(text)
@@ -463,7 +473,3 @@ class _Reading:
         if match is None or len(chunk) > 1:
             self._at_error(number, f"{kind} NAME is wanted, alone, {text!r} came")
         return Include(kind, match[1], match[2] or "", self._at(number))
-
-
-def _joined(lines: Numbered) -> str:
-    return " ".join(line.strip() for _, line in lines)

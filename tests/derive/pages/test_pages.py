@@ -226,6 +226,8 @@ MISTAKES = [
     ),
     ("include part (one)", "include part (two)", 26, "no slots 'two'; known: one, other"),
     ("A sentence.", "A sentence. ", 19, "blanks at the end of the line"),
+    ("A sentence.", "A `a sentence.", 19, "a formula stands between two backticks"),
+    ("because Reason.", "because `a` and `b.", 24, "a formula stands between two backticks"),
     ("A sentence.", "A\tsentence.", 19, "a sign that is not printed"),
 ]
 
