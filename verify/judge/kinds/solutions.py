@@ -180,9 +180,11 @@ class Equation:
         f, *others = (self._at(field, p, point) for p in (self.f, *self.divisors))
         if size < 0 or not all(others):
             return 0  # a divisor that is zero whatever the unknown is leaves none
-        if not f:
-            return None if size else 1
-        return interval, field.simple(f, others)
+        if f:
+            return interval, field.simple(f, others)
+        if size or interval.low is None:
+            return None
+        return int(all(field.value(d, interval.low) for d in others))
 
     def holds(self, point: Point, at: Algebraic = NO_NUMBER) -> bool:
         """Whether the conditions on the parameters hold there."""
@@ -206,9 +208,13 @@ class Equation:
         if degree(f, x) > 0:
             found += [leading(f, x), *discriminants([f], x, DEFAULT_LIMITS)]
         parts = coefficients_in(f, x)
+        # an interval of one point may be where a divisor is zero: of an identity that matters
+        of_ends = [parts, *(coefficients_in(d, x) for d in self.divisors if f.is_zero())]
         for b in self.bounds:
-            powers = (c * b.top**k * b.bottom ** (len(parts) - 1 - k) for k, c in enumerate(parts))
-            found += [sum(powers, 0 * f), b.bottom]
+            for p in of_ends:
+                powers = (c * b.top**k * b.bottom ** (len(p) - 1 - k) for k, c in enumerate(p))
+                found.append(sum(powers, 0 * f))
+            found.append(b.bottom)
         found += [a.top * b.bottom - b.top * a.bottom for a, b in combinations(self.bounds, 2)]
         return irreducible(found)
 
@@ -286,6 +292,8 @@ def _equation(rel: Rel, unknown: str, frame: Frame, needed: Iterable[Expr]) -> E
         if x not in symbols_of(left, right):
             top, bottom = quotient(left - right)
             conditions.append((operator, top * bottom))
+            # where a divisor is zero the condition says nothing, so it does not hold
+            conditions += [("!=", quotient(d)[0]) for d in divisors(left, right)]
             continue
         if right.kind == "symbol" and right.name == x:
             left, right, operator = right, left, TURNED.get(operator, "")
@@ -387,12 +395,11 @@ class _Search:
         return Finding("proved", reason, self._domain(), METHOD, None, certificate)
 
     def _is_joined(self) -> bool:
-        """Whether each connected part of the domain holds a cell: it is open, but for the faces of
-        the box, or convex.
+        """Whether each connected part of the domain, which has a point inside, holds a cell: it is
+        open in a convex set.
         """
         conditions = self.equation.conditions
-        convex = all(op not in ("=", "!=") and p.total_degree() == 1 for op, p in conditions)
-        return convex or all(operator in STRICT for operator, _ in conditions)
+        return all(op in STRICT or (op != "=" and p.total_degree() == 1) for op, p in conditions)
 
     def _further(self, walls: Sequence[Poly]) -> Iterator[Point]:
         """Simple points, and points of walls that are of first degree in a parameter."""
