@@ -24,7 +24,6 @@ from gainproof.verify.judge.claim.record import Claim
 from gainproof.verify.judge.exact.algebraic import Algebraic, compare, rational_point, real_roots
 from gainproof.verify.judge.exact.box import Box, bounds_text
 from gainproof.verify.judge.exact.calculus import substituted
-from gainproof.verify.judge.exact.constant_value import constant_value
 from gainproof.verify.judge.exact.expression import Expr, number, symbols_of
 from gainproof.verify.judge.exact.expression_text import labelled
 from gainproof.verify.judge.exact.limits import DEFAULT_LIMITS, Nowhere, Undecided
@@ -53,7 +52,7 @@ from gainproof.verify.judge.exact.tidy import expression_of
 from gainproof.verify.judge.exact.total import divisors
 from gainproof.verify.judge.fixed_gain.rational_system import numerator_and_denominator
 from gainproof.verify.judge.formula import Reading
-from gainproof.verify.judge.kinds.framing import Frame, framed
+from gainproof.verify.judge.kinds.framing import Frame, fixed_numbers, framed
 from gainproof.verify.judge.kinds.identity import resolved
 from gainproof.verify.judge.meaning.evaluation import number_of
 from gainproof.verify.judge.scope import Scope
@@ -307,12 +306,12 @@ def _equation(rel: Rel, unknown: str, frame: Frame, needed: Iterable[Expr]) -> E
 
 def _fixed(frame: Frame, unknown: str) -> dict[str, Expr]:
     """Parameters that have one value. Raises Nowhere where that is not in their domain."""
-    found = {n: box.lower for n, box in frame.boxes.items() if box.lower == box.upper}
-    for c in frame.conditions:
-        for side, other in ((c.left, c.right), (c.right, c.left)):
-            if c.operator == "=" and side.kind == "symbol" and found.get(side.name) is None:
-                found[side.name] = constant_value(other)
-    fixed = {n: value for n, value in found.items() if value is not None and n != unknown}
+    points = {n: box.lower for n, box in frame.boxes.items() if box.lower == box.upper}
+    found = {
+        **fixed_numbers(frame.conditions),
+        **{n: value for n, value in points.items() if value is not None},
+    }
+    fixed = {n: value for n, value in found.items() if n != unknown}
     if not all(frame.boxes[n].holds(value) for n, value in fixed.items() if n in frame.boxes):
         raise Nowhere
     return {n: number(value) for n, value in fixed.items()}
