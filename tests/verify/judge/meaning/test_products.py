@@ -93,6 +93,13 @@ def test_every_number_of_a_range(last: int, wrong: bool) -> None:
         # 2^n > n^2 from 5 on
         ("inequality", "2^n > n^2", r"4 < n \leq 40", "proved"),
         ("inequality", "2^n > n^2", r"4 \leq n \leq 40", "refuted"),
+        # functions of numbers: sin 14 = 0.9906, and cos 22 = -0.99996 is the least up to 40
+        ("inequality", r"\sin(n) \leq 0.99", r"1 \leq n \leq 13", "proved"),
+        ("inequality", r"\sin(n) \leq 0.99", r"1 \leq n \leq 20", "refuted"),
+        ("inequality", r"\cos(n) > -0.9999", r"1 \leq n \leq 21", "proved"),
+        ("inequality", r"\cos(n) > -0.9999", r"1 \leq n \leq 40", "refuted"),
+        ("inequality", r"n e^{-n/9} \leq 3.311", r"1 \leq n \leq 30", "proved"),  # 9/e = 3.3109
+        ("inequality", r"n e^{-n/9} \leq 3.31", r"1 \leq n \leq 30", "refuted"),
         # more than a few numbers, and none that is whole
         ("inequality", r"\sum_{k=1}^{n} \frac{1}{k} < 30", r"1 \leq n \leq 100", "undecided"),
     ],
