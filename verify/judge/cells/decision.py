@@ -88,15 +88,15 @@ def _for_integers(
             there = _within(task, {**boxes, name: point_box}, labels, limits)
             if there is not None and there.witness is not None:
                 return _failing(outcome, there.witness, 1)
-    found = []
-    for point in whole_points(whole, boxes):
-        there = _within(task, {**boxes, **point}, labels, limits)
+    few: list[Outcome | None] = []
+    for fixed in whole_points(whole, boxes):
+        there = _within(task, {**boxes, **fixed}, labels, limits)
         if there is not None and there.witness is not None:
             return _failing(outcome, there.witness, 1)
-        found.append(there)
+        few.append(there)
     names = ", ".join(labels.get(name, name) for name in whole)
-    proofs = [there for there in found if there is not None and there.verdict == "proved"]
-    if proofs and all(there == EMPTY or there in proofs for there in found):
+    proofs = [there for there in few if there is not None and there.verdict == "proved"]
+    if proofs and all(there == EMPTY or there in proofs for there in few):
         return _for_all_integers(proofs, boxes, labels)
     raise Undecided(f"false for real numbers; whether for integers {names} was not decided")
 

@@ -12,6 +12,7 @@ CONSTANT = r"\prod_{k=1}^{n} (1 - \frac{p}{k p + r})"
 POSITIVE = r"n \geq 1, p > 0, r > 0"
 EACH = r"\prod_{k=1}^{n} \frac{k}{k+1}"
 TURNED = r"\prod_{k=1}^{n} (1 - \frac{k}{n+1}) = \prod_{k=1}^{n} \frac{k}{n+1}"
+INVERSE = r"\prod_{k=1}^{n} (1 + \frac{1}{k}) \prod_{k=1}^{n} (1 - \frac{1}{k+1}) = 1"
 ONES = r"\begin{pmatrix} 1 & %s \\ 0 & 1 \end{pmatrix}"
 
 
@@ -74,6 +75,9 @@ def test_every_number_of_a_range(last: int, wrong: bool) -> None:
     ("kind", "claim", "domain", "wanted"),
     [
         ("identity", TURNED, r"1 \leq n \leq 12", "proved"),
+        # n + 1 times 1/(n + 1)
+        ("identity", INVERSE, r"1 \leq n \leq 12", "proved"),
+        ("identity", INVERSE.replace("= 1", "= n"), r"1 \leq n \leq 12", "refuted"),
         (
             "inequality",
             r"\prod_{k=1}^{n} (1 + k x) \geq 1 + n x",
