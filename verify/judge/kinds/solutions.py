@@ -350,12 +350,14 @@ class _Search:
         place, point, count = min(wrong, key=lambda each: each[0].at is not None)
         value = str(point[0]) if point else place.at.text() if place.at else ""
         witness = self._witness({name: value} if name else {}, point, count, place)
-        if not any(place.is_cell for place in kept):
-            reason = f"fails {witness.text()}"
+        reason = f"fails {witness.text()}"
+        if not kept:
             return Finding("refuted", reason, "nowhere", METHOD, witness, certificate)
         holds = f"for {region_text(kept, self._label(name))}"
-        reason = f"fails {witness.text()}; holds exactly {holds}"
-        return Finding("conditional", reason, holds, METHOD, witness, certificate)
+        is_part = any(place.is_cell for place in kept)
+        verdict, word = ("conditional", "exactly") if is_part else ("refuted", "only")
+        reason += f"; holds {word} {holds}"
+        return Finding(verdict, reason, holds, METHOD, witness, certificate)
 
     def in_cells(self) -> Finding:
         """With several parameters: a point of each open cell, and that no wall is met. Raises

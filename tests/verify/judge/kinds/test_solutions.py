@@ -129,6 +129,26 @@ def test_where_one_parameter_has_so_many() -> None:
     assert inside.reading == "exactly 1 real x with 0 < x < 1 satisfies it"
 
 
+@pytest.mark.parametrize(
+    ("equation", "count", "domain", "holds"),
+    [
+        ("x^2 = c", 2, "c^2 = 2", "for c = sqrt(2)"),
+        ("x^2 = c", 0, "c^2 = 2", "for c = -sqrt(2)"),
+        ("x^2 = c", 2, "(c^2 - 9)(c - 5) = 0", "for c = 3 or c = 5"),
+        ("x^2 = c", 1, "", "for c = 0"),
+        ("x^4 + 4 x + c = 0", 1, r"c \geq 3", "for c = 3"),
+        ("x^2 = c", 3, "c^2 = 2", "nowhere"),
+    ],
+)
+def test_isolated_points_that_have_so_many(
+    equation: str, count: int, domain: str, holds: str
+) -> None:
+    found = _judged(equation, count, domain)
+    check(found, "refuted")
+    assert found.domain == holds
+    assert f"; holds only {holds}" in found.reason or holds == "nowhere"
+
+
 def _clear(roots: Any, ends: tuple[float, ...]) -> bool:
     """Whether floating point tells how many are real, different and inside."""
     doubtful = [r for r in roots if 0 < abs(r.imag) < NEAR]
