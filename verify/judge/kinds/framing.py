@@ -62,7 +62,7 @@ class Frame:
         of another one, in other variables. Raises Undecided.
         """
         whole = replace(statement, conditions=(*statement.conditions, *self.conditions))
-        found = self.decide_alone(whole)
+        found = _with_fixed(self.decide_alone(whole), self.conditions, self.labels)
         own = {name: box for name, box in self.boxes.items() if name in whole.symbols()}
         asked = statement_data(whole, own, self.parameter, self.labels)
         if found.certificate and found.certificate.get("statement") != asked:
@@ -99,6 +99,30 @@ class Frame:
             return self.decide(Statement(relations)).verdict == "proved"
         except Undecided:
             return False
+
+
+def fixed_numbers(conditions: Iterable[Rel]) -> dict[str, Fraction]:
+    """The symbols that a condition sets to a rational number, with the first that it is."""
+    found: dict[str, Fraction] = {}
+    for c in conditions:
+        for side, other in ((c.left, c.right), (c.right, c.left)):
+            if c.operator == "=" and side.kind == "symbol":
+                value = constant_value(other)
+                if value is not None:
+                    found.setdefault(side.name, value)
+    return found
+
+
+def _with_fixed(found: Outcome, conditions: Iterable[Rel], labels: Mapping[str, str]) -> Outcome:
+    """The outcome with a witness that tells the symbols too that have one value: they were put in,
+    and what is told in other symbols depends on them.
+    """
+    if found.witness is None:
+        return found
+    fixed = {labels.get(n, n): str(value) for n, value in fixed_numbers(conditions).items()}
+    witness = replace(found.witness, point={**fixed, **found.witness.point})
+    reason = found.reason.replace(found.witness.text(), witness.text())
+    return replace(found, witness=witness, reason=reason)
 
 
 def strictly(frame: Frame) -> Frame:
