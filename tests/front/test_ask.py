@@ -532,8 +532,8 @@ def test_models_that_are_shipped_have_strengths_that_are_known() -> None:
 def test_what_is_found_with_roots_as_symbols_is_told_without_them(
     judge: Judge, formula: str, point: set[str], domain: str
 ) -> None:
-    said = {"given": ["P = sqrt(2)*q^(1/4)*r^(3/4)"]} if "P" in formula else {}
-    found = judge.ask(formula, symbols={"q": "1 > 0", "r": "1 > 0"}, **said)
+    given = ["P = sqrt(2)*q^(1/4)*r^(3/4)"] if "P" in formula else []
+    found = judge.ask(formula, symbols={"q": "1 > 0", "r": "1 > 0"}, given=given)
     if domain:
         assert (found.verdict, found.domain) == ("proved", domain)
         return
