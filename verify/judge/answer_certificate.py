@@ -196,8 +196,8 @@ class Writer:
         if token not in self.names:
             plain = re.sub("[^A-Za-z0-9]+", "_", token.replace("'", "_prime")).strip("_")
             plain = plain if plain[:1].isalpha() else f"x_{plain}"
-            taken = {*self.names.values(), *check_answer.FUNCTIONS, "pi"}
-            taken |= {*"FHQRPKSX"} if self.said.model else set()
+            taken = {*self.names.values(), *check_answer.FUNCTIONS, "pi", "S", "X"}
+            taken |= {*"FHQRPK"} if self.said.model else set()
             while plain in taken or iskeyword(plain) or re.fullmatch(r"part\d+", plain):
                 plain += "_"
             self.names[token] = plain
@@ -208,10 +208,10 @@ class Writer:
         proof, said = self.proof, self.said
         proof.say("typed", " ".join(said.typed.split()))
         if said.convention is not None:
-            proof.say("convention", said.convention)
+            proof.say("convention", " ".join(said.convention.split()))
         for token, plain in self.names.items():
             if token != plain:
-                proof.say("name", f"{plain} for {token}")
+                proof.say("name", f"{plain} for {' '.join(token.split())}")
         given, defined = [*said.given], dict[str, Expr]()
         for rel in said.given:
             name = said.labels.get(str(rel.left.value), str(rel.left.value))
@@ -400,7 +400,7 @@ class Writer:
             return "pi", ATOM
         if name not in ("exp", "sin", "cos", "tan"):
             raise Malformed(f"not known: {name}")
-        argument = self.proof.read(parts[0][0])
+        argument = self.proof.checker.value(parts[0][0])
         if not argument:
             return ("0" if name in ("sin", "tan") else "1"), ATOM
         negative = argument[min(argument)] < 0
