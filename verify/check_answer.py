@@ -162,7 +162,7 @@ class Certificate:
                 return ZERO - self.value(operand)
             case ast.BinOp(left=a, op=ast.Add() | ast.Sub() | ast.Mult() as op, right=b):
                 return SUMS[type(op)](self.value(a), self.value(b))
-            case ast.BinOp(left=a, op=ast.Pow(), right=ast.Constant(value=int(e))) if 1 < e <= 64:
+            case ast.BinOp(a, ast.Pow(), ast.Constant(e)) if type(e) is int and e <= 64:
                 return reduce(mul, [self.value(a)] * e, ONE)
             case ast.BinOp(left=a, op=ast.Div(), right=b):
                 top, bottom = self.value(a), self.value(b)
