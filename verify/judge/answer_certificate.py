@@ -142,7 +142,7 @@ def _certificate(
         typed=claim["latex"],
         # the statement is that under the first convention
         convention=(claim["convention"] or "").removeprefix("any of: ").partition("; ")[0],
-        partial=any(word in claim["domain"] or "" for word in PARTIAL),
+        partial=any(word in (claim["domain"] or "") for word in PARTIAL),
         boxes={labels.get(name, name): box for name, box in boxes.items()},
         given=tuple(_turned(r) for r in statement.domain),
         model=model,
