@@ -64,10 +64,13 @@ def integral_of(integrand: Expr, name: str, low: Expr, high: Expr) -> tuple[Expr
             squares.append(found)
             needed.append(_sign(rel.operator, rel.left))
             continue
+        growth = line.get(1)
+        if growth is not None and not monomials(growth):
+            growth = None
         if endless:
-            needed.append(_decay(line.get(1), low, high))
+            needed.append(_decay(growth, low, high))
         size = number(1) if exponent is None else Expr("call", "exp", (exponent,))
-        for wave in _waves(size, line.get(1), turns, name):
+        for wave in _waves(size, growth, turns, name):
             if wave.growth is None and wave.turn is None:
                 terms.append(mul(wave.real, _primitive(polynomial, name)))
                 continue
