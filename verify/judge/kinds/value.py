@@ -1,11 +1,14 @@
 """Printed numbers and matrices of them: each exact value lies within half a unit of the last digit
-shown, ties as `printed_number` says.
+shown.
+
+A tie is rounded away from zero or to the even digit, as sources do: 0.65 is printed as 0.7 or 0.6,
+but 0.75 as 0.8 only.
 """
 
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import replace
+from dataclasses import dataclass, replace
 from fractions import Fraction
 from typing import Any
 
@@ -20,13 +23,12 @@ from gainproof.verify.judge.exact.enclosure import enclosure, is_long
 from gainproof.verify.judge.exact.expression import Expr, number, symbols_of
 from gainproof.verify.judge.exact.limits import Undecided
 from gainproof.verify.judge.exact.poly import rational
-from gainproof.verify.judge.exact.statement import Rel, Statement, Witness
+from gainproof.verify.judge.exact.statement import Enclosure, Rel, Statement, Witness
 from gainproof.verify.judge.formula import Reading, Relation
 from gainproof.verify.judge.kinds.approach import approach_of, arrow_of, end_of
 from gainproof.verify.judge.kinds.framing import Frame, fixed_numbers, framed, only_plain
 from gainproof.verify.judge.kinds.limit import limit_by_expansion
 from gainproof.verify.judge.kinds.near_limit import open_sides, others_frame
-from gainproof.verify.judge.kinds.printed_number import PrintedNumber
 from gainproof.verify.judge.meaning.value import shape
 from gainproof.verify.judge.scope import Scope
 from gainproof.verify.judge.verdict import Finding, finding_of, of_parts
@@ -185,3 +187,53 @@ def _by_ball(
 
 def _text(where: Mapping[str, str]) -> str:
     return ", ".join(f"{n} = {v}" for n, v in where.items()) or "everywhere"
+
+
+@dataclass(frozen=True)
+class PrintedNumber:
+    """A number with its decimals; fewer than none where its last digits are not shown."""
+
+    value: Fraction
+    decimals: int
+
+    @property
+    def half(self) -> Fraction:
+        """Half a unit of the last digit."""
+        return Fraction(1, 2) / Fraction(10) ** self.decimals
+
+    @property
+    def low(self) -> Fraction:
+        """The lower end of the interval."""
+        return self.value - self.half
+
+    @property
+    def high(self) -> Fraction:
+        """The upper end."""
+        return self.value + self.half
+
+    @property
+    def is_even(self) -> bool:
+        """Whether the last digit is even."""
+        units = self.value * Fraction(10) ** self.decimals
+        return units.denominator != 1 or units.numerator % 2 == 0
+
+    def bounds(self, exact: Expr) -> tuple[Rel, Rel]:
+        """That an exact value lies in the interval, a tie with it where it may be rounded so."""
+        low = "<=" if self.value > 0 or self.is_even else "<"
+        high = "<=" if self.value < 0 or self.is_even else "<"
+        return Rel(low, number(self.low), exact), Rel(high, exact, number(self.high))
+
+    def ball(self) -> Enclosure:
+        """The interval, for a witness."""
+        return Enclosure(str(float(self.value)), str(float(self.half)))
+
+    def text(self) -> str:
+        """`13/20 to 3/4`."""
+        return f"{self.low} to {self.high}"
+
+    def note(self) -> str:
+        """What the digits stand for, in words."""
+        if self.is_even:
+            return f"the digits stand for {self.text()}"
+        end = self.low if self.value < 0 else self.high
+        return f"the digits stand for {self.text()}, {end} left out"
