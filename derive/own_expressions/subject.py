@@ -169,13 +169,13 @@ def _cost(given: ExpressionKernel, output: Result, form: Form) -> Cost | None:
     return (
         float(printed.by_terms),
         float(any(end.beside for end in ends)),
-        _excess(kernel, bounds[0]) if printed.by_terms else 0.0,
+        _mean_loss(kernel, bounds[0]) if printed.by_terms else 0.0,
         float(sum(end.bound for end in ends)),
         float(len(kernel.program.steps)),
     )
 
 
-def _excess(kernel: Kernel, bound: KernelBound) -> float:
+def _mean_loss(kernel: Kernel, bound: KernelBound) -> float:
     """The mean of the logarithms of terms over value at a few points of the domain."""
     (output,) = kernel.outputs
     ratios = [
