@@ -109,7 +109,7 @@ def _turned(relation: Relation, scope: Scope) -> list[tuple[Expr, PrintedNumber,
             value = constant_value(shown)
             assert value is not None  # decimals are told of numbers alone
             name = f"({place // columns + 1}, {place % columns + 1})" if len(counts) > 1 else ""
-            found.append((exact, PrintedNumber(value, count), name))
+            found.append((exact, PrintedNumber(value, count, not is_right), name))
         return found
     raise Undecided("neither side is a number as printed, with its digits, or a matrix of such")
 
@@ -137,16 +137,19 @@ def _within(exact: Expr, shown: PrintedNumber, frame: Frame) -> Finding:
 def _against_printed(found: Finding, shown: PrintedNumber) -> Finding:
     """The finding with its witness told of the number as printed, not of an end of its interval."""
     witness = found.witness
-    if witness is None or witness.left.undefined or witness.right.undefined:
+    if witness is None:
         return found
-    if is_long(witness.left) or is_long(witness.right):
-        return found
-    # what fails is low <= value or value <= high: the left side is below the number in the first
-    is_low = Fraction(witness.left.midpoint) < shown.value
-    value = witness.right if is_low else witness.left
+    value = next((side for side in (witness.left, witness.right) if side.undefined), None)
+    if value is None:
+        if is_long(witness.left) or is_long(witness.right):
+            return found
+        # what fails is low <= value or value <= high: the left side is below the number in the
+        # first
+        is_low = Fraction(witness.left.midpoint) < shown.value
+        value = witness.right if is_low else witness.left
     # at a tie the value is an end of the interval, not the number as printed
-    right, note = shown.ball(), shown.note()
-    told = replace(witness, operator="approx", left=value, right=right, exact=False, note=note)
+    (left, right), note = shown.sides(value), shown.note()
+    told = replace(witness, operator="approx", left=left, right=right, exact=False, note=note)
     reason = found.reason.replace(witness.text(), told.text())
     return replace(found, witness=told, reason=reason)
 
@@ -179,7 +182,7 @@ def _by_ball(
         reason = f"the exact value {value.midpoint} lies in the interval of the digits shown"
         return Finding("proved", reason, _text(where), METHOD, None, certificate)
     if above < 0 or below < 0:
-        witness = Witness(where, "approx", value, shown.ball(), note=shown.note())
+        witness = Witness(where, "approx", *shown.sides(value), note=shown.note())
         reason = f"fails {witness.text()}"
         return Finding("refuted", reason, "nowhere", METHOD, witness, certificate)
     return None
@@ -191,10 +194,13 @@ def _text(where: Mapping[str, str]) -> str:
 
 @dataclass(frozen=True)
 class PrintedNumber:
-    """A number with its decimals; fewer than none where its last digits are not shown."""
+    """A number with its decimals, fewer than none where its last digits are not shown; whether it
+    is the left side.
+    """
 
     value: Fraction
     decimals: int
+    on_left: bool = False
 
     @property
     def half(self) -> Fraction:
@@ -223,9 +229,10 @@ class PrintedNumber:
         high = "<=" if self.value < 0 or self.is_even else "<"
         return Rel(low, number(self.low), exact), Rel(high, exact, number(self.high))
 
-    def ball(self) -> Enclosure:
-        """The interval, for a witness."""
-        return Enclosure(str(float(self.value)), str(float(self.half)))
+    def sides(self, exact: Enclosure) -> tuple[Enclosure, Enclosure]:
+        """Both sides for a witness, of the number the interval."""
+        ball = Enclosure(str(float(self.value)), str(float(self.half)))
+        return (ball, exact) if self.on_left else (exact, ball)
 
     def text(self) -> str:
         """`13/20 to 3/4`."""
