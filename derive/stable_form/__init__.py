@@ -6,8 +6,8 @@ reads an expression of square roots over positive inputs, and looks for a form o
 quotients and roots of positive terms: differences of roots multiplied by their conjugate, common
 factors drawn out, polynomials written with coefficients of one sign. Of several ways to write it
 down the one with the smallest proved bound is taken. `coordinates` says what is positive on a
-domain, `signs` looks for products of factors of one sign, `letters`, `bases` and `emission` write
-them down, `candidates` and `ranking` compare, `atoms` and `rewriting` put functions in, and
+domain, `signs` looks for products of factors of one sign, `letters` and `emission` write them
+down, `candidates` and `ranking` compare, `atoms` and `rewriting` put functions in, and
 `certificate` holds the proof that nothing but the form changed.
 """
 
