@@ -1,4 +1,4 @@
-"""Steps on what the kernels compute, by components in the plane and in space."""
+"""What the kernels of one station compute, entry by entry, in the plane and in space."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from gainproof.derive.algebra.tower import Tower
 from gainproof.derive.derivation import Step
 from gainproof.derive.expression import column, real
 from gainproof.derive.printer.graph import Graph
-from gainproof.derive.relation import Relation, described, equal
+from gainproof.derive.relation import Relation, equal
 from gainproof.derive.sensors.polar_names import G, K
 from gainproof.derive.sensors.polar_steps_kernels import quiet
 from gainproof.derive.sensors.polar_steps_map import BELOW
@@ -40,19 +40,7 @@ def along(tower: Tower) -> tuple[str, ...]:
 
 def component_steps(towers: Sequence[Tower]) -> list[Step]:
     """What the names mean in each tower, and the derivatives along its parameters."""
-    opening = Step(
-        "components",
-        "The kernels compute entries. In the plane `u = (sin B, cos B)` with any bearing `B`; "
-        "in space it is tilted from straight up by any angle but a half turn, and from straight "
-        "down likewise, so that no direction is left out.",
-        described("r = f u, w = (w_x, w_y, w_z), L = B + r, L' = B' + w, all of any sign"),
-        "Sines and cosines are fractions of polynomials in tangents of half angles. What each "
-        "kernel computes is proved for all of these numbers; the derivatives once more, along each "
-        "parameter of the place.",
-        "plane",
-        heading="What the kernels compute",
-    )
-    return [opening, *(step for tower in towers for step in _steps(tower))]
+    return [step for tower in towers for step in _steps(tower)]
 
 
 def _steps(tower: Tower) -> list[Step]:
