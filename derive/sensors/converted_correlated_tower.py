@@ -7,8 +7,8 @@ import sympy as sp
 from gainproof.derive.algebra.tower import Tower
 from gainproof.derive.algebra.variables import above_zero, from_zero
 from gainproof.derive.expression import real
+from gainproof.derive.sensors.circles import bearing_circle
 from gainproof.derive.sensors.converted_names import KEPT, SIGMA_A, SIGMA_R, TRUE, L, R
-from gainproof.derive.sensors.polar_towers import bearing_circle
 
 C, MORE, LESS = map(real, ("noise_covariance", "covariance_more", "covariance_less"))
 S, K = real("scale"), real("turns")

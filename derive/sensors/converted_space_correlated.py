@@ -9,6 +9,7 @@ from gainproof.derive.algebra.variables import above_zero
 from gainproof.derive.derivation import Step, joined
 from gainproof.derive.expression import column, real
 from gainproof.derive.relation import described, equal
+from gainproof.derive.sensors.circles import elevation_circle
 from gainproof.derive.sensors.converted_names import KEPT, R
 from gainproof.derive.sensors.converted_space_names import (
     BOTH,
@@ -20,7 +21,6 @@ from gainproof.derive.sensors.converted_space_names import (
     WHOLE,
     A,
 )
-from gainproof.derive.sensors.polar_towers import elevation_circle
 
 Pair = tuple[sp.Expr, sp.Expr]
 CA, CE = real("azimuth_covariance"), real("elevation_covariance")

@@ -12,6 +12,7 @@ import sympy as sp
 from gainproof.derive.algebra.tower import Parameter, Tower
 from gainproof.derive.algebra.variables import above_zero, from_zero
 from gainproof.derive.sensors import converted_space_forms as forms
+from gainproof.derive.sensors.circles import bearing_circle, elevation_circle
 from gainproof.derive.sensors.converted_forms import Noise
 from gainproof.derive.sensors.converted_forms import spread as flat_spread
 from gainproof.derive.sensors.converted_names import KEPT, LOSS, SIGMA_A, SIGMA_R, R
@@ -33,7 +34,6 @@ from gainproof.derive.sensors.converted_space_names import (
     UPWARDS,
     squares,
 )
-from gainproof.derive.sensors.polar_towers import bearing_circle, elevation_circle
 
 DEVIATIONS = ("range_deviation", "elevation_deviation", "azimuth_deviation")
 

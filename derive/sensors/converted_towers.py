@@ -12,6 +12,7 @@ import sympy as sp
 from gainproof.derive.algebra.tower import Tower
 from gainproof.derive.algebra.variables import above_zero, from_zero
 from gainproof.derive.sensors import converted_forms as forms
+from gainproof.derive.sensors.circles import bearing_circle
 from gainproof.derive.sensors.converted_forms import Noise
 from gainproof.derive.sensors.converted_names import (
     COS2,
@@ -24,7 +25,6 @@ from gainproof.derive.sensors.converted_names import (
     L,
     R,
 )
-from gainproof.derive.sensors.polar_towers import bearing_circle
 
 ONE = sp.Integer(1)
 DEVIATIONS = ("range_deviation", "azimuth_deviation", "azimuth_loss")

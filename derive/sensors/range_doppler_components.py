@@ -11,9 +11,7 @@ from gainproof.derive.derivation import Step
 from gainproof.derive.expression import column, real
 from gainproof.derive.printer.graph import Graph
 from gainproof.derive.relation import Relation, equal
-from gainproof.derive.sensors.polar_names import G, K
-from gainproof.derive.sensors.polar_steps_kernels import quiet
-from gainproof.derive.sensors.polar_steps_map import BELOW
+from gainproof.derive.sensors.circles import G, K, bearing_circle
 from gainproof.derive.sensors.range_doppler_names import LIGHT, PLANE, PLANE_AXES, SPACE_AXES
 from gainproof.derive.sensors.range_doppler_towers import (
     CARRIER,
@@ -45,10 +43,8 @@ def component_steps(towers: Sequence[Tower]) -> list[Step]:
 
 def _steps(tower: Tower) -> list[Step]:
     name, axes = tower.name, along(tower)
-    bearing = column(
-        (4 * G * K - (1 - G**2) * (1 - K**2)) / BELOW,
-        -(2 * G * (1 - K**2) + 2 * K * (1 - G**2)) / BELOW,
-    )
+    circle = bearing_circle()
+    bearing = column(circle["cos_bearing"], circle["sin_bearing"])
     found = {"bearing": equal(column(COS_B, SIN_B), bearing)}
     if name != "plane":
         circle = tilt(1 if name == "above" else -1)
@@ -64,6 +60,11 @@ def _steps(tower: Tower) -> list[Step]:
     found["parts"] = named({"range_rate": seen.rate, **{str(h): each for h, each in meant}})
     made = [quiet(f"{name}-{part}", relation, name) for part, relation in found.items()]
     return [*made, *_chains(tower)]
+
+
+def quiet(name: str, relation: Relation, tower: str) -> Step:
+    """What names mean, not shown."""
+    return Step(name, "What the names mean.", relation, "As before.", tower=tower, shown=False)
 
 
 def named(meant: Mapping[str, sp.Expr]) -> Relation:

@@ -17,9 +17,8 @@ from gainproof.derive.derivation import Step
 from gainproof.derive.expression import real
 from gainproof.derive.printer.graph import Graph
 from gainproof.derive.relation import Relation
-from gainproof.derive.sensors.polar_steps_kernels import quiet
-from gainproof.derive.sensors.polar_towers import bearing_circle
-from gainproof.derive.sensors.range_doppler_components import named
+from gainproof.derive.sensors.circles import bearing_circle
+from gainproof.derive.sensors.range_doppler_components import named, quiet
 from gainproof.derive.sensors.range_doppler_names import (
     PLANE,
     PLANE_AXES,

@@ -18,7 +18,7 @@ import sympy as sp
 from gainproof.derive.algebra.tower import Tower
 from gainproof.derive.algebra.variables import above_zero, from_zero
 from gainproof.derive.expression import real
-from gainproof.derive.sensors.polar_towers import bearing_circle
+from gainproof.derive.sensors.circles import bearing_circle
 from gainproof.derive.sensors.range_doppler_forms import Sight
 from gainproof.derive.sensors.range_doppler_names import (
     PLANE_AXES,
