@@ -11,7 +11,6 @@ from gainproof.derive.derivation import Step
 from gainproof.derive.expression import column, real
 from gainproof.derive.printer.graph import Graph
 from gainproof.derive.relation import Relation, equal
-from gainproof.derive.sensors.circles import G, K, bearing_circle
 from gainproof.derive.sensors.range_doppler_names import LIGHT, PLANE, PLANE_AXES, SPACE_AXES
 from gainproof.derive.sensors.range_doppler_towers import (
     CARRIER,
@@ -20,6 +19,9 @@ from gainproof.derive.sensors.range_doppler_towers import (
     RATE,
     SIN_B,
     TILT,
+    G,
+    K,
+    bearing_circle,
     frame,
     motions,
     of,

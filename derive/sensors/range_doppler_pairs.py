@@ -17,7 +17,6 @@ from gainproof.derive.derivation import Step
 from gainproof.derive.expression import real
 from gainproof.derive.printer.graph import Graph
 from gainproof.derive.relation import Relation
-from gainproof.derive.sensors.circles import bearing_circle
 from gainproof.derive.sensors.range_doppler_components import named, quiet
 from gainproof.derive.sensors.range_doppler_names import (
     PLANE,
@@ -29,6 +28,7 @@ from gainproof.derive.sensors.range_doppler_names import (
 from gainproof.derive.sensors.range_doppler_towers import (
     Axes,
     Elements,
+    bearing_circle,
     difference,
     frame,
     parts,
