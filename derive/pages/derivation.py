@@ -41,6 +41,8 @@ from gainproof.derive.words.statement import Statement as WordStatement
 FOLDER = Path(__file__).parent
 ENDS = {"0": End(), "infinity": End()}
 """Of a tower without roots."""
+REFERENCE = re.compile(r"@([a-z0-9]+(?:-[a-z0-9]+)*)")
+"""The number of another step, in sentences and reasons."""
 STATED = (
     *("left", "right", "expression", "value", "from", "to", "variable"),
     *("matrix", "predicted", "updated", "gain", "index"),
@@ -93,6 +95,10 @@ def written(name: str, given: Given, folder: Path = FOLDER) -> Written:
     unknown = sorted(set(given.hints) - {step.id for step in steps})
     if unknown:
         raise Place(page.file, 1).error(f"hints for steps that are not there: {unknown}")
+    shown = {step.id for step in steps if step.shown}
+    for place, name in making.references:
+        if name not in shown:
+            raise place.error(f"no step {name!r} is shown on this page")
     settings = {name: letters.setting for name, letters in making.letters.items()}
     return Written(head.head, head.text, steps, making.towers, making.latex, settings)
 
@@ -119,6 +125,7 @@ class _Making:
     latex: dict[str, str] = field(default_factory=dict)
     heading: str = ""
     ids: set[str] = field(default_factory=set)
+    references: list[tuple[Place, str]] = field(default_factory=list)
 
     def __post_init__(self) -> None:
         slots = self.given.slots.get("", {})
@@ -134,7 +141,10 @@ class _Making:
 
     def _block(self, block: PageBlock) -> Iterator[Step]:
         if isinstance(block, PageStep):
-            yield from self._step(block)
+            for step in self._step(block):
+                found = REFERENCE.findall(f"{step.sentence} {step.reason}")
+                self.references += [(block.place, name) for name in found]
+                yield step
         elif isinstance(block, Include):
             yield from self._included(block) if block.kind == "include" else self._made(block)
         elif isinstance(block, Prose):

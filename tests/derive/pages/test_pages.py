@@ -208,6 +208,13 @@ MISTAKES = [
     ("    second (hidden)", "    first", 22, "there is a step 'first' already"),
     ("    second (hidden)", "  second (hidden)", 22, "4 blanks are wanted"),
     ("because Reason.", "Reason.", 24, "a block is wanted"),
+    ("Reason.", "Step @fist.", 18, "no step 'fist' is shown on this page"),
+    (
+        "A sentence.",
+        "A sentence, unlike step @second.",
+        18,
+        "no step 'second' is shown on this page",
+    ),
     ("Reason.", "Reason {why}.", 18, "'{why}' is no slot of words here"),
     ("include part (one)", "include parts (one)", 26, "no file parts.md beside this page"),
     ("include part (one)", "steps part", 26, "no steps 'part' of the program; known: more"),
