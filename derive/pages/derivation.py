@@ -342,11 +342,15 @@ class _Making:
         graph = self.given.programs.get(block.name)
         if graph is None:
             raise FormulaError(f"no kernel {block.name!r}; known: {', '.join(self.given.programs)}")
-        outputs = {
-            line.name: self.meanings.value(line.meaning)
-            for line in block.lines
-            if isinstance(line.meaning, Formula)
-        }
+        tower = self.towers[self._setting(block.setting)]
+        known, outputs = {*tower.variables, *tower.expressions}, {}
+        for line in block.lines:
+            assert isinstance(line.meaning, Formula)
+            try:
+                outputs[line.name] = self.meanings.value(line.meaning)
+                self._require_in(known, outputs[line.name], tower.name)
+            except FormulaError as error:
+                raise line.place.error(str(error)) from None
         if list(outputs) != list(graph["outputs"]):
             raise FormulaError(
                 f"the outputs {', '.join(graph['outputs'])} are wanted, in this order"

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from pathlib import Path
 
 import pytest
@@ -13,6 +14,7 @@ from gainproof.derive.derivation import PageError, Step
 from gainproof.derive.expression import real
 from gainproof.derive.pages.derivation import FOLDER, Given, page_of, written
 from gainproof.derive.pages.page import read_page
+from gainproof.derive.printer.graph import Graph, GraphBuilder
 from gainproof.derive.relation import described
 from gainproof.jobs.code_digest import modules_below
 
@@ -95,6 +97,15 @@ GIVEN = Given(
         "other": {"key": "two", "word": "the second", "value": B + 3},
     },
 )
+
+
+def _double() -> Graph:
+    builder = GraphBuilder()
+    a = builder.symbol("a")
+    return builder.graph({"twice": a * 2, "thrice": a * 3})
+
+
+PROGRAMS = {"double": _double()}
 
 
 def test_a_page_with_parts_becomes_steps(tmp_path: Path) -> None:
@@ -246,6 +257,39 @@ def test_a_mistake_is_told_with_its_line(
     assert right in PAGE
     with pytest.raises(PageError) as caught:
         written("page", GIVEN, on_disk(tmp_path, PAGE.replace(right, wrong, 1)))
+    assert f"page.md, line {line}: " in str(caught.value)
+    assert said in str(caught.value)
+
+
+KERNEL = f"{PAGE}\nkernel double\n    twice = 2 a\n    thrice = 3 a\n"
+OF_KERNELS = [
+    ("kernel double", "kernel dubble", 30, "no kernel 'dubble'; known: double"),
+    (
+        "kernel double",
+        "kernel double (in other)",
+        30,
+        "no setting 'other' above; known: given, main",
+    ),
+    ("twice = 2 a", "twise = 2 a", 30, "the outputs twice, thrice are wanted, in this order"),
+    ("thrice = 3 a", "thrice = 3 x", 32, "'x' is neither a quantity nor a definition"),
+    ("thrice = 3 a", "thrice = P_12", 32, "'P_12' has no value in setting main"),
+]
+
+
+def test_a_kernel_is_claimed_to_compute_what_its_block_says(tmp_path: Path) -> None:
+    made = written("page", replace(GIVEN, programs=PROGRAMS), on_disk(tmp_path, KERNEL)).steps[-1]
+    assert (made.id, made.tower, made.shown) == ("kernel-double", "main", False)
+    claim = {"program": "double", "outputs": {"twice": 2 * A, "thrice": 3 * A}}
+    assert made.relation.parts == claim
+
+
+@pytest.mark.parametrize(("right", "wrong", "line", "said"), OF_KERNELS)
+def test_a_mistake_in_what_a_kernel_computes_is_told_with_its_line(
+    tmp_path: Path, right: str, wrong: str, line: int, said: str
+) -> None:
+    page = on_disk(tmp_path, KERNEL.replace(right, wrong, 1))
+    with pytest.raises(PageError) as caught:
+        written("page", replace(GIVEN, programs=PROGRAMS), page)
     assert f"page.md, line {line}: " in str(caught.value)
     assert said in str(caught.value)
 
