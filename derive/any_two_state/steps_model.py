@@ -13,7 +13,11 @@ from gainproof.derive.expression import real
 from gainproof.derive.model import Model, ScaledModel
 from gainproof.derive.relation import Relation, definition, described, equal
 
-COUNTS = {2: "two", 3: "three"}
+COUNTS = {
+    1: "has one entry, which is",
+    2: "has two entries, of which the first is",
+    3: "has three entries, of which the first is",
+}
 
 
 class Described(Protocol):
@@ -37,8 +41,7 @@ def _own_model(c: Described) -> list[Step]:
     return [
         Step(
             "model",
-            f"The state `x` has {COUNTS[model.transition.rows]} entries, of which the first is "
-            "measured as `y`. From one sample "
+            f"The state `x` {COUNTS[model.transition.rows]} measured as `y`. From one sample "
             "to the next the state moves by `F` and is shaken by process noise. Both noises are "
             "white and independent of each other.",
             described("`x(k+1) = F x(k)` + process noise of covariance `Q`"),

@@ -28,7 +28,9 @@ def test_a_page_is_printed_back_as_it_is_written(path: Path) -> None:
     assert str(read_page(text, path.name, frozenset())) == text
 
 
-SUBJECTS = [path.stem for path in PAGES if path.read_text(encoding="utf-8").startswith("# ")]
+HEADS = {path.stem: path.read_text(encoding="utf-8")[:3] for path in PAGES}
+SUBJECTS = [name for name, head in HEADS.items() if head.startswith("# ") and head != "# {"]
+"""Of the catalogue: what a model is called is a slot on the pages of own models."""
 
 
 @pytest.mark.parametrize("name", SUBJECTS)
