@@ -9,11 +9,10 @@ from gainproof.derive.source import RICCATI, SPECTRAL, SUZUKI
 from gainproof.derive.subject import Subject
 from gainproof.derive.vector_measurement.model import measured_model
 from gainproof.derive.vector_measurement.position_velocity import Printed, derive_position_velocity
-from gainproof.derive.vector_measurement.printed_places import PLACES
-from gainproof.derive.vector_measurement.steps_printed import (
-    SYMBOLS,
-    printed_steps,
+from gainproof.derive.vector_measurement.source_symbols import (
+    REMARKS,
     source_elements,
+    source_slots,
 )
 
 NAME = "position-velocity"
@@ -36,5 +35,5 @@ def build() -> Subject:
         lambda entry: sp.integrate(entry, (time, 0, step))
     )
     model = measured_model(NAME, TITLE, sp.ImmutableDenseMatrix(noise), STRENGTH)
-    printed = Printed(source_elements, printed_steps, SYMBOLS, PLACES)
+    printed = Printed(source_elements, source_slots, REMARKS)
     return derive_position_velocity(model, (SUZUKI.key, SPECTRAL.key, RICCATI.key), printed)

@@ -1,4 +1,4 @@
-"""The kernels of the closed-loop poles compute what the derivation calls so."""
+"""The kernels compute what the derivation calls their outputs."""
 
 from __future__ import annotations
 
@@ -13,20 +13,48 @@ from gainproof.derive.printer.graph import Graph
 from gainproof.derive.relation import Relation
 from gainproof.derive.vector_measurement import pole_kernels, pole_towers, poles
 from gainproof.derive.vector_measurement.context import Context
-from gainproof.derive.vector_measurement.derivative_kernels import SCALE
+from gainproof.derive.vector_measurement.derivative_kernels import DERIVATIVES, SCALE
+from gainproof.derive.vector_measurement.ends import FAR
+from gainproof.derive.vector_measurement.module import KNOWN
 from gainproof.derive.vector_measurement.names import DELTA, INDEX, RATIO, SIGMA
-from gainproof.derive.vector_measurement.pole_kernels import (
-    MEAN,
-    MODULUS,
-    SQUARE,
-)
+from gainproof.derive.vector_measurement.pole_kernels import MEAN, MODULUS, SQUARE
+from gainproof.derive.vector_measurement.pole_module import is_of_poles
 from gainproof.derive.vector_measurement.pole_towers import X
+from gainproof.derive.vector_measurement.rates import Rates
 from gainproof.derive.vector_measurement.towers import graph_roots, rational
 
 A = real("pole_mean")
 
 
-def pole_program_steps(c: Context, graphs: Mapping[str, Graph]) -> list[Step]:
+def kernel_steps(c: Context, graphs: Mapping[str, Graph]) -> list[Step]:
+    """One step for each kernel; the position's limits live in the tower over the index alone."""
+    known = "without_ratio" if c.noise.determinant else "ends"
+    roots = {**graph_roots(c.noise), "far": FAR}
+    steps = [
+        _program(name, "", _meant(c, name, graph), known if name == KNOWN else "main", graph, roots)
+        for name, graph in graphs.items()
+        if not is_of_poles(name)
+    ]
+    return steps + _pole_steps(c, graphs)
+
+
+def _meant(c: Context, kernel: str, graph: Graph) -> dict[str, sp.Expr]:
+    """What each output stands for; a scale is the sum of the terms whose difference it measures."""
+    if kernel == KNOWN:
+        return {output: real(f"known_{output}") for output in graph["outputs"]}
+    _, by, variable = kernel.partition("_by_")
+    if not by:
+        return {output: real(output) for output in graph["outputs"]}
+    found = DERIVATIVES[kernel](Rates(c.basis))
+    return {
+        output: sp.Add(*found[output.removesuffix(SCALE)])
+        if output.endswith(SCALE)
+        else sp.Derivative(real(output), real(variable))
+        for output in graph["outputs"]
+    }
+
+
+def _pole_steps(c: Context, graphs: Mapping[str, Graph]) -> list[Step]:
     """One step for each kernel of the poles, and one on each side for what an absolute value has
     part in.
     """
