@@ -44,7 +44,7 @@ ENDS = {"0": End(), "infinity": End()}
 """Of a tower without roots."""
 STATED = (
     *("left", "right", "expression", "value", "from", "to", "variable"),
-    *("matrix", "predicted", "updated", "gain", "index"),
+    *("matrix", "predicted", "updated", "gain", "index", "summand", "upper", "closed"),
 )
 """The parts of relations that are made of quantities."""
 
@@ -312,6 +312,8 @@ class _Making:
         if relation.kind == "definition":
             return
         tower, free = self.towers[setting], relation.parts.get("free", ())
+        if relation.kind == "sum":
+            free = (relation.parts["index"],)
         known = {*tower.variables, *tower.expressions}
         for quantity in free:
             if quantity in known:

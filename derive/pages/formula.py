@@ -35,6 +35,7 @@ RESERVED = frozenset(
         "in",
         "infinity",
         "is",
+        "over",
         "stands",
         "to",
         "where",

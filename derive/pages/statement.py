@@ -43,6 +43,7 @@ FORMS: Mapping[str, str] = {
     "decreasing": "L falls with NAME",
     "limit": "L -> B as NAME -> B",
     "definition": "L stands for R",
+    "sum": "sum of L over NAME from 0 to NAME is R",
 }
 """By kind, the first that fits counts. NAMES: names apart by commas; B: a formula or `infinity`."""
 CONDITIONS = ("equal", "definite", "semidefinite", "symmetric", "invertible", "full rank")
@@ -219,6 +220,19 @@ def _onto(
     return increasing_onto(meanings.value(value), first, last, meanings.symbol(name.text).name)
 
 
+def _sum(
+    meanings: Meanings, summand: Formula, index: Formula, upper: Formula, closed: Formula
+) -> Relation:
+    claim = {
+        "index": meanings.symbol(index.text).name,
+        "start": "0",
+        "upper": meanings.symbol(upper.text).name,
+        "summand": meanings.value(summand),
+        "closed": meanings.value(closed),
+    }
+    return Relation("sum", claim)
+
+
 def _end(meanings: Meanings, value: Formula) -> Any:
     return "infinity" if value.text == "infinity" else meanings.value(value)
 
@@ -237,6 +251,7 @@ _MADE: Mapping[str, Callable[..., Relation]] = {
         meanings.value(left), meanings.value(right)
     ),
     "onto": _onto,
+    "sum": _sum,
     "increasing": _monotone("increasing"),
     "decreasing": _monotone("decreasing"),
     "limit": _limit,

@@ -94,6 +94,10 @@ STATEMENTS = {
         "limit",
         {"expression": A, "variable": "x", "point": "0", "value": "infinity"},
     ),
+    "sum of a x^2 over x from 0 to b is c": (
+        "sum",
+        {"index": "x", "start": "0", "upper": "b", "summand": A * X**2, "closed": C},
+    ),
     "a^2 stands for b c": ("definition", {"left": A**2, "right": B * C}),
     "gain [a, b] is stable in model": (
         "stable",
