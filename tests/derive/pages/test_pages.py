@@ -27,14 +27,26 @@ def test_a_page_is_printed_back_as_it_is_written(path: Path) -> None:
     assert str(read_page(text, path.name, frozenset())) == text
 
 
-SUBJECTS = [path.stem for path in PAGES if path.read_text(encoding="utf-8").startswith("# ")]
+WRITTEN = [
+    entry.name
+    for entry in CATALOGUE
+    if "gainproof.derive.pages.derivation" in modules_below(entry.module)
+]
 
 
-@pytest.mark.parametrize("name", SUBJECTS)
+@pytest.mark.parametrize("name", WRITTEN)
 def test_a_page_that_was_edited_is_derived_anew(name: str) -> None:
     """What is kept of a subject depends on the files in the folder of `gainproof.derive.pages`."""
     (module,) = (entry.module for entry in CATALOGUE if entry.name == name)
     assert modules_below(module)["gainproof.derive.pages"].parent.resolve() == FOLDER.resolve()
+
+
+def test_a_page_is_that_of_subjects_that_are_written_so() -> None:
+    titles = {path.stem for path in PAGES if path.read_text(encoding="utf-8").startswith("# ")}
+    shared = {"least-squares"}
+    assert titles - shared <= set(WRITTEN)
+    families = {"least-squares-mean", "least-squares-line", "least-squares-parabola"}
+    assert families <= set(WRITTEN)
 
 
 def test_a_page_of_too_many_lines_is_refused() -> None:
@@ -194,6 +206,14 @@ MISTAKES = [
     ("    P_11 = 2 a\n", "    [P_12] is positive definite\n", 21, "'P_12' has no value in"),
     ("    P_11 = 2 a\n", "    [2] is positive definite\n", 21, "a matrix of quantities is wanted"),
     ("    P_11 = 2 a\n", "    gain [a] is stable in model\n", 21, "a model is wanted"),
+    (
+        "    P_11 = 2 a\n",
+        "    sum of a over a from 0 to b is 2\n",
+        21,
+        "'a' has a value in setting",
+    ),
+    ("    P_11 = 2 a\n", "    sum of b over P_13 from 0 to b is 1\n", 21, "'P_13' is no quantity"),
+    ("    P_11 = 2 a\n", "    sum of 1 over P_12 from 1 to b is b\n", 21, "wanted '0' after"),
     ("    P_11 = 2 a\n", "    P_11 = a/2 b\n", 21, "parentheses around the quotient"),
     (
         "    P_11 = 2 a\n",
