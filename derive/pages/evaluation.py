@@ -226,6 +226,8 @@ def _sum(values: list[Any], multiplied: bool) -> Any:
 
 
 def _negative(value: Any) -> Any:
+    if isinstance(value, sp.MatAdd):
+        return sp.MatMul(-1, value, evaluate=False)
     return sp.MatMul(-1, *value.args, evaluate=False) if isinstance(value, sp.MatMul) else -value
 
 

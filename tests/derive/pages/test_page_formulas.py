@@ -55,6 +55,9 @@ def test_matrices_are_left_as_written_and_definitions_are_multiplied_out() -> No
         (MATRIX, MATRIX.T),
         (sp.ImmutableDenseMatrix([A, B]), sp.ImmutableDenseMatrix([[A, B]])),
     ]
+    less = MEANINGS.value(read_formula("M - (M' + k k')", MEANINGS.primed))
+    assert less.args[1].args[0] == -1
+    assert [len(part.args) for part in less.args[1].args[1].args] == [3, 2]
     named = MEANINGS.define("N", Definition((), square)).defined["N"]
     assert named == sp.ImmutableDenseMatrix([[2 * A**2 + B**2, A * B + B], [A * B + B, 1 + B**2]])
 
