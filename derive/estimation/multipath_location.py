@@ -5,29 +5,36 @@ The derivation is the page `multipath-location` of `derive/pages`.
 
 from __future__ import annotations
 
+from pathlib import Path
+
+import sympy as sp
+
 from gainproof.derive.derivation import Derivation
-from gainproof.derive.estimation import bias_kernel, example_steps
+from gainproof.derive.estimation import bias_kernel
 from gainproof.derive.estimation.multipath_hints import HINTS
-from gainproof.derive.pages.derivation import Given, written
+from gainproof.derive.pages.derivation import FOLDER, Given, written
 from gainproof.derive.source import DOPPLER, MATRICES
 from gainproof.derive.subject import Program, Subject
 
 NAME = "multipath-location"
+LATEX = {"deviation": r"\sigma_b/\sigma", "root_two": r"\sqrt{2}"}
+LAST = sp.Rational(7, 650)
+"""The last variance of table 1, in (m/s)^2."""
 
 
-def build() -> Subject:
-    """Derive the estimates, their covariances, and when they exist."""
+def build(folder: Path = FOLDER) -> Subject:
+    """Derive the estimates, their covariances, and when they exist.
+
+    `folder`: where the page is. Raises PageError with the line of a mistake on it.
+    """
     made = {bias_kernel.KERNEL: bias_kernel.graph()}
-    given = Given(
-        towers=(bias_kernel.tower(), example_steps.tower()),
-        hints=HINTS,
-        steps={
-            "one-station": bias_kernel.kernel_steps(made),
-            "example": example_steps.example_steps(),
-        },
-    )
-    page = written(NAME, given)
-    latex = {**page.latex, **bias_kernel.LATEX, **example_steps.LATEX}
+    differences = {
+        "above_1035": _difference(LAST, sp.Rational(1035, 10000) ** 2),
+        "below_1045": _difference(sp.Rational(1045, 10000) ** 2, LAST),
+    }
+    given = Given(slots={"": differences}, hints=HINTS, programs=made, roots={"root": "sigma_b"})
+    page = written(NAME, given, folder)
+    latex = {**page.latex, **LATEX}
     return Subject(
         name=NAME,
         title=page.title,
@@ -42,3 +49,8 @@ def build() -> Subject:
         textbook=dict,
         settings=page.settings,
     )
+
+
+def _difference(left: sp.Expr, right: sp.Expr) -> sp.Expr:
+    """Of two numbers, for the checker to work out."""
+    return sp.Add(left, -right, evaluate=False)
