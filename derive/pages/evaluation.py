@@ -17,6 +17,8 @@ from gainproof.derive.pages.formula import RESERVED, Formula, FormulaError, read
 
 MAXIMUM_SIZE = 20_000
 """Nodes of a value, definitions written out."""
+FEW = 12
+"""Slots that an error lists all of."""
 BUILT_IN = ("sqrt", "determinant", "derivative", "at")
 Model = Mapping[str, Any]
 
@@ -61,7 +63,9 @@ class Meanings:
     def slot(self, name: str) -> Any:
         """The value of a slot. Raises FormulaError for another name."""
         if name not in self.slots:
-            raise FormulaError(f"no slot {name!r}; known: {', '.join(self.slots)}")
+            near = get_close_matches(name, self.slots, 3) if len(self.slots) > FEW else None
+            known = ", ".join(near or self.slots)
+            raise FormulaError(f"no slot {name!r}; {'near it' if near else 'known'}: {known}")
         return self.slots[name]
 
     def model(self, name: str) -> Model:

@@ -146,9 +146,11 @@ def improvement_ends(noise: Noise) -> dict[str, End]:
     constants = {f"{name}_held": number for name, number in names.items()}
     swap = {real(name): symbol for name, symbol in held.items()}
     inverse = sp.expand(4 * root.subs(swap) / rational(noise.e))
-    near = {**held, "far": inverse, "s": real("root_2")}
+    # one root of 2, whether e has it or not: of two the checker does not know that they are one
+    root_two = held.get("root_2", real("root_2"))
+    near = {**held, "far": inverse, "s": root_two}
     far = {**held, "far": sp.Integer(1), "s": (1 + root.subs(swap)) / 2}
     return {
-        "0": End(constants={**constants, "root_2": 2}, boundary=near),
+        "0": End(constants={**constants, str(root_two): 2}, boundary=near),
         "infinity": End(weights={"far": 2, "s": 1}, constants=constants, boundary=far),
     }
