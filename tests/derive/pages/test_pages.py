@@ -334,6 +334,16 @@ def test_a_mistake_in_a_slot_is_told_with_the_line_where_it_stands(
     assert said in str(caught.value)
 
 
+@pytest.mark.parametrize(
+    "said", ["of {own} over area from 0 to b is a", "of 1 over area from 0 to b is {own}"]
+)
+def test_each_part_of_a_sum_has_a_value(tmp_path: Path, said: str) -> None:
+    page = SLOTTED.replace("    {root}^2 + {number} a > 0\n", f"    sum {said}\n")
+    slots = {"root": "a", "number": "2", "own": real("own")}
+    with pytest.raises(PageError, match="line 13: 'own' has no value in setting main"):
+        written("page", Given(slots={"": slots}), on_disk(tmp_path, page))
+
+
 CONDITIONS = [
     ("### first (essential)", "### first (if there, essential)", ["first", "second"], "A heading"),
     ("### first (essential)", "### first (if missing, essential)", [], ""),
