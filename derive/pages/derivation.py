@@ -15,7 +15,7 @@ from gainproof.derive.algebra.tower import Generator, NoValue, Parameter, Tower
 from gainproof.derive.derivation import Step
 from gainproof.derive.expression import real
 from gainproof.derive.pages.evaluation import Definition, Meanings
-from gainproof.derive.pages.formula import Formula, FormulaError, read_formula
+from gainproof.derive.pages.formula import NAME, Formula, FormulaError, read_formula
 from gainproof.derive.pages.matrices import Letters, letters_of
 from gainproof.derive.pages.page import (
     Block,
@@ -23,6 +23,7 @@ from gainproof.derive.pages.page import (
     InWords,
     Item,
     Line,
+    Mark,
     Page,
     PageBlock,
     PageStep,
@@ -45,7 +46,7 @@ REFERENCE = re.compile(r"@([a-z0-9]+(?:-[a-z0-9]+)*)")
 """The number of another step, in sentences and reasons."""
 STATED = (
     *("left", "right", "expression", "value", "from", "to", "variable"),
-    *("matrix", "predicted", "updated", "gain", "index"),
+    *("matrix", "predicted", "updated", "gain", "index", "summand", "upper", "closed"),
 )
 """The parts of relations that are made of quantities."""
 
@@ -55,10 +56,10 @@ class Given:
     """What a page does not say.
 
     `towers`: settings that are not written on it. `models` by name. `slots`: values by group and
-    slot, text or expressions; those of the page itself have the group "". `hints`: what evidence
-    needs, by step (see `algebra.evidence`), formulas as text in the names of the page. `ends`: of
-    towers with roots. `programs`: the graphs of kernels; `roots`: what their named roots are.
-    `steps`: by name, that the program makes.
+    slot, text (in formulas one in the names of the page), numbers or expressions; those of the page
+    itself have the group "". `hints`: what evidence needs, by step (see `algebra.evidence`),
+    formulas as text in the names of the page. `ends`: of towers with roots. `programs`: the graphs
+    of kernels; `roots`: what their named roots are. `steps`: by name, that the program makes.
     """
 
     towers: tuple[Tower, ...] = ()
@@ -148,7 +149,7 @@ class _Making:
         elif isinstance(block, Include):
             yield from self._included(block) if block.kind == "include" else self._made(block)
         elif isinstance(block, Prose):
-            self.heading = self._filled(block.head) if block.mark == "##" else ""
+            self.heading = self._heading(block) if block.mark == "##" else ""
         elif block.kind == "kernel":
             yield self._kernel(block)
         elif block.kind == "setting":
@@ -245,6 +246,10 @@ class _Making:
     def _step(self, step: PageStep) -> Iterator[Step]:
         for number, item in enumerate(step.items):
             mark, place = (item.mark, item.place) if number else (step.mark, step.place)
+            if not self._is_there(mark, place):
+                if number:
+                    continue
+                return
             try:
                 made = Step(
                     self._id(mark.id),
@@ -275,6 +280,18 @@ class _Making:
         made = found.step("")
         return replace(step, relation=made.relation, hint=made.hint)
 
+    def _is_there(self, mark: Mark, place: Place) -> bool:
+        try:
+            return not mark.condition or bool(self.meanings.slot(mark.condition))
+        except FormulaError as error:
+            raise place.error(str(error)) from None
+
+    def _heading(self, block: Prose) -> str:
+        match = re.fullmatch(rf"(.*) \(if ({NAME})\)", block.head)
+        head, condition = match.groups() if match else (block.head, "")
+        there = self._is_there(Mark(condition=condition), block.place)
+        return self._filled(head) if there else ""
+
     def _setting(self, text: str) -> str:
         name = self._filled(text)
         known = (*self.towers, *self.letters)
@@ -299,8 +316,14 @@ class _Making:
         return relation
 
     def _require_known(self, relation: Relation, setting: str) -> None:
-        """Each quantity of a statement has to be one of its setting, or stand for any."""
+        """Each quantity of a statement has to be one of its setting, or stand for any; in a
+        definition there is nothing to decide.
+        """
+        if relation.kind == "definition":
+            return
         tower, free = self.towers[setting], relation.parts.get("free", ())
+        if relation.kind == "sum":
+            free = (relation.parts["index"],)
         known = {*tower.variables, *tower.expressions}
         for quantity in free:
             if quantity in known:
@@ -331,6 +354,8 @@ class _Making:
         return replace(step, hint={key: self._hint(value) for key, value in found.items()})
 
     def _hint(self, value: Any) -> Any:
+        if isinstance(value, list):
+            return [self._hint(each) for each in value]
         if not isinstance(value, str):
             return value
         try:
@@ -379,12 +404,15 @@ class _Making:
     def _included(self, block: Include) -> Iterator[Step]:
         if block.slots and block.slots not in self.given.slots:
             raise FormulaError(f"no slots {block.slots!r}; known: {', '.join(self.given.slots)}")
-        path = self.folder / f"{block.part}.md"
+        name = self._filled(block.part)
+        if not name:
+            return
+        path = self.folder / f"{name}.md"
         if not path.is_file():
             raise FormulaError(f"no file {path.name} beside this page")
         outside = self.meanings
         self.meanings = replace(outside, slots=self.given.slots.get(block.slots, {}))
-        part = page_of(block.part, self.folder, outside.primed)
+        part = page_of(name, self.folder, outside.primed)
         for each in part.blocks:
             if isinstance(each, Include) or (isinstance(each, Prose) and each.mark == "#"):
                 raise each.place.error("a part has no title and includes no other")
@@ -396,9 +424,9 @@ class _Making:
 
         def value(match: re.Match[str]) -> str:
             found = self.meanings.slots.get(match[1])
-            if not isinstance(found, str):
+            if not isinstance(found, (str, sp.Rational)):
                 raise FormulaError(f"{match[0]!r} is no slot of words here")
-            return found
+            return str(found)
 
         return re.sub(r"\{([^}]*)\}", value, text)
 

@@ -13,10 +13,12 @@ from typing import Any
 
 import sympy as sp
 
-from gainproof.derive.pages.formula import RESERVED, Formula, FormulaError
+from gainproof.derive.pages.formula import RESERVED, Formula, FormulaError, read_formula
 
 MAXIMUM_SIZE = 20_000
 """Nodes of a value, definitions written out."""
+FEW = 12
+"""Slots that an error lists all of."""
 BUILT_IN = ("sqrt", "determinant", "derivative", "at")
 Model = Mapping[str, Any]
 
@@ -61,7 +63,9 @@ class Meanings:
     def slot(self, name: str) -> Any:
         """The value of a slot. Raises FormulaError for another name."""
         if name not in self.slots:
-            raise FormulaError(f"no slot {name!r}; known: {', '.join(self.slots)}")
+            near = get_close_matches(name, self.slots, 3) if len(self.slots) > FEW else None
+            known = ", ".join(near or self.slots)
+            raise FormulaError(f"no slot {name!r}; {'near it' if near else 'known'}: {known}")
         return self.slots[name]
 
     def model(self, name: str) -> Model:
@@ -136,7 +140,10 @@ class Meanings:
             case "name":
                 return self._named(formula.text)
             case "slot":
-                return self.slot(formula.text)
+                found = self.slot(formula.text)
+                if isinstance(found, str):
+                    return self._value(read_formula(found, self.primed), multiplied)
+                return found
             case "call":
                 return self._called(formula.text, parts, multiplied)
         values = [self._value(part, multiplied) for part in parts]
@@ -223,6 +230,8 @@ def _sum(values: list[Any], multiplied: bool) -> Any:
 
 
 def _negative(value: Any) -> Any:
+    if isinstance(value, sp.MatAdd):
+        return sp.MatMul(-1, value, evaluate=False)
     return sp.MatMul(-1, *value.args, evaluate=False) if isinstance(value, sp.MatMul) else -value
 
 

@@ -15,6 +15,7 @@ from gainproof.derive.pages.evaluation import Meanings
 from gainproof.derive.pages.formula import Formula, FormulaError, Reader, whole
 from gainproof.derive.relation import (
     Relation,
+    definition,
     equal,
     increasing_onto,
     limit,
@@ -41,6 +42,8 @@ FORMS: Mapping[str, str] = {
     "increasing": "L grows with NAME",
     "decreasing": "L falls with NAME",
     "limit": "L -> B as NAME -> B",
+    "definition": "L stands for R",
+    "sum": "sum of L over NAME from 0 to NAME is R",
 }
 """By kind, the first that fits counts. NAMES: names apart by commas; B: a formula or `infinity`."""
 CONDITIONS = ("equal", "definite", "semidefinite", "symmetric", "invertible", "full rank")
@@ -134,13 +137,16 @@ def relation_of(said: Statement, meanings: Meanings) -> Relation:
 
 
 def _free(meanings: Meanings, left: Formula, right: Formula, names: Formula) -> Relation:
-    listed = [
-        name
-        for each in names.parts
-        for name in (meanings.slot(each.text).split(", ") if each.kind == "slot" else [each.text])
-    ]
-    free = tuple(meanings.symbol(name).name for name in listed)
+    free = tuple(name for each in names.parts for name in _free_names(meanings, each))
     return equal(meanings.value(left), meanings.value(right), free)
+
+
+def _free_names(meanings: Meanings, each: Formula) -> list[str]:
+    """Quantities by names of the page, or by symbols in a slot."""
+    value = meanings.slot(each.text) if each.kind == "slot" else each.text
+    if isinstance(value, str):
+        return [meanings.symbol(name).name for name in value.split(", ")]
+    return [symbol.name for symbol in value]
 
 
 def _positive(meanings: Meanings, left: Formula, right: Formula) -> Relation:
@@ -214,6 +220,19 @@ def _onto(
     return increasing_onto(meanings.value(value), first, last, meanings.symbol(name.text).name)
 
 
+def _sum(
+    meanings: Meanings, summand: Formula, index: Formula, upper: Formula, closed: Formula
+) -> Relation:
+    claim = {
+        "index": meanings.symbol(index.text).name,
+        "start": "0",
+        "upper": meanings.symbol(upper.text).name,
+        "summand": meanings.value(summand),
+        "closed": meanings.value(closed),
+    }
+    return Relation("sum", claim)
+
+
 def _end(meanings: Meanings, value: Formula) -> Any:
     return "infinity" if value.text == "infinity" else meanings.value(value)
 
@@ -221,6 +240,9 @@ def _end(meanings: Meanings, value: Formula) -> Any:
 _MADE: Mapping[str, Callable[..., Relation]] = {
     "free": _free,
     "equal": lambda meanings, left, right: equal(meanings.value(left), meanings.value(right)),
+    "definition": lambda meanings, left, right: definition(
+        meanings.value(left), meanings.value(right)
+    ),
     "positive": _positive,
     "definite": _definite,
     "stable": _stable,
@@ -229,6 +251,7 @@ _MADE: Mapping[str, Callable[..., Relation]] = {
         meanings.value(left), meanings.value(right)
     ),
     "onto": _onto,
+    "sum": _sum,
     "increasing": _monotone("increasing"),
     "decreasing": _monotone("decreasing"),
     "limit": _limit,

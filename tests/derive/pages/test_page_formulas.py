@@ -55,6 +55,9 @@ def test_matrices_are_left_as_written_and_definitions_are_multiplied_out() -> No
         (MATRIX, MATRIX.T),
         (sp.ImmutableDenseMatrix([A, B]), sp.ImmutableDenseMatrix([[A, B]])),
     ]
+    less = MEANINGS.value(read_formula("M - (M' + k k')", MEANINGS.primed))
+    assert less.args[1].args[0] == -1
+    assert [len(part.args) for part in less.args[1].args[1].args] == [3, 2]
     named = MEANINGS.define("N", Definition((), square)).defined["N"]
     assert named == sp.ImmutableDenseMatrix([[2 * A**2 + B**2, A * B + B], [A * B + B, 1 + B**2]])
 
@@ -94,6 +97,11 @@ STATEMENTS = {
         "limit",
         {"expression": A, "variable": "x", "point": "0", "value": "infinity"},
     ),
+    "sum of a x^2 over x from 0 to b is c": (
+        "sum",
+        {"index": "x", "start": "0", "upper": "b", "summand": A * X**2, "closed": C},
+    ),
+    "a^2 stands for b c": ("definition", {"left": A**2, "right": B * C}),
     "gain [a, b] is stable in model": (
         "stable",
         {"model": {"name": "a model"}, "gain": ["a", "b"]},

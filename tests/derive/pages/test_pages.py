@@ -6,6 +6,7 @@ from dataclasses import replace
 from pathlib import Path
 
 import pytest
+import sympy as sp
 
 from gainproof.derive.algebra.evidence import evidence
 from gainproof.derive.algebra.tower import Parameter, Tower
@@ -15,7 +16,7 @@ from gainproof.derive.expression import real
 from gainproof.derive.pages.derivation import FOLDER, Given, page_of, written
 from gainproof.derive.pages.page import read_page
 from gainproof.derive.printer.graph import Graph, GraphBuilder
-from gainproof.derive.relation import described
+from gainproof.derive.relation import Relation, described
 from gainproof.jobs.code_digest import modules_below
 
 A, B = real("a"), real("b")
@@ -28,16 +29,26 @@ def test_a_page_is_printed_back_as_it_is_written(path: Path) -> None:
     assert str(read_page(text, path.name, frozenset())) == text
 
 
-HEADS = {path.stem: path.read_text(encoding="utf-8")[:3] for path in PAGES}
-SUBJECTS = [name for name, head in HEADS.items() if head.startswith("# ") and head != "# {"]
-"""Of the catalogue: what a model is called is a slot on the pages of own models."""
+WRITTEN = [
+    entry.name
+    for entry in CATALOGUE
+    if "gainproof.derive.pages.derivation" in modules_below(entry.module)
+]
 
 
-@pytest.mark.parametrize("name", SUBJECTS)
+@pytest.mark.parametrize("name", WRITTEN)
 def test_a_page_that_was_edited_is_derived_anew(name: str) -> None:
     """What is kept of a subject depends on the files in the folder of `gainproof.derive.pages`."""
     (module,) = (entry.module for entry in CATALOGUE if entry.name == name)
     assert modules_below(module)["gainproof.derive.pages"].parent.resolve() == FOLDER.resolve()
+
+
+def test_a_page_is_that_of_subjects_that_are_written_so() -> None:
+    titles = {path.stem for path in PAGES if path.read_text(encoding="utf-8").startswith("# ")}
+    shared = {"least-squares"}
+    assert titles - shared <= set(WRITTEN)
+    families = {"least-squares-mean", "least-squares-line", "least-squares-parabola"}
+    assert families <= set(WRITTEN)
 
 
 def test_a_page_of_too_many_lines_is_refused() -> None:
@@ -193,7 +204,7 @@ MISTAKES = [
     ("P_11 = double(a)", "Q_11 = double(a)", 14, "'Q_11' is no quantity"),
     ("P_11 = double(a)", "P_11 = duoble(a)", 14, "'duoble' is no function"),
     ("P_11 = double(a)", "P_11 = double(a, b)", 14, "double(x) is wanted, 2 arguments came"),
-    ("(essential)", "(important)", 18, "'id (in NAME, hidden, essential)' is wanted"),
+    ("(essential)", "(important)", 18, "'id (in NAME, if SLOT, hidden, essential)' is wanted"),
     ("(essential)", "(in other)", 18, "no setting 'other' above; known: given, main"),
     ("    P_11 = 2 a\n", "    P_11 = 2 (a\n", 21, "wanted ')' after '2 ( a'"),
     ("    P_11 = 2 a\n", "    P_11 = 2 (a)\n", 21, "read as 'P_11 = 2 a', written"),
@@ -206,6 +217,14 @@ MISTAKES = [
     ("    P_11 = 2 a\n", "    [P_12] is positive definite\n", 21, "'P_12' has no value in"),
     ("    P_11 = 2 a\n", "    [2] is positive definite\n", 21, "a matrix of quantities is wanted"),
     ("    P_11 = 2 a\n", "    gain [a] is stable in model\n", 21, "a model is wanted"),
+    (
+        "    P_11 = 2 a\n",
+        "    sum of a over a from 0 to b is 2\n",
+        21,
+        "'a' has a value in setting",
+    ),
+    ("    P_11 = 2 a\n", "    sum of b over P_13 from 0 to b is 1\n", 21, "'P_13' is no quantity"),
+    ("    P_11 = 2 a\n", "    sum of 1 over P_12 from 1 to b is b\n", 21, "wanted '0' after"),
     ("    P_11 = 2 a\n", "    P_11 = a/2 b\n", 21, "parentheses around the quotient"),
     (
         "    P_11 = 2 a\n",
@@ -244,6 +263,10 @@ MISTAKES = [
         12,
         "no setting 'main'",
     ),
+    ("    second (hidden)", "    second (if no)", 22, "no slot 'no'; known: "),
+    ("### first (essential)", "### first (if no)", 18, "no slot 'no'; known: "),
+    ("## A heading", "## A heading (if no)", 16, "no slot 'no'; known: "),
+    ("    P_11 = 2 a\n", "    P_11 = {no} a\n", 21, "no slot 'no'; known: "),
     ("include part (one)", "include part (two)", 26, "no slots 'two'; known: one, other"),
     ("A sentence.", "A sentence. ", 19, "blanks at the end of the line"),
     ("A sentence.", "A `a sentence.", 19, "a formula stands between two backticks"),
@@ -300,6 +323,113 @@ def test_a_mistake_in_a_part_names_the_part(tmp_path: Path) -> None:
     part = PART.replace("{value} + a > 0", "{amount} + a > 0")
     with pytest.raises(PageError, match=r"part\.md, line 5: no slot 'amount'; known: key, word"):
         written("page", GIVEN, on_disk(tmp_path, part=part))
+
+
+SLOTTED = """\
+# A filter
+What it is about.
+
+names
+    a, b, area
+
+setting main
+    a > 0, b > 0
+
+### first
+Of {root} and {number}.
+
+    {root}^2 + {number} a > 0
+    made: area stands for {own}^2
+    free: {own} + b = b + {own} for any {names}
+
+include {chosen}
+""".replace("    a, b\n", "    a, b, area\n")
+
+
+@pytest.mark.parametrize(("root", "chosen", "ids"), [("3", "", []), ("a b", "part", ["last"])])
+def test_slots_are_formulas_numbers_names_and_parts(
+    tmp_path: Path, root: str, chosen: str, ids: list[str]
+) -> None:
+    own = real("own")
+    slots = {"root": root, "number": sp.Rational(2, 3), "chosen": chosen}
+    given = Given(slots={"": {**slots, "own": own, "names": (own,)}})
+    part = "### last\nA sentence.\n\n    a > 0\n"
+    made = written("page", given, on_disk(tmp_path, SLOTTED, part))
+    first, definition, free, *more = made.steps
+    assert [step.id for step in more] == ids
+    assert first.sentence == f"Of {root} and 2/3."
+    square = {"3": 9, "a b": A**2 * B**2}[root]
+    assert first.relation.parts["expression"] == square + 2 * A / 3
+    assert definition.relation == Relation("definition", {"left": real("area"), "right": own**2})
+    assert free.relation.parts["free"] == ("own",)
+
+
+@pytest.mark.parametrize(
+    ("changed", "line", "said"),
+    [
+        ({"root": "c"}, 13, "'c' is neither a quantity nor a definition of this page"),
+        ({"root": "2*a"}, 13, "'*' is no part of a formula"),
+        ({"number": A}, 10, "'{number}' is no slot of words here"),
+        ({"chosen": "other"}, 17, "no file other.md beside this page"),
+        ({"names": ()}, 15, "'own' has no value in setting main"),
+    ],
+)
+def test_a_mistake_in_a_slot_is_told_with_the_line_where_it_stands(
+    tmp_path: Path, changed: dict[str, object], line: int, said: str
+) -> None:
+    own = real("own")
+    slots = {"root": "a", "number": sp.Integer(2), "chosen": "", "own": own, "names": (own,)}
+    with pytest.raises(PageError) as caught:
+        written("page", Given(slots={"": {**slots, **changed}}), on_disk(tmp_path, SLOTTED))
+    assert f"page.md, line {line}: " in str(caught.value)
+    assert said in str(caught.value)
+
+
+@pytest.mark.parametrize(
+    "said", ["of {own} over area from 0 to b is a", "of 1 over area from 0 to b is {own}"]
+)
+def test_each_part_of_a_sum_has_a_value(tmp_path: Path, said: str) -> None:
+    page = SLOTTED.replace("    {root}^2 + {number} a > 0\n", f"    sum {said}\n")
+    slots = {"root": "a", "number": "2", "own": real("own")}
+    with pytest.raises(PageError, match="line 13: 'own' has no value in setting main"):
+        written("page", Given(slots={"": slots}), on_disk(tmp_path, page))
+
+
+CONDITIONS = [
+    ("### first (essential)", "### first (if there, essential)", ["first", "second"], "A heading"),
+    ("### first (essential)", "### first (if missing, essential)", [], ""),
+    ("    second (hidden)", "    second (if there, hidden)", ["first", "second"], "A heading"),
+    ("    second (hidden)", "    second (if missing, hidden)", ["first"], "A heading"),
+    ("## A heading", "## A heading (if there)", ["first", "second"], "A heading"),
+    ("## A heading", "## A heading (if missing)", ["first", "second"], ""),
+]
+
+
+@pytest.mark.parametrize(("always", "sometimes", "ids", "heading"), CONDITIONS)
+def test_what_has_a_condition_is_there_where_its_slot_has_a_value(
+    tmp_path: Path, always: str, sometimes: str, ids: list[str], heading: str
+) -> None:
+    given = Given(slots={**GIVEN.slots, "": {"there": "0", "missing": ""}})
+    assert always in PAGE
+    made = written("page", given, on_disk(tmp_path, PAGE.replace(always, sometimes, 1)))
+    own = [step for step in made.steps if step.id in ("first", "second")]
+    assert [step.id for step in own] == ids
+    assert "".join(step.heading for step in own) == heading
+
+
+def test_a_heading_stands_over_the_first_step_that_is_there(tmp_path: Path) -> None:
+    given = Given(slots={**GIVEN.slots, "": {"missing": ""}})
+    page = PAGE.replace(
+        "## A heading", "## A heading\n\n### left (if missing)\nIt.\n\n    a = 2", 1
+    )
+    made = written("page", given, on_disk(tmp_path, page))
+    assert (made.steps[0].id, made.steps[0].heading) == ("first", "A heading")
+
+
+def test_hints_may_be_lists_of_formulas(tmp_path: Path) -> None:
+    given = Given(slots=GIVEN.slots, hints={"first": {"values": ["2 a", B]}})
+    made = written("page", given, on_disk(tmp_path))
+    assert made.steps[0].hint == {"values": [2 * A, B]}
 
 
 def test_a_part_that_includes_itself_is_refused(tmp_path: Path) -> None:
