@@ -196,15 +196,15 @@ class Meanings:
                 return sp.sqrt(first)
             case "determinant", ():
                 return first.det()
-            case "derivative", (by, *times) if len(times) < 2:
-                variable = self.symbol(by.text)
+            case "derivative", (by, *times) if not times or [x.kind for x in times] == ["number"]:
+                variable = self.symbol(str(by))
                 if times:
                     return sp.Derivative(first, (variable, int(times[0].text)))
                 return sp.Derivative(first, variable)
             case "at", (place, value):
-                return sp.Subs(first, self.symbol(place.text), self._value(value, multiplied))
+                return sp.Subs(first, self.symbol(str(place)), self._value(value, multiplied))
         raise FormulaError(
-            "sqrt(x), determinant(M), derivative(f, x), derivative(f, x, 2) or at(f, x, value)"
+            "wanted: sqrt(x), determinant(M), derivative(f, x), derivative(f, x, 2), at(f, x, a)"
         )
 
     def _no_function(self, name: str) -> FormulaError:

@@ -234,6 +234,8 @@ MISTAKES = [
     ),
     ("    P_11 = 2 a\n", "    P_11 2 a\n", 21, "wanted '=' or '>'"),
     ("    P_11 = 2 a\n", "    P_11 = 1/0\n", 21, "'1/0' divides by 0"),
+    ("    P_11 = 2 a\n", "    P_11 = derivative(a, a + 1)\n", 21, "'a + 1' is no quantity"),
+    ("    P_11 = 2 a\n", "    P_11 = derivative(a, a, b)\n", 21, "wanted: sqrt(x), "),
     ("    P_11 = 2 a\n", "    P_11 = [1, a] + [1; a]\n", 21, "has no value"),
     ("    P_11 = 2 a\n", "P_11 = 2 a\n", 20, "an indented statement is wanted, after a blank line"),
     ("    second (hidden): a > 0", "    a > 0", 22, "'id: statement' is wanted"),
