@@ -1462,9 +1462,9 @@ def predicted_covariance(
         2.2250738585072014e-308 <= tracking_index <= 1.637854613154071e154 (float64) and
         1.1754944e-38 <= tracking_index <= 2.253382e19 (float32).
     predicted_22: variance of the predicted velocity times T^2/sigma_v^2. Relative error at most
-        7.33 * 2^-52 (float64), 7.33 * 2^-23 (float32), proved for 7.416912861690675e-309 <=
-        tracking_index <= 1.133038012070643e154 (float64) and 3.918315e-39 <= tracking_index <=
-        1.5588327e19 (float32).
+        5.87 * 2^-52 (float64), 5.88 * 2^-23 (float32), proved for 7.416912861690675e-309 <=
+        tracking_index <= 1.1330380120706537e154 (float64) and 3.918315e-39 <= tracking_index <=
+        1.5588409e19 (float32).
     predicted_23: covariance of predicted velocity and acceleration times T^3/sigma_v^2. Relative
         error at most 6.57 * 2^-52 (float64), 6.56 * 2^-23 (float32), proved for
         1.0832677820940206e-231 <= tracking_index <= 1.1615899080873361e154 (float64) and
@@ -1505,9 +1505,8 @@ def _predicted_covariance_block(
     n8: float = 0.25,
     n9: float = 0.125,
     n10: float = 3.0,
-    n11: float = 0.3333333333333333,
-    n12: float = 0.08333333333333333,
-    n13: float = 0.08888888888888889,
+    n11: float = 0.26666666666666666,
+    n12: float = 0.3333333333333333,
 ) -> None:
     (tracking_index,) = given
     predicted_11, predicted_12, predicted_13, predicted_22, predicted_23, predicted_33 = out
@@ -1584,46 +1583,40 @@ def _predicted_covariance_block(
     t84 = add(t83, t15, w1)
     x = sqrt(t84, w1)
     t87 = multiply(p, n8, w3)
-    t88 = add(t87, e, w3)
-    t89 = multiply(e, n4, w4)
-    t90 = add(t11, t89, w4)
-    t91 = multiply(x, r, predicted_13)
-    t92 = multiply(t91, n8, predicted_23)
-    t93 = multiply(p, n9, predicted_33)
-    t94 = add(t92, t93, predicted_23)
-    t95 = add(t90, t94, w4)
-    t96 = multiply(t88, t95, w3)
-    t98 = multiply(t91, t95, predicted_23)
-    t100 = multiply(p, t95, w4)
-    t103 = multiply(p, n10, predicted_33)
-    t105 = multiply(e, n11, w5)
-    t106 = add(t105, t11, w5)
-    t107 = multiply(x, t106, w5)
-    t108 = multiply(r, e, predicted_22)
-    t109 = multiply(t108, n11, predicted_22)
-    t110 = add(t107, t109, w5)
-    t111 = multiply(x, p, predicted_22)
-    t113 = multiply(t111, n12, predicted_22)
-    t114 = divide(tracking_index, r, predicted_12)
-    t116 = multiply(t114, n13, predicted_12)
-    t117 = add(t113, t116, predicted_22)
-    t118 = add(t110, t117, w5)
-    t119 = multiply(t103, t118, predicted_33)
-    t120 = divide(t119, x, predicted_33)
-    t122 = multiply(p, n11, w5)
-    t123 = multiply(t91, n4, predicted_13)
-    t124 = add(t122, t123, w5)
-    t125 = add(t124, e, w5)
-    t126 = multiply(t125, p, w5)
-    t128 = multiply(t18, x, w2)
-    t129 = multiply(tracking_index, n4, w0)
-    t130 = add(t128, t129, w2)
+    t88 = add(t87, e, w4)
+    t89 = multiply(e, n4, predicted_13)
+    t90 = add(t11, t89, predicted_13)
+    t91 = multiply(x, r, predicted_23)
+    t92 = multiply(t91, n8, predicted_33)
+    t93 = multiply(p, n9, w5)
+    t94 = add(t92, t93, predicted_33)
+    t95 = add(t90, t94, predicted_13)
+    t96 = multiply(t88, t95, w4)
+    t98 = multiply(t91, t95, w5)
+    t100 = multiply(p, t95, predicted_13)
+    t103 = multiply(t11, n10, predicted_22)
+    t104 = add(t103, e, predicted_22)
+    t105 = add(t104, t87, predicted_22)
+    t106 = divide(r, x, predicted_12)
+    t108 = multiply(p, n11, w3)
+    t109 = add(e, t108, w3)
+    t110 = multiply(t106, t109, predicted_12)
+    t111 = add(t105, t110, predicted_22)
+    t112 = multiply(t111, p, predicted_22)
+    t115 = multiply(p, n12, w3)
+    t116 = multiply(t91, n4, predicted_23)
+    t117 = add(t115, t116, w3)
+    t118 = add(t117, e, w3)
+    t119 = multiply(t118, p, w3)
+    t121 = multiply(t18, x, w2)
+    t122 = multiply(tracking_index, n4, w0)
+    t123 = add(t121, t122, w2)
     multiply(t96, tracking_index, predicted_11)
     multiply(t98, tracking_index, predicted_12)
     multiply(tracking_index, t100, predicted_13)
-    multiply(t120, tracking_index, predicted_22)
-    multiply(t126, tracking_index, predicted_23)
-    multiply(tracking_index, t130, predicted_33)
+    multiply(t112, tracking_index, predicted_22)
+    multiply(t119, tracking_index, predicted_23)
+    multiply(tracking_index, t123, predicted_33)
 
 
 _PREDICTED_COVARIANCE = Signature(
@@ -1978,9 +1971,9 @@ def updated_covariance(
         at most 4.55 * 2^-52 (float64), 4.55 * 2^-23 (float32), proved for 2.2250738585072014e-308
         <= tracking_index <= 1.7976931348623157e308 (float64) and 1.1754945e-38 <= tracking_index <=
         3.4028235e38 (float32).
-    updated_22: variance of the updated velocity times T^2/sigma_v^2. Relative error at most 7.88 *
-        2^-52 (float64), 8.00 * 2^-23 (float32), proved for 7.416912861690675e-309 <= tracking_index
-        <= 5.471897350776171e154 (float64) and 3.918315e-39 <= tracking_index <= 7.52819e19
+    updated_22: variance of the updated velocity times T^2/sigma_v^2. Relative error at most 8.09 *
+        2^-52 (float64), 8.22 * 2^-23 (float32), proved for 7.416912861690675e-309 <= tracking_index
+        <= 5.471897350776219e154 (float64) and 3.918315e-39 <= tracking_index <= 7.528226e19
         (float32).
     updated_23: covariance of updated velocity and acceleration times T^3/sigma_v^2. Relative error
         at most 9.01 * 2^-52 (float64), 9.01 * 2^-23 (float32), proved for 1.0832677820940206e-231
@@ -2022,9 +2015,9 @@ def _updated_covariance_block(
     n8: float = 0.25,
     n9: float = 0.125,
     n10: float = 6.0,
-    n11: float = 0.2833333333333333,
-    n12: float = 0.016666666666666666,
-    n13: float = 0.0125,
+    n11: float = 0.0125,
+    n12: float = 0.2833333333333333,
+    n13: float = 0.016666666666666666,
     n14: float = 0.004166666666666667,
     n15: float = 0.3333333333333333,
     n16: float = 0.041666666666666664,
@@ -2033,7 +2026,7 @@ def _updated_covariance_block(
 ) -> None:
     (tracking_index,) = given
     updated_11, updated_12, updated_13, updated_22, updated_23, updated_33 = out
-    w0, w1, w2, w3, w4, w5, w6, w7, w8, w9 = work
+    w0, w1, w2, w3, w4, w5, w6, w7, w8, w9, w10 = work
     p = sqrt(tracking_index, updated_13)
     r = sqrt(p, updated_11)
     t5 = divide(n0, tracking_index, updated_12)
@@ -2112,67 +2105,60 @@ def _updated_covariance_block(
     t91 = multiply(x, r, w4)
     t92 = multiply(t91, n8, w5)
     t93 = multiply(p, n9, w6)
-    t94 = add(t92, t93, w6)
+    t94 = add(t92, t93, w5)
     t95 = add(t90, t94, updated_33)
-    t100 = multiply(x, n10, w6)
-    t101 = divide(t100, t95, w6)
-    t102 = divide(t101, tracking_index, w6)
-    t103 = multiply(x, t11, w7)
-    t104 = divide(t103, t95, w7)
-    t105 = multiply(t104, e, w7)
-    t106 = add(t102, t105, w6)
-    t107 = multiply(r, t11, w7)
-    t108 = divide(t107, t95, w7)
-    t109 = add(t92, e, w5)
-    t110 = multiply(t108, t109, w7)
-    t112 = multiply(t11, n11, w5)
-    t114 = multiply(e, n12, w8)
-    t115 = add(t112, t114, w5)
-    t117 = multiply(t91, n13, w8)
-    t119 = multiply(p, n14, w9)
-    t120 = add(t117, t119, w8)
-    t121 = add(t115, t120, w5)
-    t122 = divide(t121, t95, w5)
-    t123 = divide(t122, r, w5)
-    t124 = multiply(t123, tracking_index, w5)
-    t125 = add(t110, t124, w7)
-    t126 = add(t106, t125, w6)
-    t127 = multiply(t15, t126, updated_12)
-    t128 = divide(t127, x, w5)
-    t131 = multiply(t11, n15, w6)
-    t133 = multiply(e, n16, w7)
-    t134 = add(t131, t133, w6)
-    t136 = multiply(t91, n17, w7)
-    t138 = multiply(p, n18, w8)
-    t139 = add(t136, t138, w7)
-    t140 = add(t134, t139, w6)
-    t141 = divide(t140, t95, w6)
-    t142 = multiply(t141, p, w6)
-    t143 = divide(t11, t95, updated_22)
-    t144 = multiply(t91, n4, w7)
-    t145 = add(t144, e, w7)
-    t146 = multiply(t143, t145, updated_22)
-    t147 = add(t142, t146, w6)
-    t148 = multiply(t147, p, w6)
-    t150 = add(t87, t83, w3)
-    t151 = multiply(t150, tracking_index, w3)
-    t152 = multiply(r, n4, w0)
-    t153 = add(t152, x, w0)
-    t154 = divide(t151, t153, w3)
-    t155 = divide(t154, r, w3)
+    t100 = divide(n10, t95, w5)
+    t101 = divide(t100, tracking_index, w5)
+    t102 = divide(r, x, w6)
+    t103 = multiply(t102, e, w7)
+    t104 = add(t88, t103, w7)
+    t105 = multiply(t11, t104, w7)
+    t107 = multiply(p, n11, w8)
+    t109 = multiply(t11, n12, w9)
+    t111 = multiply(e, n13, w10)
+    t112 = add(t109, t111, w9)
+    t114 = multiply(p, n14, w10)
+    t115 = add(t112, t114, w9)
+    t116 = multiply(t102, t115, w6)
+    t117 = add(t107, t116, w8)
+    t118 = multiply(p, t117, w8)
+    t119 = add(t105, t118, w7)
+    t120 = divide(t119, t95, w7)
+    t121 = add(t101, t120, w5)
+    t122 = multiply(t15, t121, w5)
+    t124 = multiply(t91, n4, w6)
+    t125 = add(t124, e, w6)
+    t126 = multiply(t11, t125, w6)
+    t128 = multiply(t11, n15, updated_22)
+    t130 = multiply(e, n16, w0)
+    t131 = add(t128, t130, updated_22)
+    t133 = multiply(t91, n17, w0)
+    t134 = add(t131, t133, updated_22)
+    t136 = multiply(p, n18, w0)
+    t137 = add(t134, t136, updated_22)
+    t138 = multiply(p, t137, updated_22)
+    t139 = add(t126, t138, w6)
+    t140 = divide(t139, t95, w6)
+    t141 = multiply(t140, p, w6)
+    t143 = add(t87, t83, w3)
+    t144 = multiply(t143, tracking_index, w3)
+    t145 = multiply(r, n4, w0)
+    t146 = add(t145, x, w0)
+    t147 = divide(t144, t146, w3)
+    t148 = divide(t147, r, w3)
     divide(t88, t95, updated_11)
     divide(t91, t95, updated_12)
     divide(p, t95, updated_13)
-    multiply(t128, tracking_index, updated_22)
-    multiply(t148, tracking_index, updated_23)
-    multiply(t155, tracking_index, updated_33)
+    multiply(t122, tracking_index, updated_22)
+    multiply(t141, tracking_index, updated_23)
+    multiply(t148, tracking_index, updated_33)
 
 
 _UPDATED_COVARIANCE = Signature(
     "updated_covariance",
     (_TRACKING_INDEX_DOMAIN,),
     ("updated_11", "updated_12", "updated_13", "updated_22", "updated_23", "updated_33"),
-    10,
+    11,
     _updated_covariance_block,
 )
 
@@ -2221,15 +2207,15 @@ def updated_covariance_derivatives(
         proved for 5e-324 <= tracking_index <= 1.9098208591277692e103 (float64) and 1e-45 <=
         tracking_index <= 2.362475e13 (float32).
     updated_22: derivative of the variance of the updated velocity times T^2/sigma_v^2. Relative
-        error at most 15.43 * 2^-52 (float64), 15.43 * 2^-23 (float32), proved for 5e-324 <=
+        error at most 14.17 * 2^-52 (float64), 14.17 * 2^-23 (float32), proved for 5e-324 <=
         tracking_index <= 1.0715086071862673e301 (float64) and 1e-45 <= tracking_index <=
         1.329228e36 (float32).
     updated_23: derivative of the covariance of updated velocity and acceleration times
-        T^3/sigma_v^2. Relative error at most 12.61 * 2^-52 (float64), 12.58 * 2^-23 (float32),
+        T^3/sigma_v^2. Relative error at most 12.60 * 2^-52 (float64), 12.57 * 2^-23 (float32),
         proved for 5e-324 <= tracking_index <= 1.0715086071862673e301 (float64) and 1e-45 <=
         tracking_index <= 1.329228e36 (float32).
     updated_33: derivative of the variance of the updated acceleration times T^4/sigma_v^2. Relative
-        error at most 7.72 * 2^-52 (float64), 7.73 * 2^-23 (float32), proved for 5e-324 <=
+        error at most 8.05 * 2^-52 (float64), 8.11 * 2^-23 (float32), proved for 5e-324 <=
         tracking_index <= 1.0715086071862673e301 (float64) and 1e-45 <= tracking_index <=
         1.329228e36 (float32).
 
@@ -2277,9 +2263,9 @@ def _updated_covariance_derivatives_block(
     n19: float = 3.4,
     n20: float = 0.004166666666666667,
     n21: float = 0.0020833333333333333,
-    n22: float = 0.2833333333333333,
-    n23: float = 0.016666666666666666,
-    n24: float = 0.0125,
+    n22: float = 0.0125,
+    n23: float = 0.2833333333333333,
+    n24: float = 0.016666666666666666,
     n25: float = 0.3333333333333333,
     n26: float = 0.041666666666666664,
     n27: float = 0.020833333333333332,
@@ -2313,6 +2299,8 @@ def _updated_covariance_derivatives_block(
         w22,
         w23,
         w24,
+        w25,
+        w26,
     ) = work
     p = sqrt(tracking_index, updated_23)
     r = sqrt(p, updated_11)
@@ -2407,9 +2395,9 @@ def _updated_covariance_derivatives_block(
     t110 = multiply(e, n4, w10)
     t111 = add(t12, t110, w10)
     t112 = multiply(p, n12, w11)
-    t113 = add(t106, t112, w9)
+    t113 = add(t106, t112, w11)
     t114 = add(t111, t113, w10)
-    t115 = multiply(p, t114, w9)
+    t115 = multiply(p, t114, w11)
     t116 = divide(t109, t115, updated_33)
     t118 = multiply(t96, n8, w5)
     t119 = multiply(t99, n12, w7)
@@ -2419,162 +2407,152 @@ def _updated_covariance_derivatives_block(
     t123 = multiply(t90, t122, updated_12)
     t124 = add(t121, t123, w5)
     t125 = divide(t124, t104, w5)
-    t126 = divide(x, t19, w2)
-    t127 = divide(t126, t12, w2)
+    t126 = divide(x, t19, w7)
+    t127 = divide(t126, t12, w7)
     t128 = multiply(t125, t127, w5)
     t129 = multiply(t128, n3, w5)
     t130 = divide(t129, t115, w5)
     t132 = divide(t90, t104, w6)
-    t133 = multiply(x, n8, w2)
-    t134 = multiply(r, n4, w7)
-    t135 = add(x, t134, w8)
-    t136 = multiply(t133, t135, w2)
+    t133 = multiply(x, n8, w7)
+    t134 = multiply(r, n4, w8)
+    t135 = add(x, t134, updated_12)
+    t136 = multiply(t133, t135, w7)
     t137 = multiply(t132, t136, w6)
     t138 = add(t137, n13, w6)
-    t139 = multiply(t12, p, w2)
+    t139 = multiply(t12, p, w7)
     t140 = divide(t138, t139, w6)
     t141 = divide(t140, t115, w6)
-    t143 = divide(n13, t12, w2)
-    t144 = divide(t143, tracking_index, w2)
-    t145 = divide(t144, t114, w2)
-    t146 = divide(x, e, w8)
-    t147 = divide(t88, e, w4)
-    t149 = multiply(t147, n14, w11)
-    t151 = add(t149, n15, updated_12)
-    t152 = multiply(t147, t151, updated_12)
-    t154 = add(t152, n16, updated_12)
-    t155 = multiply(e, t154, w12)
-    t156 = divide(t146, t155, w8)
-    t157 = divide(t156, r, w8)
-    t158 = divide(t157, t12, w8)
-    t159 = divide(t158, p, w8)
-    t160 = multiply(t159, n3, w8)
-    t161 = divide(t90, t114, w12)
-    t162 = multiply(t161, n8, w12)
-    t163 = divide(x, r, w13)
-    t164 = multiply(t163, n3, w14)
-    t165 = add(n13, t164, w14)
-    t166 = multiply(t162, t165, w12)
-    t167 = multiply(t160, t166, w12)
-    t168 = add(t145, t167, w2)
-    t170 = multiply(x, n17, w12)
-    t171 = divide(t170, t114, w12)
-    t172 = divide(t171, tracking_index, w12)
-    t173 = multiply(t168, t172, w12)
-    t174 = multiply(x, t12, w14)
-    t175 = divide(t174, t114, w14)
-    t177 = multiply(t147, n18, w15)
-    t179 = add(t177, n19, w15)
-    t180 = multiply(t147, t179, w15)
-    t181 = add(t180, n3, w15)
-    t182 = multiply(t147, t181, w15)
-    t183 = add(t182, n13, w15)
-    t184 = divide(t183, t154, w15)
-    t185 = divide(p, e, w16)
-    t186 = divide(t185, t154, w17)
-    t187 = multiply(t186, t185, w17)
-    t188 = divide(p, t12, w16)
-    t189 = multiply(t163, t188, w13)
-    t190 = multiply(t187, t189, w17)
-    t192 = multiply(t190, n20, w17)
-    t193 = multiply(t147, n3, w13)
-    t194 = add(t193, n3, w13)
-    t195 = multiply(t192, t194, w13)
-    t196 = add(t184, t195, w15)
-    t197 = divide(tracking_index, t12, w13)
-    t198 = divide(t197, t12, w13)
-    t200 = multiply(t198, n21, w13)
-    t201 = add(t196, t200, w16)
-    t202 = add(t201, t168, w16)
-    t203 = multiply(t202, e, w18)
-    t204 = multiply(t175, t203, w14)
-    t205 = add(t173, t204, w12)
-    t206 = multiply(r, t12, w14)
-    t207 = divide(t206, t114, w14)
-    t208 = add(n13, t168, w19)
-    t209 = add(t208, t200, w20)
-    t210 = multiply(t209, t90, w21)
-    t211 = multiply(t210, n8, w21)
-    t212 = add(t202, t160, w16)
-    t213 = multiply(t212, e, w16)
-    t214 = add(t211, t213, w21)
-    t215 = multiply(t207, t214, w14)
-    t216 = add(t205, t215, w12)
-    t217 = add(t208, t196, w14)
-    t218 = add(t209, t160, w16)
-    t219 = multiply(t218, t12, w16)
-    t221 = multiply(t219, n22, w16)
-    t222 = add(t217, t160, w21)
-    t223 = multiply(t222, e, w21)
-    t225 = multiply(t223, n23, w21)
-    t226 = add(t208, n13, w22)
-    t227 = multiply(t226, t90, w23)
-    t229 = multiply(t227, n24, w23)
-    t230 = add(t226, t160, w24)
-    t231 = multiply(t230, p, w24)
-    t232 = multiply(t231, n20, w24)
-    t233 = add(t229, t232, w23)
-    t234 = add(t225, t233, w21)
-    t235 = add(t221, t234, w16)
-    t236 = divide(t235, t114, w16)
-    t237 = divide(t236, r, w16)
-    t238 = multiply(t237, tracking_index, w16)
-    t239 = add(t216, t238, w12)
-    t240 = divide(t239, x, w12)
-    t242 = divide(t12, t114, w16)
-    t243 = add(t149, n3, w11)
-    t244 = multiply(t147, t243, w4)
-    t245 = add(t244, n13, w4)
-    t246 = divide(t245, t154, w4)
-    t247 = multiply(t246, n3, w4)
-    t248 = add(t247, t192, w4)
-    t249 = add(t248, t200, w13)
-    t250 = add(t249, t168, w13)
-    t251 = multiply(t250, t90, w13)
-    t252 = multiply(t251, n4, w13)
-    t253 = add(t252, t203, w13)
-    t254 = multiply(t242, t253, w16)
-    t255 = multiply(t209, t12, w20)
-    t257 = multiply(t255, n25, w20)
-    t258 = multiply(t217, e, w14)
-    t260 = multiply(t258, n26, w14)
-    t261 = add(t257, t260, w20)
-    t262 = add(t208, t248, w19)
-    t263 = multiply(t262, t90, w19)
-    t265 = multiply(t263, n27, w19)
-    t266 = multiply(t226, p, w22)
-    t268 = multiply(t266, n28, w22)
-    t269 = add(t265, t268, w19)
-    t270 = add(t261, t269, w20)
-    t271 = divide(t270, t114, w20)
-    t272 = multiply(t271, p, w20)
-    t273 = add(t254, t272, w16)
-    t275 = add(n13, t196, w15)
-    t276 = add(t134, x, w7)
-    t277 = divide(x, t276, w3)
-    t278 = multiply(t160, t277, w8)
-    t279 = add(t275, t278, w15)
-    t280 = multiply(t279, e, w15)
-    t281 = multiply(t280, n3, w15)
-    t282 = add(n3, t278, w8)
-    t283 = multiply(t282, p, w8)
-    t284 = multiply(t283, n8, w8)
-    t285 = add(t281, t284, w15)
-    t286 = divide(t285, t276, w15)
-    t287 = divide(t286, r, w15)
+    t143 = divide(n13, t12, w7)
+    t144 = divide(t143, tracking_index, w7)
+    t145 = divide(x, e, updated_12)
+    t146 = divide(t88, e, w4)
+    t148 = multiply(t146, n14, w12)
+    t150 = add(t148, n15, w13)
+    t151 = multiply(t146, t150, w13)
+    t153 = add(t151, n16, w13)
+    t154 = multiply(e, t153, w14)
+    t155 = divide(t145, t154, updated_12)
+    t156 = divide(t155, r, updated_12)
+    t157 = divide(t156, t12, updated_12)
+    t158 = divide(t157, p, updated_12)
+    t159 = multiply(t158, n3, updated_12)
+    t160 = divide(x, r, w14)
+    t161 = multiply(t160, n3, w15)
+    t162 = add(n13, t161, w15)
+    t163 = multiply(t106, t162, w9)
+    t164 = multiply(t159, t163, w9)
+    t165 = add(t144, t164, w7)
+    t166 = divide(t165, t114, w7)
+    t168 = divide(n17, t114, w9)
+    t169 = divide(t168, tracking_index, w9)
+    t170 = multiply(t166, t169, w9)
+    t172 = multiply(t146, n18, w15)
+    t174 = add(t172, n19, w15)
+    t175 = multiply(t146, t174, w15)
+    t176 = add(t175, n3, w15)
+    t177 = multiply(t146, t176, w15)
+    t178 = add(t177, n13, w15)
+    t179 = divide(t178, t153, w15)
+    t180 = divide(p, e, w16)
+    t181 = divide(t180, t153, w17)
+    t182 = multiply(t181, t180, w17)
+    t183 = divide(p, t12, w16)
+    t184 = multiply(t160, t183, w14)
+    t185 = multiply(t182, t184, w17)
+    t187 = multiply(t185, n20, w17)
+    t188 = multiply(t146, n3, w14)
+    t189 = add(t188, n3, w14)
+    t190 = multiply(t187, t189, w14)
+    t191 = add(t179, t190, w15)
+    t192 = divide(tracking_index, t12, w14)
+    t193 = divide(t192, t12, w14)
+    t195 = multiply(t193, n21, w14)
+    t196 = add(t191, t195, w16)
+    t197 = add(t196, t166, w16)
+    t198 = multiply(t197, e, w18)
+    t199 = add(n13, t166, w19)
+    t200 = add(t199, t195, w20)
+    t201 = multiply(t200, p, w21)
+    t202 = multiply(t201, n8, w21)
+    t203 = add(t198, t202, w21)
+    t204 = divide(r, x, updated_11)
+    t205 = add(t197, t159, w16)
+    t206 = multiply(t205, e, w16)
+    t207 = multiply(t204, t206, w16)
+    t208 = add(t203, t207, w21)
+    t209 = multiply(t12, t208, w21)
+    t210 = add(t199, t191, w16)
+    t211 = multiply(t210, e, w22)
+    t212 = add(t199, n13, w23)
+    t213 = multiply(t212, p, w24)
+    t215 = multiply(t213, n22, w25)
+    t216 = add(t200, t159, w26)
+    t217 = multiply(t216, t12, w26)
+    t219 = multiply(t217, n23, w26)
+    t220 = add(t210, t159, w16)
+    t221 = multiply(t220, e, w16)
+    t223 = multiply(t221, n24, w16)
+    t224 = add(t219, t223, w26)
+    t225 = add(t212, t159, w23)
+    t226 = multiply(t225, p, w23)
+    t227 = multiply(t226, n20, w23)
+    t228 = add(t224, t227, w26)
+    t229 = multiply(t204, t228, updated_11)
+    t230 = add(t215, t229, w25)
+    t231 = multiply(p, t230, w25)
+    t232 = add(t209, t231, w21)
+    t233 = divide(t232, t114, w21)
+    t234 = add(t170, t233, w9)
+    t236 = add(t148, n3, w12)
+    t237 = multiply(t146, t236, w4)
+    t238 = add(t237, n13, w4)
+    t239 = divide(t238, t153, w4)
+    t240 = multiply(t239, n3, w4)
+    t241 = add(t240, t187, w4)
+    t242 = add(t241, t195, w14)
+    t243 = add(t242, t166, w14)
+    t244 = multiply(t243, t90, w14)
+    t245 = multiply(t244, n4, w14)
+    t246 = add(t245, t198, w14)
+    t247 = multiply(t12, t246, w14)
+    t248 = multiply(t200, t12, w20)
+    t250 = multiply(t248, n25, w20)
+    t252 = multiply(t211, n26, w22)
+    t253 = add(t250, t252, w20)
+    t254 = add(t199, t241, w19)
+    t255 = multiply(t254, t90, w19)
+    t257 = multiply(t255, n27, w19)
+    t258 = add(t253, t257, w20)
+    t260 = multiply(t213, n28, w24)
+    t261 = add(t258, t260, w20)
+    t262 = multiply(p, t261, w20)
+    t263 = add(t247, t262, w14)
+    t264 = divide(t263, t114, w14)
+    t266 = add(n13, t191, w15)
+    t267 = add(t134, x, w8)
+    t268 = divide(x, t267, w3)
+    t269 = multiply(t159, t268, updated_12)
+    t270 = add(t266, t269, w15)
+    t271 = multiply(t270, e, w15)
+    t272 = multiply(t271, n3, w15)
+    t273 = add(n3, t269, updated_12)
+    t274 = multiply(t273, p, updated_12)
+    t275 = multiply(t274, n8, updated_12)
+    t276 = add(t272, t275, w15)
+    t277 = divide(t276, t267, w15)
     divide(t116, t115, updated_11)
     divide(t130, t115, updated_12)
     divide(t141, t115, updated_13)
-    multiply(t16, t240, updated_22)
-    multiply(t273, p, updated_23)
-    multiply(t287, tracking_index, updated_33)
+    multiply(t16, t234, updated_22)
+    multiply(t264, p, updated_23)
+    multiply(t277, t19, updated_33)
 
 
 _UPDATED_COVARIANCE_DERIVATIVES = Signature(
     "updated_covariance_derivatives",
     (_TRACKING_INDEX_DOMAIN_2,),
     ("updated_11", "updated_12", "updated_13", "updated_22", "updated_23", "updated_33"),
-    25,
+    27,
     _updated_covariance_derivatives_block,
 )
 
@@ -3318,7 +3296,7 @@ def predicted_covariance_second_derivatives(
         2^1000, in float32 above 0 and at most 2^120.
 
     predicted_13: second derivative by Lambda of the covariance of predicted position and
-        acceleration times T^2/sigma_v^2. Relative error at most 17.24 * 2^-52 (float64), 17.32 *
+        acceleration times T^2/sigma_v^2. Relative error at most 17.22 * 2^-52 (float64), 17.32 *
         2^-23 (float32), proved for 5e-324 <= tracking_index <= 1.0715086071862673e301 (float64) and
         1e-45 <= tracking_index <= 1.329228e36 (float32).
     predicted_22: second derivative by Lambda of the variance of the predicted velocity times
@@ -3326,7 +3304,7 @@ def predicted_covariance_second_derivatives(
         proved for 5e-324 <= tracking_index <= 1.0715086071862673e301 (float64) and 1e-45 <=
         tracking_index <= 1.329228e36 (float32).
     predicted_23: second derivative by Lambda of the covariance of predicted velocity and
-        acceleration times T^3/sigma_v^2. Relative error at most 10.21 * 2^-52 (float64), 10.19 *
+        acceleration times T^3/sigma_v^2. Relative error at most 10.18 * 2^-52 (float64), 10.18 *
         2^-23 (float32), proved for 5e-324 <= tracking_index <= 1.0715086071862673e301 (float64) and
         1e-45 <= tracking_index <= 1.329228e36 (float32).
     predicted_33: second derivative by Lambda of the variance of the predicted acceleration times

@@ -1488,9 +1488,9 @@ def predicted_covariance(
         2.2250738585072014e-308 <= tracking_index <= 1.7000419237042145e154 (float64) and
         1.1754944e-38 <= tracking_index <= 2.338941e19 (float32).
     predicted_22: variance of the predicted velocity times T^2/sigma_v^2. Relative error at most
-        7.42 * 2^-52 (float64), 7.38 * 2^-23 (float32), proved for 7.416912861690675e-309 <=
-        tracking_index <= 1.2194984436716267e154 (float64) and 3.918315e-39 <= tracking_index <=
-        1.6777864e19 (float32).
+        6.12 * 2^-52 (float64), 6.12 * 2^-23 (float32), proved for 7.416912861690675e-309 <=
+        tracking_index <= 1.2194984436716381e154 (float64) and 3.918315e-39 <= tracking_index <=
+        1.6777945e19 (float32).
     predicted_23: covariance of predicted velocity and acceleration times T^3/sigma_v^2. Relative
         error at most 6.57 * 2^-52 (float64), 6.56 * 2^-23 (float32), proved for
         1.0832677820940206e-231 <= tracking_index <= 1.2021111725526733e154 (float64) and
@@ -1532,10 +1532,10 @@ def _predicted_covariance_block(
     n9: float = 0.25,
     n10: float = 0.125,
     n11: float = 3.0,
-    n12: float = 0.3333333333333333,
-    n13: float = 0.3055555555555556,
-    n14: float = 0.06944444444444445,
-    n15: float = 0.06712962962962964,
+    n12: float = 0.20833333333333334,
+    n13: float = 0.9166666666666666,
+    n14: float = 0.2013888888888889,
+    n15: float = 0.3333333333333333,
 ) -> None:
     (tracking_index,) = given
     predicted_11, predicted_12, predicted_13, predicted_22, predicted_23, predicted_33 = out
@@ -1623,35 +1623,31 @@ def _predicted_covariance_block(
     t97 = multiply(t89, t96, w3)
     t99 = multiply(t92, t96, predicted_23)
     t101 = multiply(p, t96, w4)
-    t104 = multiply(p, n11, predicted_33)
-    t106 = multiply(e, n12, w5)
-    t107 = add(t106, t10, w5)
-    t108 = multiply(x, t107, w5)
-    t109 = multiply(r, e, predicted_22)
-    t111 = multiply(t109, n13, predicted_22)
-    t112 = add(t108, t111, w5)
-    t113 = multiply(x, p, predicted_22)
-    t115 = multiply(t113, n14, predicted_22)
-    t116 = divide(tracking_index, r, predicted_12)
-    t118 = multiply(t116, n15, predicted_12)
-    t119 = add(t115, t118, predicted_22)
-    t120 = add(t112, t119, w5)
-    t121 = multiply(t104, t120, predicted_33)
-    t122 = divide(t121, x, predicted_33)
-    t124 = multiply(p, n12, w5)
-    t125 = multiply(t92, n8, predicted_13)
-    t126 = add(t124, t125, w5)
-    t127 = add(t126, e, w5)
-    t128 = multiply(t127, p, w5)
-    t130 = multiply(t18, x, w2)
-    t131 = multiply(tracking_index, n8, w0)
-    t132 = add(t130, t131, w2)
+    t104 = multiply(t10, n11, predicted_22)
+    t105 = add(t104, e, predicted_22)
+    t107 = multiply(p, n12, predicted_33)
+    t108 = add(t105, t107, predicted_22)
+    t109 = divide(r, x, predicted_12)
+    t111 = multiply(e, n13, predicted_33)
+    t113 = multiply(p, n14, w5)
+    t114 = add(t111, t113, predicted_33)
+    t115 = multiply(t109, t114, predicted_12)
+    t116 = add(t108, t115, predicted_22)
+    t117 = multiply(t116, p, predicted_22)
+    t120 = multiply(p, n15, w5)
+    t121 = multiply(t92, n8, predicted_13)
+    t122 = add(t120, t121, w5)
+    t123 = add(t122, e, w5)
+    t124 = multiply(t123, p, w5)
+    t126 = multiply(t18, x, w2)
+    t127 = multiply(tracking_index, n8, w0)
+    t128 = add(t126, t127, w2)
     multiply(t97, tracking_index, predicted_11)
     multiply(t99, tracking_index, predicted_12)
     multiply(tracking_index, t101, predicted_13)
-    multiply(t122, tracking_index, predicted_22)
-    multiply(t128, tracking_index, predicted_23)
-    multiply(tracking_index, t132, predicted_33)
+    multiply(t117, tracking_index, predicted_22)
+    multiply(t124, tracking_index, predicted_23)
+    multiply(tracking_index, t128, predicted_33)
 
 
 _PREDICTED_COVARIANCE = Signature(
@@ -2014,9 +2010,9 @@ def updated_covariance(
         at most 4.60 * 2^-52 (float64), 4.60 * 2^-23 (float32), proved for 2.2250738585072014e-308
         <= tracking_index <= 1.7976931348623157e308 (float64) and 1.1754945e-38 <= tracking_index <=
         3.4028235e38 (float32).
-    updated_22: variance of the updated velocity times T^2/sigma_v^2. Relative error at most 8.19 *
-        2^-52 (float64), 8.11 * 2^-23 (float32), proved for 7.416912861690675e-309 <= tracking_index
-        <= 6.112638558919435e154 (float64) and 3.918315e-39 <= tracking_index <= 8.409726e19
+    updated_22: variance of the updated velocity times T^2/sigma_v^2. Relative error at most 8.38 *
+        2^-52 (float64), 8.32 * 2^-23 (float32), proved for 7.416912861690675e-309 <= tracking_index
+        <= 6.11263855891949e154 (float64) and 3.918315e-39 <= tracking_index <= 8.409764e19
         (float32).
     updated_23: covariance of updated velocity and acceleration times T^3/sigma_v^2. Relative error
         at most 9.01 * 2^-52 (float64), 9.02 * 2^-23 (float32), proved for 1.0832677820940206e-231
@@ -2061,9 +2057,9 @@ def _updated_covariance_block(
     n11: float = 6.0,
     n12: float = 0.16666666666666666,
     n13: float = 0.8333333333333334,
-    n14: float = 0.19444444444444445,
-    n15: float = 0.013888888888888888,
-    n16: float = 0.010416666666666666,
+    n14: float = 0.010416666666666666,
+    n15: float = 0.19444444444444445,
+    n16: float = 0.013888888888888888,
     n17: float = 0.0028935185185185184,
     n18: float = 0.3333333333333333,
     n19: float = 0.041666666666666664,
@@ -2071,7 +2067,7 @@ def _updated_covariance_block(
 ) -> None:
     (tracking_index,) = given
     updated_11, updated_12, updated_13, updated_22, updated_23, updated_33 = out
-    w0, w1, w2, w3, w4, w5, w6, w7, w8 = work
+    w0, w1, w2, w3, w4, w5, w6, w7, w8, w9, w10 = work
     p = sqrt(tracking_index, updated_13)
     r = sqrt(p, updated_11)
     t4 = divide(n0, tracking_index, updated_12)
@@ -2153,68 +2149,61 @@ def _updated_covariance_block(
     t95 = add(t93, t94, updated_33)
     t96 = add(t91, t95, w3)
     t100 = multiply(p, n8, w4)
-    t102 = multiply(x, n11, updated_33)
-    t103 = divide(t102, t96, updated_33)
-    t104 = divide(t103, tracking_index, updated_33)
-    t105 = multiply(x, t10, w5)
-    t106 = divide(t105, t96, w5)
-    t107 = multiply(t106, e, w5)
-    t108 = add(t104, t107, updated_33)
-    t109 = multiply(r, t10, w5)
-    t110 = divide(t109, t96, w5)
-    t112 = multiply(t92, n12, w6)
-    t114 = multiply(e, n13, w7)
-    t115 = add(t112, t114, w6)
-    t116 = multiply(t110, t115, w5)
-    t118 = multiply(t10, n14, w6)
-    t120 = multiply(e, n15, w7)
-    t121 = add(t118, t120, w6)
-    t123 = multiply(t92, n16, w7)
-    t125 = multiply(p, n17, w8)
-    t126 = add(t123, t125, w7)
-    t127 = add(t121, t126, w6)
-    t128 = divide(t127, t96, w6)
-    t129 = divide(t128, r, w6)
-    t130 = multiply(t129, tracking_index, w6)
-    t131 = add(t116, t130, w5)
-    t132 = add(t108, t131, updated_33)
-    t133 = multiply(t100, t132, w4)
-    t134 = divide(t133, x, w4)
-    t137 = multiply(t10, n18, w5)
-    t139 = multiply(e, n19, w6)
-    t140 = add(t137, t139, w5)
-    t142 = multiply(t92, n20, w6)
-    t143 = multiply(p, n15, w7)
-    t144 = add(t142, t143, w6)
-    t145 = add(t140, t144, w5)
-    t146 = divide(t145, t96, w5)
-    t147 = multiply(t146, p, w5)
-    t148 = divide(t10, t96, updated_22)
-    t149 = multiply(t92, n8, w6)
-    t150 = add(t149, e, w6)
-    t151 = multiply(t148, t150, updated_22)
-    t152 = add(t147, t151, w5)
-    t153 = multiply(t152, p, w5)
-    t155 = multiply(p, n12, w0)
-    t156 = add(t155, t84, w0)
-    t157 = multiply(t156, tracking_index, w0)
-    t158 = multiply(r, n8, w1)
-    t159 = add(t158, x, w1)
-    t160 = divide(t157, t159, w0)
-    t161 = divide(t160, r, w0)
+    t102 = divide(n11, t96, updated_33)
+    t103 = divide(t102, tracking_index, updated_33)
+    t105 = multiply(p, n12, w5)
+    t106 = add(e, t105, w6)
+    t107 = divide(r, x, w7)
+    t109 = multiply(e, n13, w8)
+    t110 = multiply(t107, t109, w8)
+    t111 = add(t106, t110, w6)
+    t112 = multiply(t10, t111, w6)
+    t114 = multiply(p, n14, w8)
+    t116 = multiply(t10, n15, w9)
+    t118 = multiply(e, n16, w10)
+    t119 = add(t116, t118, w9)
+    t121 = multiply(p, n17, w10)
+    t122 = add(t119, t121, w9)
+    t123 = multiply(t107, t122, w7)
+    t124 = add(t114, t123, w8)
+    t125 = multiply(p, t124, w8)
+    t126 = add(t112, t125, w6)
+    t127 = divide(t126, t96, w6)
+    t128 = add(t103, t127, updated_33)
+    t129 = multiply(t100, t128, w4)
+    t131 = multiply(t92, n8, w6)
+    t132 = add(t131, e, w6)
+    t133 = multiply(t10, t132, w6)
+    t135 = multiply(t10, n18, updated_22)
+    t137 = multiply(e, n19, w0)
+    t138 = add(t135, t137, updated_22)
+    t140 = multiply(t92, n20, w0)
+    t141 = add(t138, t140, updated_22)
+    t142 = multiply(p, n16, w0)
+    t143 = add(t141, t142, updated_22)
+    t144 = multiply(p, t143, updated_22)
+    t145 = add(t133, t144, w6)
+    t146 = divide(t145, t96, w6)
+    t147 = multiply(t146, p, w6)
+    t149 = add(t105, t84, w5)
+    t150 = multiply(t149, tracking_index, w5)
+    t151 = multiply(r, n8, w0)
+    t152 = add(t151, x, w0)
+    t153 = divide(t150, t152, w5)
+    t154 = divide(t153, r, w5)
     divide(t89, t96, updated_11)
     divide(t92, t96, updated_12)
     divide(p, t96, updated_13)
-    multiply(t134, tracking_index, updated_22)
-    multiply(t153, tracking_index, updated_23)
-    multiply(t161, tracking_index, updated_33)
+    multiply(t129, tracking_index, updated_22)
+    multiply(t147, tracking_index, updated_23)
+    multiply(t154, tracking_index, updated_33)
 
 
 _UPDATED_COVARIANCE = Signature(
     "updated_covariance",
     (_TRACKING_INDEX_DOMAIN,),
     ("updated_11", "updated_12", "updated_13", "updated_22", "updated_23", "updated_33"),
-    9,
+    11,
     _updated_covariance_block,
 )
 
@@ -2252,7 +2241,7 @@ def updated_covariance_derivatives(
         most 2^1000, in float32 above 0 and at most 2^120.
 
     updated_11: derivative of the variance of the updated position over sigma_v^2. Relative error at
-        most 17.04 * 2^-52 (float64), 17.04 * 2^-23 (float32), proved for 5e-324 <= tracking_index
+        most 17.03 * 2^-52 (float64), 17.03 * 2^-23 (float32), proved for 5e-324 <= tracking_index
         <= 6.147487532734931e102 (float64) and 1e-45 <= tracking_index <= 7.604528e12 (float32).
     updated_12: derivative of the covariance of updated position and velocity times T/sigma_v^2.
         Relative error at most 18.07 * 2^-52 (float64), 18.07 * 2^-23 (float32), proved for 5e-324
@@ -2263,15 +2252,15 @@ def updated_covariance_derivatives(
         proved for 5e-324 <= tracking_index <= 2.109262031745273e103 (float64) and 1e-45 <=
         tracking_index <= 2.6091866e13 (float32).
     updated_22: derivative of the variance of the updated velocity times T^2/sigma_v^2. Relative
-        error at most 15.63 * 2^-52 (float64), 15.64 * 2^-23 (float32), proved for 5e-324 <=
+        error at most 14.40 * 2^-52 (float64), 14.40 * 2^-23 (float32), proved for 5e-324 <=
         tracking_index <= 1.0715086071862673e301 (float64) and 1e-45 <= tracking_index <=
         1.329228e36 (float32).
     updated_23: derivative of the covariance of updated velocity and acceleration times
-        T^3/sigma_v^2. Relative error at most 12.61 * 2^-52 (float64), 12.58 * 2^-23 (float32),
+        T^3/sigma_v^2. Relative error at most 12.60 * 2^-52 (float64), 12.57 * 2^-23 (float32),
         proved for 5e-324 <= tracking_index <= 1.0715086071862673e301 (float64) and 1e-45 <=
         tracking_index <= 1.329228e36 (float32).
     updated_33: derivative of the variance of the updated acceleration times T^4/sigma_v^2. Relative
-        error at most 7.96 * 2^-52 (float64), 7.94 * 2^-23 (float32), proved for 5e-324 <=
+        error at most 8.56 * 2^-52 (float64), 8.54 * 2^-23 (float32), proved for 5e-324 <=
         tracking_index <= 1.0715086071862673e301 (float64) and 1e-45 <= tracking_index <=
         1.329228e36 (float32).
 
@@ -2325,9 +2314,9 @@ def _updated_covariance_derivatives_block(
     n25: float = 0.003472222222222222,
     n26: float = 0.001736111111111111,
     n27: float = 0.8333333333333334,
-    n28: float = 0.19444444444444445,
-    n29: float = 0.013888888888888888,
-    n30: float = 0.010416666666666666,
+    n28: float = 0.010416666666666666,
+    n29: float = 0.19444444444444445,
+    n30: float = 0.013888888888888888,
     n31: float = 0.0028935185185185184,
     n32: float = 0.3333333333333333,
     n33: float = 0.041666666666666664,
@@ -2361,6 +2350,8 @@ def _updated_covariance_derivatives_block(
         w22,
         w23,
         w24,
+        w25,
+        w26,
     ) = work
     p = sqrt(tracking_index, updated_23)
     r = sqrt(p, updated_11)
@@ -2455,9 +2446,9 @@ def _updated_covariance_derivatives_block(
     t113 = multiply(e, n8, w8)
     t114 = add(t10, t113, w8)
     t115 = multiply(p, n15, w9)
-    t116 = add(t109, t115, w7)
+    t116 = add(t109, t115, w9)
     t117 = add(t114, t116, w8)
-    t118 = multiply(p, t117, w7)
+    t118 = multiply(p, t117, w9)
     t119 = divide(t112, t118, updated_12)
     t121 = multiply(t97, n14, updated_22)
     t123 = multiply(t100, n16, w5)
@@ -2467,165 +2458,155 @@ def _updated_covariance_derivatives_block(
     t127 = multiply(t91, t126, w3)
     t128 = add(t125, t127, updated_22)
     t129 = divide(t128, t106, updated_22)
-    t130 = divide(x, t19, w2)
-    t131 = divide(t130, t10, w2)
+    t130 = divide(x, t19, w3)
+    t131 = divide(t130, t10, w3)
     t132 = multiply(t129, t131, updated_22)
     t133 = multiply(t132, n3, updated_22)
     t134 = divide(t133, t118, updated_22)
     t136 = divide(t91, t106, updated_33)
-    t137 = multiply(x, n14, w2)
-    t138 = multiply(r, n8, w3)
-    t139 = add(x, t138, w5)
-    t140 = multiply(t137, t139, w2)
+    t137 = multiply(x, n14, w3)
+    t138 = multiply(r, n8, w5)
+    t139 = add(x, t138, w6)
+    t140 = multiply(t137, t139, w3)
     t141 = multiply(t136, t140, updated_33)
     t142 = add(t141, n17, updated_33)
-    t143 = multiply(t10, p, w2)
+    t143 = multiply(t10, p, w3)
     t144 = divide(t142, t143, updated_33)
     t145 = divide(t144, t118, updated_33)
-    t147 = multiply(p, n8, w2)
-    t148 = divide(n17, t10, w5)
-    t149 = divide(t148, tracking_index, w5)
-    t150 = divide(t149, t117, w5)
-    t151 = divide(x, e, w6)
-    t152 = multiply(p, n14, w9)
-    t153 = divide(t152, e, w9)
-    t155 = multiply(t153, n18, w10)
-    t157 = add(t155, n19, w11)
-    t158 = multiply(t153, t157, w11)
-    t160 = add(t158, n20, w11)
-    t161 = multiply(e, t160, w12)
-    t162 = divide(t151, t161, w6)
-    t163 = divide(t162, r, w6)
-    t164 = divide(t163, t10, w6)
-    t165 = divide(t164, p, w6)
-    t166 = multiply(t165, n3, w6)
-    t167 = divide(t91, t117, w12)
-    t168 = multiply(t167, n14, w12)
-    t169 = divide(x, r, w13)
-    t170 = multiply(t169, n3, w14)
-    t171 = add(n17, t170, w14)
-    t172 = multiply(t168, t171, w12)
-    t173 = multiply(t166, t172, w12)
-    t174 = add(t150, t173, w5)
-    t176 = multiply(x, n21, w12)
-    t177 = divide(t176, t117, w12)
-    t178 = divide(t177, tracking_index, w12)
-    t179 = multiply(t174, t178, w12)
-    t180 = multiply(x, t10, w14)
-    t181 = divide(t180, t117, w14)
-    t183 = multiply(t153, n22, w15)
-    t185 = add(t183, n23, w15)
-    t186 = multiply(t153, t185, w15)
-    t188 = add(t186, n24, w15)
-    t189 = multiply(t153, t188, w15)
-    t190 = add(t189, n17, w15)
-    t191 = divide(t190, t160, w15)
-    t192 = divide(p, e, w16)
-    t193 = divide(t192, t160, w17)
-    t194 = multiply(t193, t192, w17)
-    t195 = divide(p, t10, w16)
-    t196 = multiply(t169, t195, w13)
-    t197 = multiply(t194, t196, w17)
-    t199 = multiply(t197, n25, w17)
-    t200 = multiply(t153, n24, w13)
-    t201 = add(t200, n3, w13)
-    t202 = multiply(t199, t201, w13)
-    t203 = add(t191, t202, w15)
-    t204 = divide(tracking_index, t10, w13)
-    t205 = divide(t204, t10, w13)
-    t207 = multiply(t205, n26, w13)
-    t208 = add(t203, t207, w16)
-    t209 = add(t208, t174, w16)
-    t210 = multiply(t209, e, w18)
-    t211 = multiply(t181, t210, w14)
-    t212 = add(t179, t211, w12)
-    t213 = multiply(r, t10, w14)
-    t214 = divide(t213, t117, w14)
-    t215 = add(n17, t174, w19)
-    t216 = add(t215, t207, w20)
-    t217 = multiply(t216, t91, w21)
-    t218 = multiply(t217, n9, w21)
-    t219 = add(t209, t166, w16)
-    t220 = multiply(t219, e, w16)
-    t222 = multiply(t220, n27, w16)
-    t223 = add(t218, t222, w21)
-    t224 = multiply(t214, t223, w14)
-    t225 = add(t212, t224, w12)
-    t226 = add(t215, t203, w14)
-    t227 = add(t216, t166, w16)
-    t228 = multiply(t227, t10, w16)
-    t230 = multiply(t228, n28, w16)
-    t231 = add(t226, t166, w21)
-    t232 = multiply(t231, e, w21)
-    t234 = multiply(t232, n29, w21)
-    t235 = add(t215, n17, w22)
-    t236 = multiply(t235, t91, w23)
-    t238 = multiply(t236, n30, w23)
-    t239 = add(t235, t166, w24)
-    t240 = multiply(t239, p, w24)
-    t242 = multiply(t240, n31, w24)
-    t243 = add(t238, t242, w23)
-    t244 = add(t234, t243, w21)
-    t245 = add(t230, t244, w16)
-    t246 = divide(t245, t117, w16)
-    t247 = divide(t246, r, w16)
-    t248 = multiply(t247, tracking_index, w16)
-    t249 = add(t225, t248, w12)
-    t250 = divide(t249, x, w12)
-    t252 = divide(t10, t117, w16)
-    t253 = add(t155, n24, w10)
-    t254 = multiply(t153, t253, w9)
-    t255 = add(t254, n17, w9)
-    t256 = divide(t255, t160, w9)
-    t257 = multiply(t256, n3, w9)
-    t258 = add(t257, t199, w9)
-    t259 = add(t258, t207, w13)
-    t260 = add(t259, t174, w13)
-    t261 = multiply(t260, t91, w13)
-    t262 = multiply(t261, n8, w13)
-    t263 = add(t262, t210, w13)
-    t264 = multiply(t252, t263, w16)
-    t265 = multiply(t216, t10, w20)
-    t267 = multiply(t265, n32, w20)
-    t268 = multiply(t226, e, w14)
-    t270 = multiply(t268, n33, w14)
-    t271 = add(t267, t270, w20)
-    t272 = add(t215, t258, w19)
-    t273 = multiply(t272, t91, w19)
-    t275 = multiply(t273, n34, w19)
-    t276 = multiply(t235, p, w22)
-    t277 = multiply(t276, n29, w22)
-    t278 = add(t275, t277, w19)
-    t279 = add(t271, t278, w20)
-    t280 = divide(t279, t117, w20)
-    t281 = multiply(t280, p, w20)
-    t282 = add(t264, t281, w16)
-    t284 = add(n17, t203, w15)
-    t285 = add(t138, x, w3)
-    t286 = divide(x, t285, w1)
-    t287 = multiply(t166, t286, w6)
-    t288 = add(t284, t287, w15)
-    t289 = multiply(t288, e, w15)
-    t290 = multiply(t289, n3, w15)
-    t291 = add(n3, t287, w6)
-    t292 = multiply(t291, p, w6)
-    t293 = multiply(t292, n9, w6)
-    t294 = add(t290, t293, w15)
-    t295 = divide(t294, t285, w15)
-    t296 = divide(t295, r, w15)
+    t147 = multiply(p, n8, w3)
+    t148 = divide(n17, t10, w6)
+    t149 = divide(t148, tracking_index, w6)
+    t150 = divide(x, e, w10)
+    t151 = multiply(p, n14, w11)
+    t152 = divide(t151, e, w11)
+    t154 = multiply(t152, n18, w12)
+    t156 = add(t154, n19, w13)
+    t157 = multiply(t152, t156, w13)
+    t159 = add(t157, n20, w13)
+    t160 = multiply(e, t159, w14)
+    t161 = divide(t150, t160, w10)
+    t162 = divide(t161, r, w10)
+    t163 = divide(t162, t10, w10)
+    t164 = divide(t163, p, w10)
+    t165 = multiply(t164, n3, w10)
+    t166 = divide(x, r, w14)
+    t167 = multiply(t166, n3, w15)
+    t168 = add(n17, t167, w15)
+    t169 = multiply(t109, t168, w7)
+    t170 = multiply(t165, t169, w7)
+    t171 = add(t149, t170, w6)
+    t172 = divide(t171, t117, w6)
+    t174 = divide(n21, t117, w7)
+    t175 = divide(t174, tracking_index, w7)
+    t176 = multiply(t172, t175, w7)
+    t178 = multiply(t152, n22, w15)
+    t180 = add(t178, n23, w15)
+    t181 = multiply(t152, t180, w15)
+    t183 = add(t181, n24, w15)
+    t184 = multiply(t152, t183, w15)
+    t185 = add(t184, n17, w15)
+    t186 = divide(t185, t159, w15)
+    t187 = divide(p, e, w16)
+    t188 = divide(t187, t159, w17)
+    t189 = multiply(t188, t187, w17)
+    t190 = divide(p, t10, w16)
+    t191 = multiply(t166, t190, w14)
+    t192 = multiply(t189, t191, w17)
+    t194 = multiply(t192, n25, w17)
+    t195 = multiply(t152, n24, w14)
+    t196 = add(t195, n3, w14)
+    t197 = multiply(t194, t196, w14)
+    t198 = add(t186, t197, w15)
+    t199 = divide(tracking_index, t10, w14)
+    t200 = divide(t199, t10, w14)
+    t202 = multiply(t200, n26, w14)
+    t203 = add(t198, t202, w16)
+    t204 = add(t203, t172, w16)
+    t205 = multiply(t204, e, w18)
+    t206 = add(n17, t172, w19)
+    t207 = add(t206, t202, w20)
+    t208 = multiply(t207, p, w21)
+    t209 = multiply(t208, n9, w21)
+    t210 = add(t205, t209, w21)
+    t211 = divide(r, x, updated_11)
+    t212 = add(t204, t165, w16)
+    t213 = multiply(t212, e, w16)
+    t215 = multiply(t213, n27, w16)
+    t216 = multiply(t211, t215, w16)
+    t217 = add(t210, t216, w21)
+    t218 = multiply(t10, t217, w21)
+    t219 = add(t206, t198, w16)
+    t220 = multiply(t219, e, w22)
+    t221 = add(t206, n17, w23)
+    t222 = multiply(t221, p, w24)
+    t224 = multiply(t222, n28, w25)
+    t225 = add(t207, t165, w26)
+    t226 = multiply(t225, t10, w26)
+    t228 = multiply(t226, n29, w26)
+    t229 = add(t219, t165, w16)
+    t230 = multiply(t229, e, w16)
+    t232 = multiply(t230, n30, w16)
+    t233 = add(t228, t232, w26)
+    t234 = add(t221, t165, w23)
+    t235 = multiply(t234, p, w23)
+    t237 = multiply(t235, n31, w23)
+    t238 = add(t233, t237, w26)
+    t239 = multiply(t211, t238, updated_11)
+    t240 = add(t224, t239, w25)
+    t241 = multiply(p, t240, w25)
+    t242 = add(t218, t241, w21)
+    t243 = divide(t242, t117, w21)
+    t244 = add(t176, t243, w7)
+    t246 = add(t154, n24, w12)
+    t247 = multiply(t152, t246, w11)
+    t248 = add(t247, n17, w11)
+    t249 = divide(t248, t159, w11)
+    t250 = multiply(t249, n3, w11)
+    t251 = add(t250, t194, w11)
+    t252 = add(t251, t202, w14)
+    t253 = add(t252, t172, w14)
+    t254 = multiply(t253, t91, w14)
+    t255 = multiply(t254, n8, w14)
+    t256 = add(t255, t205, w14)
+    t257 = multiply(t10, t256, w14)
+    t258 = multiply(t207, t10, w20)
+    t260 = multiply(t258, n32, w20)
+    t262 = multiply(t220, n33, w22)
+    t263 = add(t260, t262, w20)
+    t264 = add(t206, t251, w19)
+    t265 = multiply(t264, t91, w19)
+    t267 = multiply(t265, n34, w19)
+    t268 = add(t263, t267, w20)
+    t269 = multiply(t222, n30, w24)
+    t270 = add(t268, t269, w20)
+    t271 = multiply(p, t270, w20)
+    t272 = add(t257, t271, w14)
+    t273 = divide(t272, t117, w14)
+    t275 = add(n17, t198, w15)
+    t276 = add(t138, x, w5)
+    t277 = divide(x, t276, w1)
+    t278 = multiply(t165, t277, w10)
+    t279 = add(t275, t278, w15)
+    t280 = multiply(t279, e, w15)
+    t281 = multiply(t280, n3, w15)
+    t282 = add(n3, t278, w10)
+    t283 = multiply(t282, p, w10)
+    t284 = multiply(t283, n9, w10)
+    t285 = add(t281, t284, w15)
+    t286 = divide(t285, t276, w15)
     divide(t119, t118, updated_11)
     divide(t134, t118, updated_12)
     divide(t145, t118, updated_13)
-    multiply(t147, t250, updated_22)
-    multiply(t282, p, updated_23)
-    multiply(t296, tracking_index, updated_33)
+    multiply(t147, t244, updated_22)
+    multiply(t273, p, updated_23)
+    multiply(t286, t19, updated_33)
 
 
 _UPDATED_COVARIANCE_DERIVATIVES = Signature(
     "updated_covariance_derivatives",
     (_TRACKING_INDEX_DOMAIN_2,),
     ("updated_11", "updated_12", "updated_13", "updated_22", "updated_23", "updated_33"),
-    25,
+    27,
     _updated_covariance_derivatives_block,
 )
 
@@ -3390,7 +3371,7 @@ def predicted_covariance_second_derivatives(
         proved for 5e-324 <= tracking_index <= 1.0715086071862673e301 (float64) and 1e-45 <=
         tracking_index <= 1.329228e36 (float32).
     predicted_23: second derivative by Lambda of the covariance of predicted velocity and
-        acceleration times T^3/sigma_v^2. Relative error at most 10.21 * 2^-52 (float64), 10.19 *
+        acceleration times T^3/sigma_v^2. Relative error at most 10.18 * 2^-52 (float64), 10.18 *
         2^-23 (float32), proved for 5e-324 <= tracking_index <= 1.0715086071862673e301 (float64) and
         1e-45 <= tracking_index <= 1.329228e36 (float32).
     predicted_33: second derivative by Lambda of the variance of the predicted acceleration times

@@ -1393,9 +1393,9 @@ def predicted_covariance(
         2.2250738585072014e-308 <= tracking_index <= 1.8961503816218218e154 (float64) and
         1.1754944e-38 <= tracking_index <= 2.6087534e19 (float32).
     predicted_22: variance of the predicted velocity times T^2/sigma_v^2. Relative error at most
-        12.27 * 2^-52 (float64), 12.27 * 2^-23 (float32), proved for 7.416912861690675e-309 <=
-        tracking_index <= 1.3407807929942344e154 (float64) and 3.918315e-39 <= tracking_index <=
-        1.844657e19 (float32).
+        5.27 * 2^-52 (float64), 5.27 * 2^-23 (float32), proved for 7.416912861690675e-309 <=
+        tracking_index <= 1.3407807929942426e154 (float64) and 3.918315e-39 <= tracking_index <=
+        1.8446626e19 (float32).
     predicted_23: covariance of predicted velocity and acceleration times T^3/sigma_v^2. Relative
         error at most 6.40 * 2^-52 (float64), 6.40 * 2^-23 (float32), proved for
         1.0832677820940206e-231 <= tracking_index <= 1.3407807929942502e154 (float64) and
@@ -1432,12 +1432,11 @@ def _predicted_covariance_block(
     n4: float = 8.0,
     n5: float = 0.25,
     n6: float = 0.125,
-    n7: float = 0.75,
-    n8: float = 0.015625,
+    n7: float = 3.0,
 ) -> None:
     (tracking_index,) = given
     predicted_11, predicted_12, predicted_13, predicted_22, predicted_23, predicted_33 = out
-    w0, w1, w2, w3, w4 = work
+    w0, w1, w2, w3, w4, w5 = work
     p = sqrt(tracking_index, predicted_11)
     r = sqrt(p, predicted_12)
     t4 = divide(n0, p, predicted_13)
@@ -1506,42 +1505,37 @@ def _predicted_covariance_block(
     t77 = add(t76, t9, w2)
     x = sqrt(t77, w2)
     t80 = multiply(p, n5, w1)
-    t81 = add(t80, e, w1)
-    t82 = multiply(e, n2, w4)
-    t83 = add(t4, t82, predicted_13)
-    t84 = multiply(x, r, w4)
-    t85 = multiply(t84, n5, predicted_22)
-    t86 = multiply(p, n6, predicted_23)
-    t87 = add(t85, t86, predicted_22)
-    t88 = add(t83, t87, predicted_13)
-    t89 = multiply(t81, t88, w1)
-    t91 = multiply(t84, t88, w4)
-    t93 = multiply(p, t88, predicted_13)
-    t95 = square(e, predicted_22)
-    t97 = multiply(t95, n7, predicted_22)
-    t98 = multiply(p, e, predicted_11)
-    t99 = multiply(t98, n5, w0)
-    t100 = add(t97, t99, predicted_22)
-    t102 = multiply(tracking_index, n8, w0)
-    t103 = add(t100, t102, predicted_22)
-    t104 = divide(t103, x, predicted_22)
-    t105 = multiply(r, n1, predicted_12)
-    t106 = multiply(t104, t105, predicted_22)
-    t107 = multiply(t12, x, w3)
-    t108 = multiply(t107, n5, w0)
-    t109 = add(t106, t108, predicted_22)
-    t110 = add(t109, t98, predicted_22)
-    t111 = multiply(tracking_index, n5, w0)
-    t112 = add(t110, t111, predicted_22)
-    t114 = multiply(t107, n2, w2)
-    t115 = add(t98, t114, predicted_11)
-    t116 = add(t115, t111, w0)
+    t81 = add(t80, e, w4)
+    t82 = multiply(e, n2, predicted_22)
+    t83 = add(t4, t82, predicted_22)
+    t84 = multiply(x, r, predicted_23)
+    t85 = multiply(t84, n5, predicted_33)
+    t86 = multiply(p, n6, w5)
+    t87 = add(t85, t86, predicted_33)
+    t88 = add(t83, t87, predicted_22)
+    t89 = multiply(t81, t88, w4)
+    t91 = multiply(t84, t88, predicted_23)
+    t93 = multiply(p, t88, predicted_22)
+    t96 = multiply(t4, n7, predicted_13)
+    t97 = add(t96, e, predicted_13)
+    t98 = add(t97, t80, predicted_13)
+    t99 = divide(r, x, predicted_12)
+    t100 = add(e, t80, w1)
+    t101 = multiply(t99, t100, predicted_12)
+    t102 = add(t98, t101, predicted_13)
+    t103 = multiply(t102, p, w1)
+    t105 = multiply(p, e, predicted_11)
+    t106 = multiply(t12, x, w3)
+    t107 = multiply(t106, n2, w0)
+    t108 = add(t105, t107, predicted_11)
+    t109 = multiply(tracking_index, n5, w0)
+    t110 = add(t108, t109, w0)
     multiply(t89, tracking_index, predicted_11)
     multiply(t91, tracking_index, predicted_12)
     multiply(tracking_index, t93, predicted_13)
-    multiply(tracking_index, t112, predicted_22)
-    multiply(tracking_index, t116, predicted_23)
-    multiply(tracking_index, t107, predicted_33)
+    multiply(t103, tracking_index, predicted_22)
+    multiply(tracking_index, t110, predicted_23)
+    multiply(tracking_index, t106, predicted_33)
 
 
 _PREDICTED_COVARIANCE = Signature(
@@ -1555,7 +1549,7 @@ _PREDICTED_COVARIANCE = Signature(
         "predicted_23",
         "predicted_33",
     ),
-    5,
+    6,
     _predicted_covariance_block,
 )
 
