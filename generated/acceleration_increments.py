@@ -338,11 +338,11 @@ def gain_derivatives(
     alpha: derivative of the position gain. Relative error at most 14.69 * 2^-52 (float64), 14.69 *
         2^-23 (float32), proved for 5e-324 <= tracking_index <= 7.11074631974658e102 (float64) and
         1e-45 <= tracking_index <= 8.7960925e12 (float32).
-    beta: derivative of the velocity gain times the sampling interval. Relative error at most 15.76
-        * 2^-52 (float64), 15.75 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=
+    beta: derivative of the velocity gain times the sampling interval. Relative error at most 14.26
+        * 2^-52 (float64), 14.25 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=
         1.8961503816218352e154 (float64) and 1e-45 <= tracking_index <= 2.6087635e19 (float32).
     gamma: derivative of the acceleration gain times the square of the sampling interval. Relative
-        error at most 13.14 * 2^-52 (float64), 13.14 * 2^-23 (float32), proved for 5e-324 <=
+        error at most 12.43 * 2^-52 (float64), 12.42 * 2^-23 (float32), proved for 5e-324 <=
         tracking_index <= 2.6815615859885194e154 (float64) and 1e-45 <= tracking_index <=
         3.689349e19 (float32).
 
@@ -378,7 +378,7 @@ def _gain_derivatives_block(
 ) -> None:
     (tracking_index,) = given
     alpha, beta, gamma = out
-    w0, w1, w2, w3, w4, w5, w6, w7, w8, w9, w10, w11 = work
+    w0, w1, w2, w3, w4, w5, w6, w7, w8, w9 = work
     p = sqrt(tracking_index, alpha)
     r = sqrt(p, beta)
     t4 = divide(n0, p, gamma)
@@ -387,59 +387,59 @@ def _gain_derivatives_block(
     t9 = multiply(p, n2, w1)
     t11 = multiply(tracking_index, n3, w2)
     t12 = multiply(p, r, w3)
-    t13 = multiply(t12, n0, w4)
-    t15 = divide(n4, r, w5)
-    t16 = add(t13, t15, w4)
-    t17 = near_cbrt(t16, w4, single)
-    t20 = multiply(t7, t17, w5)
-    t21 = add(t20, t11, w5)
-    t22 = sqrt(t21, w5)
-    t23 = multiply(t22, n1, w6)
-    t24 = add(t23, t9, w6)
-    t25 = sqrt(t24, w6)
-    t26 = multiply(t7, n2, w7)
-    t27 = multiply(t22, t25, w5)
-    t28 = multiply(t25, t27, w6)
-    t29 = multiply(t26, t17, w4)
-    t30 = subtract(t28, t29, w6)
-    t31 = subtract(t27, t26, w5)
-    t32 = divide(t30, t31, w6)
-    t34 = multiply(t7, t32, w4)
-    t35 = add(t34, t11, w4)
-    t36 = sqrt(t35, w4)
-    t37 = multiply(t36, n1, w5)
-    t38 = add(t37, t9, w5)
-    t39 = sqrt(t38, w5)
-    t40 = multiply(t36, t39, w4)
-    t41 = multiply(t39, t40, w5)
-    t42 = multiply(t26, t32, w6)
-    t43 = subtract(t41, t42, w5)
-    t44 = subtract(t40, t26, w4)
-    t45 = divide(t43, t44, w5)
-    t47 = multiply(t7, t45, w4)
-    t48 = add(t47, t11, w4)
-    t49 = sqrt(t48, w4)
-    t50 = multiply(t49, n1, w6)
-    t51 = add(t50, t9, w6)
-    t52 = sqrt(t51, w6)
-    t53 = multiply(t49, t52, w4)
-    t54 = multiply(t52, t53, w6)
-    t55 = multiply(t26, t45, w5)
-    t56 = subtract(t54, t55, w6)
-    t57 = subtract(t53, t26, w4)
-    t58 = divide(t56, t57, w6)
-    t60 = multiply(t7, t58, w4)
-    t61 = add(t60, t11, w4)
-    t62 = sqrt(t61, w4)
-    t63 = multiply(t62, n1, w5)
-    t64 = add(t63, t9, w5)
-    t65 = sqrt(t64, w5)
-    t66 = multiply(t62, t65, w4)
-    t67 = multiply(t65, t66, w5)
-    t68 = multiply(t26, t58, w6)
-    t69 = subtract(t67, t68, w5)
-    t70 = subtract(t66, t26, w4)
-    t71 = divide(t69, t70, w5)
+    t13 = multiply(t12, n0, w3)
+    t15 = divide(n4, r, w4)
+    t16 = add(t13, t15, w3)
+    t17 = near_cbrt(t16, w3, single)
+    t20 = multiply(t7, t17, w4)
+    t21 = add(t20, t11, w4)
+    t22 = sqrt(t21, w4)
+    t23 = multiply(t22, n1, w5)
+    t24 = add(t23, t9, w5)
+    t25 = sqrt(t24, w5)
+    t26 = multiply(t7, n2, w6)
+    t27 = multiply(t22, t25, w4)
+    t28 = multiply(t25, t27, w5)
+    t29 = multiply(t26, t17, w3)
+    t30 = subtract(t28, t29, w5)
+    t31 = subtract(t27, t26, w4)
+    t32 = divide(t30, t31, w5)
+    t34 = multiply(t7, t32, w3)
+    t35 = add(t34, t11, w3)
+    t36 = sqrt(t35, w3)
+    t37 = multiply(t36, n1, w4)
+    t38 = add(t37, t9, w4)
+    t39 = sqrt(t38, w4)
+    t40 = multiply(t36, t39, w3)
+    t41 = multiply(t39, t40, w4)
+    t42 = multiply(t26, t32, w5)
+    t43 = subtract(t41, t42, w4)
+    t44 = subtract(t40, t26, w3)
+    t45 = divide(t43, t44, w4)
+    t47 = multiply(t7, t45, w3)
+    t48 = add(t47, t11, w3)
+    t49 = sqrt(t48, w3)
+    t50 = multiply(t49, n1, w5)
+    t51 = add(t50, t9, w5)
+    t52 = sqrt(t51, w5)
+    t53 = multiply(t49, t52, w3)
+    t54 = multiply(t52, t53, w5)
+    t55 = multiply(t26, t45, w4)
+    t56 = subtract(t54, t55, w5)
+    t57 = subtract(t53, t26, w3)
+    t58 = divide(t56, t57, w5)
+    t60 = multiply(t7, t58, w3)
+    t61 = add(t60, t11, w3)
+    t62 = sqrt(t61, w3)
+    t63 = multiply(t62, n1, w4)
+    t64 = add(t63, t9, w4)
+    t65 = sqrt(t64, w4)
+    t66 = multiply(t62, t65, w3)
+    t67 = multiply(t65, t66, w4)
+    t68 = multiply(t26, t58, w5)
+    t69 = subtract(t67, t68, w4)
+    t70 = subtract(t66, t26, w3)
+    t71 = divide(t69, t70, w4)
     t73 = multiply(t7, t71, w0)
     t74 = add(t73, t11, w0)
     e = sqrt(t74, w0)
@@ -448,57 +448,54 @@ def _gain_derivatives_block(
     x = sqrt(t77, w2)
     t80 = multiply(p, n5, w1)
     t81 = add(e, t80, w1)
-    t82 = multiply(x, r, w4)
-    t83 = square(e, w5)
-    t85 = multiply(t83, n6, w6)
-    t86 = multiply(p, e, w7)
-    t87 = multiply(t86, n5, w8)
-    t88 = add(t85, t87, w6)
-    t90 = multiply(tracking_index, n7, w8)
-    t91 = add(t88, t90, w6)
-    t92 = divide(t81, t91, w9)
-    t93 = multiply(t82, n5, w10)
-    t94 = multiply(t92, t93, w9)
-    t95 = divide(t94, tracking_index, w9)
-    t96 = multiply(t95, n1, w9)
+    t82 = multiply(x, r, w3)
+    t83 = square(e, w4)
+    t85 = multiply(t83, n6, w5)
+    t86 = multiply(p, e, w6)
+    t87 = multiply(t86, n5, w7)
+    t88 = add(t85, t87, w5)
+    t90 = multiply(tracking_index, n7, w7)
+    t91 = add(t88, t90, w5)
+    t92 = divide(t81, t91, w8)
+    t93 = multiply(t82, n5, w9)
+    t94 = multiply(t92, t93, w8)
+    t95 = divide(t94, tracking_index, w8)
+    t96 = multiply(t95, n1, w8)
     t97 = multiply(e, n2, w0)
-    t98 = add(t4, t97, w0)
-    t99 = multiply(p, n8, w11)
-    t100 = add(t93, t99, w10)
-    t101 = add(t98, t100, w0)
-    t102 = multiply(p, t101, w0)
-    t103 = divide(t96, t102, w9)
-    t105 = multiply(t83, n5, w5)
-    t106 = multiply(t86, n8, w7)
-    t107 = add(t105, t106, w5)
-    t108 = add(t107, t90, w5)
-    t109 = multiply(t81, n8, w1)
-    t110 = multiply(t82, t109, w1)
-    t111 = add(t108, t110, w5)
-    t112 = divide(t111, t91, w5)
-    t113 = divide(x, t12, w3)
-    t114 = divide(t113, t4, w3)
-    t115 = multiply(t112, t114, w5)
-    t116 = multiply(t115, n1, w5)
-    t117 = divide(t116, t102, w5)
-    t119 = divide(t82, t91, w4)
-    t120 = multiply(x, n5, w1)
-    t121 = multiply(r, n2, beta)
-    t122 = add(x, t121, w2)
-    t123 = multiply(t120, t122, w1)
-    t124 = multiply(t119, t123, w4)
-    t125 = add(t124, n0, w4)
-    t126 = divide(t125, t102, w4)
+    t98 = add(t4, t97, gamma)
+    t99 = multiply(p, n8, w0)
+    t100 = add(t93, t99, w0)
+    t101 = add(t98, t100, gamma)
+    t102 = multiply(p, t101, gamma)
+    t103 = divide(t96, t102, w8)
+    t105 = multiply(t83, n5, w4)
+    t106 = multiply(t86, n8, w6)
+    t107 = add(t105, t106, w4)
+    t108 = add(t107, t90, w4)
+    t109 = multiply(t81, n8, w0)
+    t110 = multiply(t82, t109, w0)
+    t111 = add(t108, t110, w4)
+    t112 = divide(t111, t91, w4)
+    t113 = multiply(t112, n1, w4)
+    t114 = divide(x, r, w2)
+    t115 = multiply(t113, t114, w4)
+    t116 = divide(t115, t102, w4)
+    t118 = divide(t82, t91, w3)
+    t119 = add(t81, t93, w1)
+    t120 = multiply(t119, n2, w1)
+    t121 = multiply(t118, t120, w3)
+    t122 = add(t121, n0, w3)
+    t123 = divide(t122, t102, w3)
     divide(t103, t102, alpha)
-    divide(t117, t102, beta)
-    divide(t126, t102, gamma)
+    divide(t116, t102, beta)
+    divide(t123, t102, gamma)
 
 
 _GAIN_DERIVATIVES = Signature(
     "gain_derivatives",
     (_TRACKING_INDEX_DOMAIN,),
     ("alpha", "beta", "gamma"),
-    12,
+    10,
     _gain_derivatives_block,
 )
 
@@ -549,10 +546,10 @@ def gains_with_derivatives(
         * 2^-23 (float32), proved for 5e-324 <= tracking_index <= 7.11074631974658e102 (float64) and
         1e-45 <= tracking_index <= 8.7960925e12 (float32).
     d_beta: derivative of the velocity gain times the sampling interval. Relative error at most
-        15.76 * 2^-52 (float64), 15.75 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=
+        14.26 * 2^-52 (float64), 14.25 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=
         1.8961503816218352e154 (float64) and 1e-45 <= tracking_index <= 2.6087635e19 (float32).
     d_gamma: derivative of the acceleration gain times the square of the sampling interval. Relative
-        error at most 13.14 * 2^-52 (float64), 13.14 * 2^-23 (float32), proved for 5e-324 <=
+        error at most 12.43 * 2^-52 (float64), 12.42 * 2^-23 (float32), proved for 5e-324 <=
         tracking_index <= 2.6815615859885194e154 (float64) and 1e-45 <= tracking_index <=
         3.689349e19 (float32).
 
@@ -588,7 +585,7 @@ def _gains_with_derivatives_block(
 ) -> None:
     (tracking_index,) = given
     alpha, beta, gamma, d_alpha, d_beta, d_gamma = out
-    w0, w1, w2, w3, w4, w5, w6, w7, w8 = work
+    w0, w1, w2, w3, w4, w5, w6 = work
     p = sqrt(tracking_index, gamma)
     r = sqrt(p, alpha)
     t4 = divide(n0, p, beta)
@@ -597,10 +594,10 @@ def _gains_with_derivatives_block(
     t9 = multiply(p, n2, w1)
     t11 = multiply(tracking_index, n3, w2)
     t12 = multiply(p, r, w3)
-    t13 = multiply(t12, n0, w4)
+    t13 = multiply(t12, n0, w3)
     t15 = divide(n4, r, d_alpha)
-    t16 = add(t13, t15, w4)
-    t17 = near_cbrt(t16, w4, single)
+    t16 = add(t13, t15, w3)
+    t17 = near_cbrt(t16, w3, single)
     t20 = multiply(t7, t17, d_alpha)
     t21 = add(t20, t11, d_alpha)
     t22 = sqrt(t21, d_beta)
@@ -610,45 +607,45 @@ def _gains_with_derivatives_block(
     t26 = multiply(t7, n2, d_alpha)
     t27 = multiply(t22, t25, d_beta)
     t28 = multiply(t25, t27, d_gamma)
-    t29 = multiply(t26, t17, w4)
+    t29 = multiply(t26, t17, w3)
     t30 = subtract(t28, t29, d_gamma)
     t31 = subtract(t27, t26, d_beta)
     t32 = divide(t30, t31, d_gamma)
-    t34 = multiply(t7, t32, w4)
-    t35 = add(t34, t11, w4)
-    t36 = sqrt(t35, w4)
+    t34 = multiply(t7, t32, w3)
+    t35 = add(t34, t11, w3)
+    t36 = sqrt(t35, w3)
     t37 = multiply(t36, n1, d_beta)
     t38 = add(t37, t9, d_beta)
     t39 = sqrt(t38, d_beta)
-    t40 = multiply(t36, t39, w4)
+    t40 = multiply(t36, t39, w3)
     t41 = multiply(t39, t40, d_beta)
     t42 = multiply(t26, t32, d_gamma)
     t43 = subtract(t41, t42, d_beta)
-    t44 = subtract(t40, t26, w4)
+    t44 = subtract(t40, t26, w3)
     t45 = divide(t43, t44, d_beta)
-    t47 = multiply(t7, t45, w4)
-    t48 = add(t47, t11, w4)
-    t49 = sqrt(t48, w4)
+    t47 = multiply(t7, t45, w3)
+    t48 = add(t47, t11, w3)
+    t49 = sqrt(t48, w3)
     t50 = multiply(t49, n1, d_gamma)
     t51 = add(t50, t9, d_gamma)
     t52 = sqrt(t51, d_gamma)
-    t53 = multiply(t49, t52, w4)
+    t53 = multiply(t49, t52, w3)
     t54 = multiply(t52, t53, d_gamma)
     t55 = multiply(t26, t45, d_beta)
     t56 = subtract(t54, t55, d_gamma)
-    t57 = subtract(t53, t26, w4)
+    t57 = subtract(t53, t26, w3)
     t58 = divide(t56, t57, d_gamma)
-    t60 = multiply(t7, t58, w4)
-    t61 = add(t60, t11, w4)
-    t62 = sqrt(t61, w4)
+    t60 = multiply(t7, t58, w3)
+    t61 = add(t60, t11, w3)
+    t62 = sqrt(t61, w3)
     t63 = multiply(t62, n1, d_beta)
     t64 = add(t63, t9, d_beta)
     t65 = sqrt(t64, d_beta)
-    t66 = multiply(t62, t65, w4)
+    t66 = multiply(t62, t65, w3)
     t67 = multiply(t65, t66, d_beta)
     t68 = multiply(t26, t58, d_gamma)
     t69 = subtract(t67, t68, d_beta)
-    t70 = subtract(t66, t26, w4)
+    t70 = subtract(t66, t26, w3)
     t71 = divide(t69, t70, d_beta)
     t73 = multiply(t7, t71, w0)
     t74 = add(t73, t11, w0)
@@ -658,60 +655,57 @@ def _gains_with_derivatives_block(
     x = sqrt(t77, w2)
     t80 = multiply(p, n5, w1)
     t81 = add(e, t80, w1)
-    t82 = multiply(e, n2, w4)
-    t83 = add(t4, t82, w4)
-    t84 = multiply(x, r, d_alpha)
-    t85 = multiply(t84, n5, d_beta)
-    t86 = multiply(p, n6, d_gamma)
-    t87 = add(t85, t86, d_gamma)
-    t88 = add(t83, t87, w4)
-    t92 = square(e, d_gamma)
-    t94 = multiply(t92, n7, w5)
+    t82 = multiply(e, n2, w3)
+    t83 = add(t4, t82, beta)
+    t84 = multiply(x, r, w3)
+    t85 = multiply(t84, n5, d_alpha)
+    t86 = multiply(p, n6, d_beta)
+    t87 = add(t85, t86, d_beta)
+    t88 = add(t83, t87, d_beta)
+    t92 = square(e, beta)
+    t94 = multiply(t92, n7, d_gamma)
     t95 = multiply(p, e, w0)
-    t96 = multiply(t95, n5, w6)
-    t97 = add(t94, t96, w5)
-    t99 = multiply(tracking_index, n8, w6)
-    t100 = add(t97, t99, w5)
-    t101 = divide(t81, t100, w7)
-    t102 = multiply(t101, t85, w7)
-    t103 = divide(t102, tracking_index, w7)
-    t104 = multiply(t103, n1, w7)
-    t105 = multiply(p, t88, w8)
-    t106 = divide(t104, t105, w7)
-    t108 = multiply(t92, n5, d_gamma)
+    t96 = multiply(t95, n5, w4)
+    t97 = add(t94, t96, d_gamma)
+    t99 = multiply(tracking_index, n8, w4)
+    t100 = add(t97, t99, d_gamma)
+    t101 = divide(t81, t100, w5)
+    t102 = multiply(t101, t85, w5)
+    t103 = divide(t102, tracking_index, w5)
+    t104 = multiply(t103, n1, w5)
+    t105 = multiply(p, t88, w6)
+    t106 = divide(t104, t105, w5)
+    t108 = multiply(t92, n5, beta)
     t109 = multiply(t95, n6, w0)
-    t110 = add(t108, t109, d_gamma)
-    t111 = add(t110, t99, d_gamma)
+    t110 = add(t108, t109, beta)
+    t111 = add(t110, t99, beta)
     t112 = multiply(t81, n6, w0)
     t113 = multiply(t84, t112, w0)
-    t114 = add(t111, t113, d_gamma)
-    t115 = divide(t114, t100, d_gamma)
-    t116 = divide(x, t12, w3)
-    t117 = divide(t116, t4, w3)
-    t118 = multiply(t115, t117, d_gamma)
-    t119 = multiply(t118, n1, d_gamma)
-    t120 = divide(t119, t105, d_gamma)
-    t122 = divide(t84, t100, w5)
-    t123 = multiply(x, n5, w0)
-    t124 = multiply(r, n2, alpha)
-    t125 = add(x, t124, w2)
-    t126 = multiply(t123, t125, w0)
-    t127 = multiply(t122, t126, w5)
-    t128 = add(t127, n0, w5)
-    t129 = divide(t128, t105, w5)
+    t114 = add(t111, t113, beta)
+    t115 = divide(t114, t100, beta)
+    t116 = multiply(t115, n1, beta)
+    t117 = divide(x, r, w2)
+    t118 = multiply(t116, t117, beta)
+    t119 = divide(t118, t105, w0)
+    t121 = divide(t84, t100, d_gamma)
+    t122 = add(t81, t85, d_alpha)
+    t123 = multiply(t122, n2, d_alpha)
+    t124 = multiply(t121, t123, d_gamma)
+    t125 = add(t124, n0, d_gamma)
+    t126 = divide(t125, t105, d_gamma)
     divide(t81, t88, alpha)
     divide(t84, t88, beta)
     divide(p, t88, gamma)
     divide(t106, t105, d_alpha)
-    divide(t120, t105, d_beta)
-    divide(t129, t105, d_gamma)
+    divide(t119, t105, d_beta)
+    divide(t126, t105, d_gamma)
 
 
 _GAINS_WITH_DERIVATIVES = Signature(
     "gains_with_derivatives",
     (_TRACKING_INDEX_DOMAIN,),
     ("alpha", "beta", "gamma", "d_alpha", "d_beta", "d_gamma"),
-    9,
+    7,
     _gains_with_derivatives_block,
 )
 
@@ -1588,27 +1582,27 @@ def predicted_covariance_derivatives(
         at most 2^1000, in float32 above 0 and at most 2^120.
 
     predicted_11: derivative of the variance of the predicted position over sigma_v^2. Relative
-        error at most 12.42 * 2^-52 (float64), 12.42 * 2^-23 (float32), proved for 5e-324 <=
+        error at most 11.42 * 2^-52 (float64), 11.42 * 2^-23 (float32), proved for 5e-324 <=
         tracking_index <= 1.0715086071862673e301 (float64) and 1e-45 <= tracking_index <=
         1.329228e36 (float32).
     predicted_12: derivative of the covariance of predicted position and velocity times T/sigma_v^2.
-        Relative error at most 10.35 * 2^-52 (float64), 10.36 * 2^-23 (float32), proved for 5e-324
+        Relative error at most 10.91 * 2^-52 (float64), 10.91 * 2^-23 (float32), proved for 5e-324
         <= tracking_index <= 1.0715086071862673e301 (float64) and 1e-45 <= tracking_index <=
         1.329228e36 (float32).
     predicted_13: derivative of the covariance of predicted position and acceleration times
-        T^2/sigma_v^2. Relative error at most 6.91 * 2^-52 (float64), 6.90 * 2^-23 (float32), proved
+        T^2/sigma_v^2. Relative error at most 6.93 * 2^-52 (float64), 6.93 * 2^-23 (float32), proved
         for 5e-324 <= tracking_index <= 1.0715086071862673e301 (float64) and 1e-45 <= tracking_index
         <= 1.329228e36 (float32).
     predicted_22: derivative of the variance of the predicted velocity times T^2/sigma_v^2. Relative
-        error at most 5.79 * 2^-52 (float64), 5.79 * 2^-23 (float32), proved for 5e-324 <=
+        error at most 6.04 * 2^-52 (float64), 6.04 * 2^-23 (float32), proved for 5e-324 <=
         tracking_index <= 1.0715086071862673e301 (float64) and 1e-45 <= tracking_index <=
         1.329228e36 (float32).
     predicted_23: derivative of the covariance of predicted velocity and acceleration times
-        T^3/sigma_v^2. Relative error at most 7.26 * 2^-52 (float64), 7.26 * 2^-23 (float32), proved
+        T^3/sigma_v^2. Relative error at most 7.79 * 2^-52 (float64), 7.79 * 2^-23 (float32), proved
         for 5e-324 <= tracking_index <= 1.0715086071862673e301 (float64) and 1e-45 <= tracking_index
         <= 1.329228e36 (float32).
     predicted_33: derivative of the variance of the predicted acceleration times T^4/sigma_v^2.
-        Relative error at most 7.02 * 2^-52 (float64), 7.02 * 2^-23 (float32), proved for 5e-324 <=
+        Relative error at most 7.64 * 2^-52 (float64), 7.63 * 2^-23 (float32), proved for 5e-324 <=
         tracking_index <= 1.0715086071862673e301 (float64) and 1e-45 <= tracking_index <=
         1.329228e36 (float32).
 
@@ -1643,12 +1637,11 @@ def _predicted_covariance_derivatives_block(
     n6: float = 0.75,
     n7: float = 0.015625,
     n8: float = 0.125,
-    n9: float = 4.0,
-    n10: float = 3.0,
+    n9: float = 3.0,
 ) -> None:
     (tracking_index,) = given
     predicted_11, predicted_12, predicted_13, predicted_22, predicted_23, predicted_33 = out
-    w0, w1, w2, w3, w4, w5, w6, w7, w8, w9, w10, w11, w12 = work
+    w0, w1, w2, w3, w4, w5, w6, w7, w8, w9, w10, w11 = work
     p = sqrt(tracking_index, predicted_23)
     r = sqrt(p, predicted_11)
     t4 = divide(n0, p, predicted_12)
@@ -1720,77 +1713,72 @@ def _predicted_covariance_derivatives_block(
     t81 = add(e, t80, predicted_13)
     t82 = multiply(x, r, predicted_22)
     t83 = square(e, predicted_33)
-    t85 = multiply(t83, n6, predicted_33)
-    t86 = multiply(p, e, w5)
-    t87 = multiply(t86, n5, w5)
-    t88 = add(t85, t87, predicted_33)
-    t90 = multiply(tracking_index, n7, w5)
-    t91 = add(t88, t90, predicted_33)
+    t85 = multiply(t83, n6, w5)
+    t86 = multiply(p, e, w6)
+    t87 = multiply(t86, n5, w7)
+    t88 = add(t85, t87, w5)
+    t90 = multiply(tracking_index, n7, w7)
+    t91 = add(t88, t90, w5)
     t92 = divide(t81, t91, predicted_13)
-    t93 = multiply(t82, n5, w5)
+    t93 = multiply(t82, n5, w8)
     t94 = multiply(t92, t93, predicted_13)
-    t95 = divide(t94, p, predicted_33)
-    t96 = multiply(e, n2, w6)
-    t97 = add(t4, t96, w6)
-    t98 = multiply(p, n8, w7)
-    t99 = add(t93, t98, w5)
-    t100 = add(t97, t99, w6)
-    t101 = multiply(t95, t100, predicted_33)
-    t102 = multiply(p, t100, w6)
-    t103 = multiply(t102, n1, w5)
-    t105 = divide(x, r, w7)
-    t106 = divide(t80, e, w4)
-    t107 = add(t106, n1, w8)
-    t108 = multiply(t106, t107, w8)
-    t109 = add(t108, n0, w8)
-    t111 = add(t106, n9, w9)
-    t112 = multiply(t106, t111, w9)
-    t114 = add(t112, n10, w9)
-    t115 = divide(t109, t114, w8)
-    t116 = multiply(t115, n1, w8)
-    t117 = add(t116, t94, w10)
-    t118 = multiply(t105, t117, w7)
-    t120 = add(t94, n0, predicted_13)
-    t122 = multiply(t4, n10, predicted_12)
-    t123 = multiply(t106, n1, w10)
-    t124 = add(t123, n10, w10)
-    t125 = multiply(t106, t124, w10)
-    t126 = add(t125, n1, w10)
-    t127 = multiply(t106, t126, w4)
-    t128 = add(t127, n0, w4)
-    t129 = divide(t128, t114, w4)
-    t130 = add(n0, t129, w4)
-    t131 = multiply(t130, e, w10)
-    t132 = add(t122, t131, predicted_12)
-    t133 = add(t132, t9, predicted_12)
-    t134 = divide(r, x, w11)
-    t135 = divide(x, e, w12)
-    t136 = multiply(e, t114, w9)
-    t137 = divide(t135, t136, w12)
-    t138 = divide(t137, r, w12)
-    t139 = multiply(t138, n1, w12)
-    t140 = add(t130, t139, w4)
-    t141 = multiply(t140, e, w4)
-    t142 = add(n1, t139, w12)
-    t143 = multiply(t142, p, w12)
-    t144 = multiply(t143, n5, w12)
-    t145 = add(t141, t144, w4)
-    t146 = multiply(t134, t145, w11)
-    t147 = add(t133, t146, w11)
-    t149 = add(n0, t116, w8)
-    t150 = multiply(t149, t82, predicted_22)
-    t151 = multiply(t150, n2, predicted_22)
-    t152 = add(t151, t131, predicted_22)
-    t153 = add(t152, t9, w1)
-    t155 = multiply(t12, x, w3)
-    t156 = multiply(t155, t149, w3)
-    t157 = multiply(tracking_index, n1, w0)
-    multiply(t101, t103, predicted_11)
-    multiply(t118, t102, predicted_12)
-    multiply(t102, t120, predicted_13)
-    multiply(t147, p, predicted_22)
-    multiply(t153, p, predicted_23)
-    add(t156, t157, predicted_33)
+    t95 = multiply(t94, n1, w9)
+    t96 = multiply(e, n2, w10)
+    t97 = add(t4, t96, w10)
+    t98 = multiply(p, n8, w11)
+    t99 = add(t93, t98, w8)
+    t100 = add(t97, t99, w10)
+    t101 = multiply(t95, t100, w9)
+    t103 = divide(x, r, w8)
+    t104 = multiply(t83, n5, predicted_33)
+    t105 = multiply(t86, n8, w6)
+    t106 = add(t104, t105, predicted_33)
+    t107 = add(t106, t90, predicted_33)
+    t108 = divide(t107, t91, w6)
+    t109 = multiply(t108, n1, w6)
+    t110 = add(t109, t94, w7)
+    t111 = multiply(t103, t110, w8)
+    t112 = multiply(p, t100, w7)
+    t114 = add(t94, n0, predicted_13)
+    t117 = multiply(t4, n9, w11)
+    t118 = divide(t80, e, w4)
+    t119 = multiply(t118, n1, w4)
+    t120 = add(t119, n1, w4)
+    t121 = multiply(tracking_index, t120, w4)
+    t122 = multiply(t121, n7, w4)
+    t123 = add(t107, t122, predicted_33)
+    t124 = divide(t123, t91, predicted_33)
+    t125 = add(n0, t124, predicted_33)
+    t126 = multiply(t125, e, w4)
+    t127 = add(t117, t126, w11)
+    t128 = add(t127, t9, w11)
+    t129 = divide(r, x, predicted_11)
+    t130 = divide(t82, t91, w5)
+    t131 = divide(t130, tracking_index, w5)
+    t132 = divide(t131, t4, w5)
+    t133 = multiply(t132, n2, w5)
+    t134 = add(t125, t133, predicted_33)
+    t135 = multiply(t134, e, predicted_33)
+    t136 = add(n1, t133, w5)
+    t137 = multiply(t136, p, w5)
+    t138 = multiply(t137, n5, w5)
+    t139 = add(t135, t138, predicted_33)
+    t140 = multiply(t129, t139, predicted_11)
+    t141 = add(t128, t140, w11)
+    t143 = add(n0, t109, w6)
+    t144 = multiply(t143, t82, predicted_22)
+    t145 = multiply(t144, n2, predicted_22)
+    t146 = add(t145, t126, predicted_22)
+    t147 = add(t146, t9, w1)
+    t149 = multiply(t12, x, w3)
+    t150 = multiply(t149, t143, w3)
+    t151 = multiply(tracking_index, n1, w0)
+    multiply(t101, t100, predicted_11)
+    multiply(t111, t112, predicted_12)
+    multiply(t112, t114, predicted_13)
+    multiply(t141, p, predicted_22)
+    multiply(t147, p, predicted_23)
+    add(t150, t151, predicted_33)
 
 
 _PREDICTED_COVARIANCE_DERIVATIVES = Signature(
@@ -1804,7 +1792,7 @@ _PREDICTED_COVARIANCE_DERIVATIVES = Signature(
         "predicted_23",
         "predicted_33",
     ),
-    13,
+    12,
     _predicted_covariance_derivatives_block,
 )
 
@@ -2034,7 +2022,7 @@ def updated_covariance_derivatives(
         at most 2^1000, in float32 above 0 and at most 2^120.
 
     updated_11: derivative of the variance of the updated position over sigma_v^2. Relative error at
-        most 14.20 * 2^-52 (float64), 14.20 * 2^-23 (float32), proved for 5e-324 <= tracking_index
+        most 14.16 * 2^-52 (float64), 14.16 * 2^-23 (float32), proved for 5e-324 <= tracking_index
         <= 7.11074631974658e102 (float64) and 1e-45 <= tracking_index <= 8.7960925e12 (float32).
     updated_12: derivative of the covariance of updated position and velocity times T/sigma_v^2.
         Relative error at most 10.46 * 2^-52 (float64), 10.45 * 2^-23 (float32), proved for 5e-324

@@ -333,14 +333,14 @@ def gain_derivatives(
     tracking_index: Lambda, with Lambda^2 =
         jerk_density*sampling_interval**5/measurement_deviation**2; a number above 0 and finite.
 
-    alpha: derivative of the position gain. Relative error at most 16.91 * 2^-52 (float64), 16.96 *
+    alpha: derivative of the position gain. Relative error at most 15.44 * 2^-52 (float64), 15.46 *
         2^-23 (float32), proved for 5e-324 <= tracking_index <= 5.849498211276313e102 (float64) and
         1e-45 <= tracking_index <= 7.235911e12 (float32).
-    beta: derivative of the velocity gain times the sampling interval. Relative error at most 17.73
-        * 2^-52 (float64), 17.73 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=
+    beta: derivative of the velocity gain times the sampling interval. Relative error at most 15.94
+        * 2^-52 (float64), 15.94 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=
         1.6140834523330185e103 (float64) and 1e-45 <= tracking_index <= 1.9966437e13 (float32).
     gamma: derivative of the acceleration gain times the square of the sampling interval. Relative
-        error at most 16.82 * 2^-52 (float64), 16.82 * 2^-23 (float32), proved for 5e-324 <=
+        error at most 16.16 * 2^-52 (float64), 16.17 * 2^-23 (float32), proved for 5e-324 <=
         tracking_index <= 1.9098208591277692e103 (float64) and 1e-45 <= tracking_index <=
         2.362475e13 (float32).
 
@@ -381,7 +381,7 @@ def _gain_derivatives_block(
 ) -> None:
     (tracking_index,) = given
     alpha, beta, gamma = out
-    w0, w1, w2, w3, w4, w5, w6, w7, w8, w9, w10, w11 = work
+    w0, w1, w2, w3, w4, w5, w6, w7, w8, w9 = work
     p = sqrt(tracking_index, alpha)
     r = sqrt(p, beta)
     t6 = divide(n0, tracking_index, gamma)
@@ -394,59 +394,59 @@ def _gain_derivatives_block(
     t16 = multiply(p, n4, w1)
     t18 = multiply(tracking_index, n5, w2)
     t19 = multiply(p, r, w3)
-    t22 = multiply(t19, n6, w4)
-    t24 = divide(n7, r, w5)
-    t25 = add(t22, t24, w4)
-    t26 = near_cbrt(t25, w4, single)
-    t28 = multiply(t14, t26, w5)
-    t29 = add(t28, t18, w5)
-    t30 = sqrt(t29, w5)
-    t31 = multiply(t30, n3, w6)
-    t32 = add(t31, t16, w6)
-    t33 = sqrt(t32, w6)
-    t34 = multiply(t14, n4, w7)
-    t35 = multiply(t30, t33, w5)
-    t36 = multiply(t33, t35, w6)
-    t37 = multiply(t34, t26, w4)
-    t38 = subtract(t36, t37, w6)
-    t39 = subtract(t35, t34, w5)
-    t40 = divide(t38, t39, w6)
-    t42 = multiply(t14, t40, w4)
-    t43 = add(t42, t18, w4)
-    t44 = sqrt(t43, w4)
-    t45 = multiply(t44, n3, w5)
-    t46 = add(t45, t16, w5)
-    t47 = sqrt(t46, w5)
-    t48 = multiply(t44, t47, w4)
-    t49 = multiply(t47, t48, w5)
-    t50 = multiply(t34, t40, w6)
-    t51 = subtract(t49, t50, w5)
-    t52 = subtract(t48, t34, w4)
-    t53 = divide(t51, t52, w5)
-    t55 = multiply(t14, t53, w4)
-    t56 = add(t55, t18, w4)
-    t57 = sqrt(t56, w4)
-    t58 = multiply(t57, n3, w6)
-    t59 = add(t58, t16, w6)
-    t60 = sqrt(t59, w6)
-    t61 = multiply(t57, t60, w4)
-    t62 = multiply(t60, t61, w6)
-    t63 = multiply(t34, t53, w5)
-    t64 = subtract(t62, t63, w6)
-    t65 = subtract(t61, t34, w4)
-    t66 = divide(t64, t65, w6)
-    t68 = multiply(t14, t66, w4)
-    t69 = add(t68, t18, w4)
-    t70 = sqrt(t69, w4)
-    t71 = multiply(t70, n3, w5)
-    t72 = add(t71, t16, w5)
-    t73 = sqrt(t72, w5)
-    t74 = multiply(t70, t73, w4)
-    t75 = multiply(t73, t74, w5)
-    t76 = multiply(t34, t66, w6)
-    t77 = subtract(t75, t76, w5)
-    t78 = subtract(t74, t34, w4)
-    t79 = divide(t77, t78, w5)
+    t22 = multiply(t19, n6, w3)
+    t24 = divide(n7, r, w4)
+    t25 = add(t22, t24, w3)
+    t26 = near_cbrt(t25, w3, single)
+    t28 = multiply(t14, t26, w4)
+    t29 = add(t28, t18, w4)
+    t30 = sqrt(t29, w4)
+    t31 = multiply(t30, n3, w5)
+    t32 = add(t31, t16, w5)
+    t33 = sqrt(t32, w5)
+    t34 = multiply(t14, n4, w6)
+    t35 = multiply(t30, t33, w4)
+    t36 = multiply(t33, t35, w5)
+    t37 = multiply(t34, t26, w3)
+    t38 = subtract(t36, t37, w5)
+    t39 = subtract(t35, t34, w4)
+    t40 = divide(t38, t39, w5)
+    t42 = multiply(t14, t40, w3)
+    t43 = add(t42, t18, w3)
+    t44 = sqrt(t43, w3)
+    t45 = multiply(t44, n3, w4)
+    t46 = add(t45, t16, w4)
+    t47 = sqrt(t46, w4)
+    t48 = multiply(t44, t47, w3)
+    t49 = multiply(t47, t48, w4)
+    t50 = multiply(t34, t40, w5)
+    t51 = subtract(t49, t50, w4)
+    t52 = subtract(t48, t34, w3)
+    t53 = divide(t51, t52, w4)
+    t55 = multiply(t14, t53, w3)
+    t56 = add(t55, t18, w3)
+    t57 = sqrt(t56, w3)
+    t58 = multiply(t57, n3, w5)
+    t59 = add(t58, t16, w5)
+    t60 = sqrt(t59, w5)
+    t61 = multiply(t57, t60, w3)
+    t62 = multiply(t60, t61, w5)
+    t63 = multiply(t34, t53, w4)
+    t64 = subtract(t62, t63, w5)
+    t65 = subtract(t61, t34, w3)
+    t66 = divide(t64, t65, w5)
+    t68 = multiply(t14, t66, w3)
+    t69 = add(t68, t18, w3)
+    t70 = sqrt(t69, w3)
+    t71 = multiply(t70, n3, w4)
+    t72 = add(t71, t16, w4)
+    t73 = sqrt(t72, w4)
+    t74 = multiply(t70, t73, w3)
+    t75 = multiply(t73, t74, w4)
+    t76 = multiply(t34, t66, w5)
+    t77 = subtract(t75, t76, w4)
+    t78 = subtract(t74, t34, w3)
+    t79 = divide(t77, t78, w4)
     t81 = multiply(t14, t79, w0)
     t82 = add(t81, t18, w0)
     e = sqrt(t82, w0)
@@ -455,63 +455,61 @@ def _gain_derivatives_block(
     x = sqrt(t85, w2)
     t88 = multiply(p, n8, w1)
     t89 = add(e, t88, w1)
-    t90 = multiply(x, r, w4)
-    t91 = divide(t90, t12, w5)
-    t92 = multiply(t91, p, w5)
-    t94 = multiply(t92, n9, w5)
-    t95 = add(t89, t94, w5)
-    t96 = square(e, w6)
-    t98 = multiply(t96, n10, w7)
-    t99 = multiply(p, e, w8)
-    t100 = multiply(t99, n8, w9)
-    t101 = add(t98, t100, w7)
-    t103 = multiply(tracking_index, n11, w9)
-    t104 = add(t101, t103, w7)
-    t105 = divide(t95, t104, w5)
-    t106 = multiply(t90, n8, w10)
-    t107 = multiply(t105, t106, w5)
-    t108 = divide(t107, tracking_index, w5)
-    t109 = multiply(t108, n3, w5)
+    t90 = multiply(x, r, w2)
+    t91 = divide(t90, t12, w3)
+    t92 = multiply(t91, p, w4)
+    t94 = multiply(t92, n9, w4)
+    t95 = add(t89, t94, w4)
+    t96 = square(e, w5)
+    t98 = multiply(t96, n10, w6)
+    t99 = multiply(p, e, beta)
+    t100 = multiply(t99, n8, w7)
+    t101 = add(t98, t100, w6)
+    t103 = multiply(tracking_index, n11, w7)
+    t104 = add(t101, t103, w6)
+    t105 = divide(t95, t104, w4)
+    t106 = multiply(t90, n8, w8)
+    t107 = multiply(t105, t106, w4)
+    t108 = divide(t107, tracking_index, w4)
+    t109 = multiply(t108, n3, w4)
     t110 = multiply(e, n4, w0)
     t111 = add(t12, t110, w0)
-    t112 = multiply(p, n12, w11)
-    t113 = add(t106, t112, w10)
+    t112 = multiply(p, n12, w9)
+    t113 = add(t106, t112, w9)
     t114 = add(t111, t113, w0)
-    t115 = multiply(p, t114, w0)
-    t116 = divide(t109, t115, w5)
-    t118 = multiply(t96, n8, w6)
-    t119 = multiply(t99, n12, w8)
-    t120 = add(t118, t119, w6)
-    t121 = add(t120, t103, w6)
-    t122 = multiply(t89, n12, w1)
-    t123 = multiply(t90, t122, w1)
-    t124 = add(t121, t123, w6)
-    t125 = divide(t124, t104, w6)
-    t126 = divide(x, t19, w3)
-    t127 = divide(t126, t12, w3)
-    t128 = multiply(t125, t127, w6)
-    t129 = multiply(t128, n3, w6)
-    t130 = divide(t129, t115, w6)
-    t132 = divide(t90, t104, w4)
-    t133 = multiply(x, n8, w1)
-    t134 = multiply(r, n4, beta)
-    t135 = add(x, t134, w2)
-    t136 = multiply(t133, t135, w1)
-    t137 = multiply(t132, t136, w4)
-    t138 = add(t137, n13, w4)
-    t139 = multiply(t12, p, gamma)
-    t140 = divide(t138, t139, w4)
-    t141 = divide(t140, t115, w4)
-    divide(t116, t115, alpha)
-    divide(t130, t115, beta)
-    divide(t141, t115, gamma)
+    t115 = divide(t109, t114, w4)
+    t116 = divide(t115, t114, w4)
+    t118 = multiply(t96, n8, w5)
+    t119 = multiply(t99, n12, beta)
+    t120 = add(t118, t119, w5)
+    t121 = add(t120, t103, w5)
+    t122 = multiply(t89, n12, w7)
+    t123 = multiply(t90, t122, w7)
+    t124 = add(t121, t123, w5)
+    t125 = divide(t124, t104, w5)
+    t126 = multiply(t125, n3, w5)
+    t127 = divide(t91, tracking_index, w3)
+    t128 = multiply(t126, t127, w5)
+    t129 = multiply(p, t114, w0)
+    t130 = divide(t128, t129, w5)
+    t132 = divide(t90, t104, w2)
+    t133 = add(t89, t106, w1)
+    t134 = multiply(t133, n4, w1)
+    t135 = multiply(t132, t134, w2)
+    t136 = add(t135, n13, w2)
+    t137 = multiply(t12, p, gamma)
+    t138 = divide(t136, t137, w2)
+    t139 = divide(t138, t129, w2)
+    divide(t116, tracking_index, alpha)
+    divide(t130, t129, beta)
+    divide(t139, t129, gamma)
 
 
 _GAIN_DERIVATIVES = Signature(
     "gain_derivatives",
     (_TRACKING_INDEX_DOMAIN,),
     ("alpha", "beta", "gamma"),
-    12,
+    10,
     _gain_derivatives_block,
 )
 
@@ -557,14 +555,14 @@ def gains_with_derivatives(
         * 2^-52 (float64), 4.55 * 2^-23 (float32), proved for 2.2250738585072014e-308 <=
         tracking_index <= 1.7976931348623157e308 (float64) and 1.1754945e-38 <= tracking_index <=
         3.4028235e38 (float32).
-    d_alpha: derivative of the position gain. Relative error at most 16.91 * 2^-52 (float64), 16.96
+    d_alpha: derivative of the position gain. Relative error at most 15.44 * 2^-52 (float64), 15.46
         * 2^-23 (float32), proved for 5e-324 <= tracking_index <= 5.849498211276313e102 (float64)
         and 1e-45 <= tracking_index <= 7.235911e12 (float32).
     d_beta: derivative of the velocity gain times the sampling interval. Relative error at most
-        17.73 * 2^-52 (float64), 17.73 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=
+        15.94 * 2^-52 (float64), 15.94 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=
         1.6140834523330185e103 (float64) and 1e-45 <= tracking_index <= 1.9966437e13 (float32).
     d_gamma: derivative of the acceleration gain times the square of the sampling interval. Relative
-        error at most 16.82 * 2^-52 (float64), 16.82 * 2^-23 (float32), proved for 5e-324 <=
+        error at most 16.16 * 2^-52 (float64), 16.17 * 2^-23 (float32), proved for 5e-324 <=
         tracking_index <= 1.9098208591277692e103 (float64) and 1e-45 <= tracking_index <=
         2.362475e13 (float32).
 
@@ -605,7 +603,7 @@ def _gains_with_derivatives_block(
 ) -> None:
     (tracking_index,) = given
     alpha, beta, gamma, d_alpha, d_beta, d_gamma = out
-    w0, w1, w2, w3, w4, w5, w6, w7, w8 = work
+    w0, w1, w2, w3, w4, w5 = work
     p = sqrt(tracking_index, gamma)
     r = sqrt(p, alpha)
     t6 = divide(n0, tracking_index, beta)
@@ -618,58 +616,58 @@ def _gains_with_derivatives_block(
     t16 = multiply(p, n4, beta)
     t18 = multiply(tracking_index, n5, w1)
     t19 = multiply(p, r, w2)
-    t22 = multiply(t19, n6, w3)
+    t22 = multiply(t19, n6, w2)
     t24 = divide(n7, r, d_beta)
-    t25 = add(t22, t24, w3)
-    t26 = near_cbrt(t25, w3, single)
+    t25 = add(t22, t24, w2)
+    t26 = near_cbrt(t25, w2, single)
     t28 = multiply(t14, t26, d_beta)
     t29 = add(t28, t18, d_beta)
     t30 = sqrt(t29, d_gamma)
     t31 = multiply(t30, n3, d_beta)
     t32 = add(t31, t16, d_beta)
     t33 = sqrt(t32, d_beta)
-    t34 = multiply(t14, n4, w4)
+    t34 = multiply(t14, n4, w3)
     t35 = multiply(t30, t33, d_gamma)
     t36 = multiply(t33, t35, d_beta)
-    t37 = multiply(t34, t26, w3)
+    t37 = multiply(t34, t26, w2)
     t38 = subtract(t36, t37, d_beta)
     t39 = subtract(t35, t34, d_gamma)
     t40 = divide(t38, t39, d_beta)
-    t42 = multiply(t14, t40, w3)
-    t43 = add(t42, t18, w3)
-    t44 = sqrt(t43, w3)
+    t42 = multiply(t14, t40, w2)
+    t43 = add(t42, t18, w2)
+    t44 = sqrt(t43, w2)
     t45 = multiply(t44, n3, d_gamma)
     t46 = add(t45, t16, d_gamma)
     t47 = sqrt(t46, d_gamma)
-    t48 = multiply(t44, t47, w3)
+    t48 = multiply(t44, t47, w2)
     t49 = multiply(t47, t48, d_gamma)
     t50 = multiply(t34, t40, d_beta)
     t51 = subtract(t49, t50, d_gamma)
-    t52 = subtract(t48, t34, w3)
+    t52 = subtract(t48, t34, w2)
     t53 = divide(t51, t52, d_gamma)
-    t55 = multiply(t14, t53, w3)
-    t56 = add(t55, t18, w3)
-    t57 = sqrt(t56, w3)
+    t55 = multiply(t14, t53, w2)
+    t56 = add(t55, t18, w2)
+    t57 = sqrt(t56, w2)
     t58 = multiply(t57, n3, d_beta)
     t59 = add(t58, t16, d_beta)
     t60 = sqrt(t59, d_beta)
-    t61 = multiply(t57, t60, w3)
+    t61 = multiply(t57, t60, w2)
     t62 = multiply(t60, t61, d_beta)
     t63 = multiply(t34, t53, d_gamma)
     t64 = subtract(t62, t63, d_beta)
-    t65 = subtract(t61, t34, w3)
+    t65 = subtract(t61, t34, w2)
     t66 = divide(t64, t65, d_beta)
-    t68 = multiply(t14, t66, w3)
-    t69 = add(t68, t18, w3)
-    t70 = sqrt(t69, w3)
+    t68 = multiply(t14, t66, w2)
+    t69 = add(t68, t18, w2)
+    t70 = sqrt(t69, w2)
     t71 = multiply(t70, n3, d_gamma)
     t72 = add(t71, t16, d_gamma)
     t73 = sqrt(t72, d_gamma)
-    t74 = multiply(t70, t73, w3)
+    t74 = multiply(t70, t73, w2)
     t75 = multiply(t73, t74, d_gamma)
     t76 = multiply(t34, t66, d_beta)
     t77 = subtract(t75, t76, d_gamma)
-    t78 = subtract(t74, t34, w3)
+    t78 = subtract(t74, t34, w2)
     t79 = divide(t77, t78, d_gamma)
     t81 = multiply(t14, t79, w0)
     t82 = add(t81, t18, w0)
@@ -677,68 +675,66 @@ def _gains_with_derivatives_block(
     t84 = multiply(e, n3, w1)
     t85 = add(t84, t16, w1)
     x = sqrt(t85, w1)
-    t88 = multiply(p, n8, w3)
-    t89 = add(e, t88, w3)
-    t90 = multiply(e, n4, w4)
-    t91 = add(t12, t90, w4)
-    t92 = multiply(x, r, beta)
-    t93 = multiply(t92, n8, d_beta)
-    t94 = multiply(p, n9, d_gamma)
-    t95 = add(t93, t94, d_gamma)
-    t96 = add(t91, t95, w4)
-    t100 = divide(t92, t12, d_gamma)
-    t101 = multiply(t100, p, d_gamma)
-    t103 = multiply(t101, n10, d_gamma)
-    t104 = add(t89, t103, d_gamma)
-    t105 = square(e, w5)
-    t107 = multiply(t105, n11, w6)
+    t88 = multiply(p, n8, w2)
+    t89 = add(e, t88, w2)
+    t90 = multiply(e, n4, w3)
+    t91 = add(t12, t90, w3)
+    t92 = multiply(x, r, w1)
+    t93 = multiply(t92, n8, alpha)
+    t94 = multiply(p, n9, beta)
+    t95 = add(t93, t94, beta)
+    t96 = add(t91, t95, w3)
+    t100 = divide(t92, t12, beta)
+    t101 = multiply(t100, p, d_beta)
+    t103 = multiply(t101, n10, d_beta)
+    t104 = add(t89, t103, d_beta)
+    t105 = square(e, d_gamma)
+    t107 = multiply(t105, n11, w4)
     t108 = multiply(p, e, w0)
-    t109 = multiply(t108, n8, w7)
-    t110 = add(t107, t109, w6)
-    t112 = multiply(tracking_index, n12, w7)
-    t113 = add(t110, t112, w6)
-    t114 = divide(t104, t113, d_gamma)
-    t115 = multiply(t114, t93, d_gamma)
-    t116 = divide(t115, tracking_index, d_gamma)
-    t117 = multiply(t116, n3, d_gamma)
-    t118 = multiply(p, t96, w8)
-    t119 = divide(t117, t118, d_gamma)
-    t121 = multiply(t105, n8, w5)
+    t109 = multiply(t108, n8, w5)
+    t110 = add(t107, t109, w4)
+    t112 = multiply(tracking_index, n12, w5)
+    t113 = add(t110, t112, w4)
+    t114 = divide(t104, t113, d_beta)
+    t115 = multiply(t114, t93, d_beta)
+    t116 = divide(t115, tracking_index, d_beta)
+    t117 = multiply(t116, n3, d_beta)
+    t118 = divide(t117, t96, d_beta)
+    t119 = divide(t118, t96, d_beta)
+    t121 = multiply(t105, n8, d_gamma)
     t122 = multiply(t108, n9, w0)
-    t123 = add(t121, t122, w5)
-    t124 = add(t123, t112, w5)
+    t123 = add(t121, t122, d_gamma)
+    t124 = add(t123, t112, d_gamma)
     t125 = multiply(t89, n9, w0)
     t126 = multiply(t92, t125, w0)
-    t127 = add(t124, t126, w5)
-    t128 = divide(t127, t113, w5)
-    t129 = divide(x, t19, w2)
-    t130 = divide(t129, t12, w2)
-    t131 = multiply(t128, t130, w5)
-    t132 = multiply(t131, n3, w5)
-    t133 = divide(t132, t118, w5)
-    t135 = divide(t92, t113, w6)
-    t136 = multiply(x, n8, w0)
-    t137 = multiply(r, n4, alpha)
-    t138 = add(x, t137, w1)
-    t139 = multiply(t136, t138, w0)
-    t140 = multiply(t135, t139, w6)
-    t141 = add(t140, n13, w6)
-    t142 = multiply(t12, p, d_alpha)
-    t143 = divide(t141, t142, w6)
-    t144 = divide(t143, t118, w6)
+    t127 = add(t124, t126, d_gamma)
+    t128 = divide(t127, t113, d_gamma)
+    t129 = multiply(t128, n3, d_gamma)
+    t130 = divide(t100, tracking_index, beta)
+    t131 = multiply(t129, t130, d_gamma)
+    t132 = multiply(p, t96, w0)
+    t133 = divide(t131, t132, d_gamma)
+    t135 = divide(t92, t113, w4)
+    t136 = add(t89, t93, alpha)
+    t137 = multiply(t136, n4, alpha)
+    t138 = multiply(t135, t137, w4)
+    t139 = add(t138, n13, w4)
+    t140 = multiply(t12, p, d_alpha)
+    t141 = divide(t139, t140, w4)
+    t142 = divide(t141, t132, w4)
     divide(t89, t96, alpha)
     divide(t92, t96, beta)
     divide(p, t96, gamma)
-    divide(t119, t118, d_alpha)
-    divide(t133, t118, d_beta)
-    divide(t144, t118, d_gamma)
+    divide(t119, tracking_index, d_alpha)
+    divide(t133, t132, d_beta)
+    divide(t142, t132, d_gamma)
 
 
 _GAINS_WITH_DERIVATIVES = Signature(
     "gains_with_derivatives",
     (_TRACKING_INDEX_DOMAIN,),
     ("alpha", "beta", "gamma", "d_alpha", "d_beta", "d_gamma"),
-    9,
+    6,
     _gains_with_derivatives_block,
 )
 
@@ -931,14 +927,14 @@ def predictor_gain_derivatives(
         jerk_density*sampling_interval**5/measurement_deviation**2; a number above 0 and finite.
 
     position: derivative of the position entry of F K, alpha + beta + gamma/2. Relative error at
-        most 18.24 * 2^-52 (float64), 18.24 * 2^-23 (float32), proved for 5e-324 <= tracking_index
+        most 16.86 * 2^-52 (float64), 16.89 * 2^-23 (float32), proved for 5e-324 <= tracking_index
         <= 1.990641374279621e103 (float64) and 1e-45 <= tracking_index <= 2.4624511e13 (float32).
     velocity: derivative of the velocity entry of F K times the sampling interval, beta + gamma.
-        Relative error at most 17.76 * 2^-52 (float64), 17.76 * 2^-23 (float32), proved for 5e-324
+        Relative error at most 16.46 * 2^-52 (float64), 16.43 * 2^-23 (float32), proved for 5e-324
         <= tracking_index <= 2.235446903786528e103 (float64) and 1e-45 <= tracking_index <=
         2.765279e13 (float32).
     acceleration: derivative of the acceleration entry of F K times the square of the sampling
-        interval, gamma. Relative error at most 16.82 * 2^-52 (float64), 16.82 * 2^-23 (float32),
+        interval, gamma. Relative error at most 16.16 * 2^-52 (float64), 16.17 * 2^-23 (float32),
         proved for 5e-324 <= tracking_index <= 1.9098208591277692e103 (float64) and 1e-45 <=
         tracking_index <= 2.362475e13 (float32).
 
@@ -981,7 +977,7 @@ def _predictor_gain_derivatives_block(
 ) -> None:
     (tracking_index,) = given
     position, velocity, acceleration = out
-    w0, w1, w2, w3, w4, w5, w6, w7, w8, w9, w10 = work
+    w0, w1, w2, w3, w4, w5, w6, w7, w8 = work
     p = sqrt(tracking_index, position)
     r = sqrt(p, velocity)
     t6 = divide(n0, tracking_index, acceleration)
@@ -994,59 +990,59 @@ def _predictor_gain_derivatives_block(
     t16 = multiply(p, n4, w1)
     t18 = multiply(tracking_index, n5, w2)
     t19 = multiply(p, r, w3)
-    t22 = multiply(t19, n6, w4)
-    t24 = divide(n7, r, w5)
-    t25 = add(t22, t24, w4)
-    t26 = near_cbrt(t25, w4, single)
-    t28 = multiply(t14, t26, w5)
-    t29 = add(t28, t18, w5)
-    t30 = sqrt(t29, w5)
-    t31 = multiply(t30, n3, w6)
-    t32 = add(t31, t16, w6)
-    t33 = sqrt(t32, w6)
-    t34 = multiply(t14, n4, w7)
-    t35 = multiply(t30, t33, w5)
-    t36 = multiply(t33, t35, w6)
-    t37 = multiply(t34, t26, w4)
-    t38 = subtract(t36, t37, w6)
-    t39 = subtract(t35, t34, w5)
-    t40 = divide(t38, t39, w6)
-    t42 = multiply(t14, t40, w4)
-    t43 = add(t42, t18, w4)
-    t44 = sqrt(t43, w4)
-    t45 = multiply(t44, n3, w5)
-    t46 = add(t45, t16, w5)
-    t47 = sqrt(t46, w5)
-    t48 = multiply(t44, t47, w4)
-    t49 = multiply(t47, t48, w5)
-    t50 = multiply(t34, t40, w6)
-    t51 = subtract(t49, t50, w5)
-    t52 = subtract(t48, t34, w4)
-    t53 = divide(t51, t52, w5)
-    t55 = multiply(t14, t53, w4)
-    t56 = add(t55, t18, w4)
-    t57 = sqrt(t56, w4)
-    t58 = multiply(t57, n3, w6)
-    t59 = add(t58, t16, w6)
-    t60 = sqrt(t59, w6)
-    t61 = multiply(t57, t60, w4)
-    t62 = multiply(t60, t61, w6)
-    t63 = multiply(t34, t53, w5)
-    t64 = subtract(t62, t63, w6)
-    t65 = subtract(t61, t34, w4)
-    t66 = divide(t64, t65, w6)
-    t68 = multiply(t14, t66, w4)
-    t69 = add(t68, t18, w4)
-    t70 = sqrt(t69, w4)
-    t71 = multiply(t70, n3, w5)
-    t72 = add(t71, t16, w5)
-    t73 = sqrt(t72, w5)
-    t74 = multiply(t70, t73, w4)
-    t75 = multiply(t73, t74, w5)
-    t76 = multiply(t34, t66, w6)
-    t77 = subtract(t75, t76, w5)
-    t78 = subtract(t74, t34, w4)
-    t79 = divide(t77, t78, w5)
+    t22 = multiply(t19, n6, w3)
+    t24 = divide(n7, r, w4)
+    t25 = add(t22, t24, w3)
+    t26 = near_cbrt(t25, w3, single)
+    t28 = multiply(t14, t26, w4)
+    t29 = add(t28, t18, w4)
+    t30 = sqrt(t29, w4)
+    t31 = multiply(t30, n3, w5)
+    t32 = add(t31, t16, w5)
+    t33 = sqrt(t32, w5)
+    t34 = multiply(t14, n4, w6)
+    t35 = multiply(t30, t33, w4)
+    t36 = multiply(t33, t35, w5)
+    t37 = multiply(t34, t26, w3)
+    t38 = subtract(t36, t37, w5)
+    t39 = subtract(t35, t34, w4)
+    t40 = divide(t38, t39, w5)
+    t42 = multiply(t14, t40, w3)
+    t43 = add(t42, t18, w3)
+    t44 = sqrt(t43, w3)
+    t45 = multiply(t44, n3, w4)
+    t46 = add(t45, t16, w4)
+    t47 = sqrt(t46, w4)
+    t48 = multiply(t44, t47, w3)
+    t49 = multiply(t47, t48, w4)
+    t50 = multiply(t34, t40, w5)
+    t51 = subtract(t49, t50, w4)
+    t52 = subtract(t48, t34, w3)
+    t53 = divide(t51, t52, w4)
+    t55 = multiply(t14, t53, w3)
+    t56 = add(t55, t18, w3)
+    t57 = sqrt(t56, w3)
+    t58 = multiply(t57, n3, w5)
+    t59 = add(t58, t16, w5)
+    t60 = sqrt(t59, w5)
+    t61 = multiply(t57, t60, w3)
+    t62 = multiply(t60, t61, w5)
+    t63 = multiply(t34, t53, w4)
+    t64 = subtract(t62, t63, w5)
+    t65 = subtract(t61, t34, w3)
+    t66 = divide(t64, t65, w5)
+    t68 = multiply(t14, t66, w3)
+    t69 = add(t68, t18, w3)
+    t70 = sqrt(t69, w3)
+    t71 = multiply(t70, n3, w4)
+    t72 = add(t71, t16, w4)
+    t73 = sqrt(t72, w4)
+    t74 = multiply(t70, t73, w3)
+    t75 = multiply(t73, t74, w4)
+    t76 = multiply(t34, t66, w5)
+    t77 = subtract(t75, t76, w4)
+    t78 = subtract(t74, t34, w3)
+    t79 = divide(t77, t78, w4)
     t81 = multiply(t14, t79, w0)
     t82 = add(t81, t18, w0)
     e = sqrt(t82, w0)
@@ -1055,67 +1051,64 @@ def _predictor_gain_derivatives_block(
     x = sqrt(t85, w2)
     t88 = multiply(p, n8, w1)
     t89 = add(e, t88, w1)
-    t90 = multiply(x, r, w4)
-    t91 = divide(t90, t12, w5)
-    t92 = multiply(t91, p, w5)
-    t94 = multiply(t92, n9, w5)
-    t95 = add(t89, t94, w5)
-    t96 = square(e, w6)
-    t98 = multiply(t96, n10, w7)
-    t99 = multiply(p, e, w8)
-    t100 = multiply(t99, n8, w9)
-    t101 = add(t98, t100, w7)
-    t103 = multiply(tracking_index, n11, w9)
-    t104 = add(t101, t103, w7)
-    t105 = divide(t95, t104, w5)
-    t106 = multiply(t90, n8, w10)
-    t107 = multiply(t105, t106, w5)
-    t108 = divide(t107, tracking_index, w5)
-    t109 = multiply(t108, n3, w5)
-    t110 = multiply(t96, n8, w6)
-    t111 = multiply(t99, n12, w8)
-    t112 = add(t110, t111, w6)
-    t113 = add(t112, t103, w6)
-    t114 = multiply(t89, n12, w1)
-    t115 = multiply(t90, t114, w1)
-    t116 = add(t113, t115, w6)
-    t117 = divide(t116, t104, w6)
-    t118 = divide(x, t19, w3)
-    t119 = divide(t118, t12, w3)
-    t120 = multiply(t117, t119, w6)
-    t121 = multiply(t120, n3, w6)
-    t122 = divide(t90, t104, w4)
-    t123 = multiply(x, n8, w1)
-    t124 = multiply(r, n4, velocity)
-    t125 = add(x, t124, w2)
-    t126 = multiply(t123, t125, w1)
-    t127 = multiply(t122, t126, w4)
-    t128 = add(t127, n13, w4)
-    t129 = multiply(t12, p, w1)
-    t130 = divide(t128, t129, w4)
-    t131 = multiply(t130, n4, w1)
-    t132 = add(t121, t131, w1)
-    t133 = add(t109, t132, w5)
-    t134 = multiply(e, n4, w0)
-    t135 = add(t12, t134, acceleration)
-    t136 = multiply(p, n12, w0)
-    t137 = add(t106, t136, w10)
-    t138 = add(t135, t137, acceleration)
-    t139 = multiply(p, t138, acceleration)
-    t140 = divide(t133, t139, w5)
-    t142 = add(t121, t130, w6)
-    t143 = divide(t142, t139, w6)
-    t145 = divide(t130, t139, w4)
-    divide(t140, t139, position)
-    divide(t143, t139, velocity)
-    divide(t145, t139, acceleration)
+    t90 = multiply(x, r, w2)
+    t91 = divide(t90, t12, w3)
+    t92 = multiply(t91, p, w4)
+    t94 = multiply(t92, n9, w4)
+    t95 = add(t89, t94, w4)
+    t96 = square(e, w5)
+    t98 = multiply(t96, n10, w6)
+    t99 = multiply(p, e, velocity)
+    t100 = multiply(t99, n8, w7)
+    t101 = add(t98, t100, w6)
+    t103 = multiply(tracking_index, n11, w7)
+    t104 = add(t101, t103, w6)
+    t105 = divide(t95, t104, w4)
+    t106 = multiply(t90, n8, w8)
+    t107 = multiply(t105, t106, w4)
+    t108 = divide(t107, tracking_index, w4)
+    t109 = multiply(t108, n3, w4)
+    t110 = multiply(t96, n8, w5)
+    t111 = multiply(t99, n12, velocity)
+    t112 = add(t110, t111, w5)
+    t113 = add(t112, t103, w5)
+    t114 = multiply(t89, n12, w7)
+    t115 = multiply(t90, t114, w7)
+    t116 = add(t113, t115, w5)
+    t117 = divide(t116, t104, w5)
+    t118 = multiply(t117, n3, w5)
+    t119 = divide(t91, tracking_index, w3)
+    t120 = multiply(t118, t119, w5)
+    t121 = divide(t90, t104, w2)
+    t122 = add(t89, t106, w1)
+    t123 = multiply(t122, n4, w1)
+    t124 = multiply(t121, t123, w2)
+    t125 = add(t124, n13, w2)
+    t126 = multiply(t12, p, w1)
+    t127 = divide(t125, t126, w2)
+    t128 = multiply(t127, n4, w1)
+    t129 = add(t120, t128, w1)
+    t130 = add(t109, t129, w4)
+    t131 = multiply(e, n4, w0)
+    t132 = add(t12, t131, acceleration)
+    t133 = multiply(p, n12, w0)
+    t134 = add(t106, t133, w8)
+    t135 = add(t132, t134, acceleration)
+    t136 = multiply(p, t135, acceleration)
+    t137 = divide(t130, t136, w4)
+    t139 = add(t120, t127, w5)
+    t140 = divide(t139, t136, w5)
+    t142 = divide(t127, t136, w2)
+    divide(t137, t136, position)
+    divide(t140, t136, velocity)
+    divide(t142, t136, acceleration)
 
 
 _PREDICTOR_GAIN_DERIVATIVES = Signature(
     "predictor_gain_derivatives",
     (_TRACKING_INDEX_DOMAIN,),
     ("position", "velocity", "acceleration"),
-    11,
+    9,
     _predictor_gain_derivatives_block,
 )
 
@@ -1288,7 +1281,7 @@ def pole_product(
         jerk_density*sampling_interval**5/measurement_deviation**2; a number above 0 and finite.
 
     pole_product: product of the poles, and what is left of 1 beside the position gain. Relative
-        error at most 9.36 * 2^-52 (float64), 9.36 * 2^-23 (float32), proved for 5e-324 <=
+        error at most 9.35 * 2^-52 (float64), 9.36 * 2^-23 (float32), proved for 5e-324 <=
         tracking_index <= 1.0003752096714334e154 (float64) and 1e-45 <= tracking_index <=
         1.3763372e19 (float32).
 
@@ -1451,22 +1444,22 @@ def predicted_covariance(
     tracking_index: Lambda, with Lambda^2 =
         jerk_density*sampling_interval**5/measurement_deviation**2; a number above 0 and finite.
 
-    predicted_11: variance of the predicted position over sigma_v^2. Relative error at most 9.33 *
+    predicted_11: variance of the predicted position over sigma_v^2. Relative error at most 9.34 *
         2^-52 (float64), 9.34 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=
         2.0007504193428283e154 (float64) and 1e-45 <= tracking_index <= 2.7526452e19 (float32).
     predicted_12: covariance of predicted position and velocity times T/sigma_v^2. Relative error at
-        most 8.82 * 2^-52 (float64), 8.83 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=
+        most 8.83 * 2^-52 (float64), 8.83 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=
         1.522217230342759e154 (float64) and 1e-45 <= tracking_index <= 2.0942756e19 (float32).
     predicted_13: covariance of predicted position and acceleration times T^2/sigma_v^2. Relative
         error at most 5.43 * 2^-52 (float64), 5.43 * 2^-23 (float32), proved for
         2.2250738585072014e-308 <= tracking_index <= 1.637854613154071e154 (float64) and
         1.1754944e-38 <= tracking_index <= 2.253382e19 (float32).
     predicted_22: variance of the predicted velocity times T^2/sigma_v^2. Relative error at most
-        5.87 * 2^-52 (float64), 5.88 * 2^-23 (float32), proved for 7.416912861690675e-309 <=
+        5.86 * 2^-52 (float64), 5.88 * 2^-23 (float32), proved for 7.416912861690675e-309 <=
         tracking_index <= 1.1330380120706537e154 (float64) and 3.918315e-39 <= tracking_index <=
         1.5588409e19 (float32).
     predicted_23: covariance of predicted velocity and acceleration times T^3/sigma_v^2. Relative
-        error at most 6.57 * 2^-52 (float64), 6.56 * 2^-23 (float32), proved for
+        error at most 6.56 * 2^-52 (float64), 6.56 * 2^-23 (float32), proved for
         1.0832677820940206e-231 <= tracking_index <= 1.1615899080873361e154 (float64) and
         2.122721e-29 <= tracking_index <= 1.5981308e19 (float32).
     predicted_33: variance of the predicted acceleration times T^4/sigma_v^2. Relative error at most
@@ -1668,11 +1661,11 @@ def predicted_covariance_derivatives(
         2^1000, in float32 above 0 and at most 2^120.
 
     predicted_11: derivative of the variance of the predicted position over sigma_v^2. Relative
-        error at most 13.68 * 2^-52 (float64), 13.70 * 2^-23 (float32), proved for 5e-324 <=
+        error at most 12.67 * 2^-52 (float64), 12.73 * 2^-23 (float32), proved for 5e-324 <=
         tracking_index <= 1.0715086071862673e301 (float64) and 1e-45 <= tracking_index <=
         1.329228e36 (float32).
     predicted_12: derivative of the covariance of predicted position and velocity times T/sigma_v^2.
-        Relative error at most 11.52 * 2^-52 (float64), 11.52 * 2^-23 (float32), proved for 5e-324
+        Relative error at most 12.30 * 2^-52 (float64), 12.34 * 2^-23 (float32), proved for 5e-324
         <= tracking_index <= 1.0715086071862673e301 (float64) and 1e-45 <= tracking_index <=
         1.329228e36 (float32).
     predicted_13: derivative of the covariance of predicted position and acceleration times
@@ -1680,15 +1673,15 @@ def predicted_covariance_derivatives(
         for 5e-324 <= tracking_index <= 1.0715086071862673e301 (float64) and 1e-45 <= tracking_index
         <= 1.329228e36 (float32).
     predicted_22: derivative of the variance of the predicted velocity times T^2/sigma_v^2. Relative
-        error at most 6.56 * 2^-52 (float64), 6.60 * 2^-23 (float32), proved for 5e-324 <=
+        error at most 6.85 * 2^-52 (float64), 6.86 * 2^-23 (float32), proved for 5e-324 <=
         tracking_index <= 1.0715086071862673e301 (float64) and 1e-45 <= tracking_index <=
         1.329228e36 (float32).
     predicted_23: derivative of the covariance of predicted velocity and acceleration times
-        T^3/sigma_v^2. Relative error at most 8.02 * 2^-52 (float64), 8.02 * 2^-23 (float32), proved
+        T^3/sigma_v^2. Relative error at most 8.58 * 2^-52 (float64), 8.59 * 2^-23 (float32), proved
         for 5e-324 <= tracking_index <= 1.0715086071862673e301 (float64) and 1e-45 <= tracking_index
         <= 1.329228e36 (float32).
     predicted_33: derivative of the variance of the predicted acceleration times T^4/sigma_v^2.
-        Relative error at most 7.56 * 2^-52 (float64), 7.56 * 2^-23 (float32), proved for 5e-324 <=
+        Relative error at most 8.16 * 2^-52 (float64), 8.16 * 2^-23 (float32), proved for 5e-324 <=
         tracking_index <= 1.0715086071862673e301 (float64) and 1e-45 <= tracking_index <=
         1.329228e36 (float32).
 
@@ -1727,20 +1720,16 @@ def _predicted_covariance_derivatives_block(
     n10: float = 0.75,
     n11: float = 0.017708333333333333,
     n12: float = 0.125,
-    n13: float = 1.1333333333333333,
+    n13: float = 0.0010416666666666667,
     n14: float = 1.0,
-    n15: float = 4.0,
+    n15: float = 0.0020833333333333333,
     n16: float = 3.0,
-    n17: float = 0.004166666666666667,
-    n18: float = 0.0020833333333333333,
-    n19: float = 2.2666666666666666,
-    n20: float = 3.4,
-    n21: float = 0.26666666666666666,
-    n22: float = 0.6666666666666666,
+    n17: float = 0.26666666666666666,
+    n18: float = 0.6666666666666666,
 ) -> None:
     (tracking_index,) = given
     predicted_11, predicted_12, predicted_13, predicted_22, predicted_23, predicted_33 = out
-    w0, w1, w2, w3, w4, w5, w6, w7, w8, w9, w10, w11, w12 = work
+    w0, w1, w2, w3, w4, w5, w6, w7, w8, w9, w10, w11, w12, w13 = work
     p = sqrt(tracking_index, predicted_23)
     r = sqrt(p, predicted_11)
     t6 = divide(n0, tracking_index, predicted_12)
@@ -1816,101 +1805,87 @@ def _predicted_covariance_derivatives_block(
     t89 = add(e, t88, w4)
     t90 = multiply(x, r, predicted_22)
     t91 = divide(t90, t12, predicted_33)
-    t92 = multiply(t91, p, predicted_33)
-    t94 = multiply(t92, n9, predicted_33)
+    t92 = multiply(t91, p, w5)
+    t94 = multiply(t92, n9, w5)
     t95 = add(t89, t94, w4)
-    t96 = square(e, predicted_33)
-    t98 = multiply(t96, n10, predicted_33)
-    t99 = multiply(p, e, w5)
-    t100 = multiply(t99, n8, w5)
-    t101 = add(t98, t100, predicted_33)
-    t103 = multiply(tracking_index, n11, w5)
-    t104 = add(t101, t103, predicted_33)
+    t96 = square(e, w5)
+    t98 = multiply(t96, n10, w6)
+    t99 = multiply(p, e, w7)
+    t100 = multiply(t99, n8, w8)
+    t101 = add(t98, t100, w6)
+    t103 = multiply(tracking_index, n11, w8)
+    t104 = add(t101, t103, w6)
     t105 = divide(t95, t104, w4)
-    t106 = multiply(t90, n8, w5)
+    t106 = multiply(t90, n8, w9)
     t107 = multiply(t105, t106, w4)
-    t108 = divide(t107, p, predicted_33)
-    t109 = multiply(e, n4, w6)
-    t110 = add(t12, t109, w6)
-    t111 = multiply(p, n12, w7)
-    t112 = add(t106, t111, w5)
-    t113 = add(t110, t112, w6)
-    t114 = multiply(t108, t113, predicted_33)
-    t115 = multiply(p, t113, w6)
-    t116 = multiply(t115, n3, w5)
-    t118 = divide(x, r, w7)
-    t119 = divide(t88, e, w3)
-    t121 = multiply(t119, n13, w8)
-    t122 = add(t121, n3, w9)
-    t123 = multiply(t119, t122, w9)
-    t124 = add(t123, n14, w9)
-    t126 = add(t121, n15, w8)
-    t127 = multiply(t119, t126, w8)
-    t129 = add(t127, n16, w8)
-    t130 = divide(t124, t129, w9)
-    t131 = multiply(t130, n3, w9)
-    t132 = divide(p, e, w10)
-    t133 = divide(t132, t129, w11)
-    t134 = multiply(t133, t132, w11)
-    t135 = divide(p, t12, w10)
-    t136 = multiply(t118, t135, w10)
-    t137 = multiply(t134, t136, w11)
-    t139 = multiply(t137, n17, w11)
-    t140 = add(t131, t139, w9)
-    t141 = add(t140, t107, w10)
-    t142 = multiply(t118, t141, w7)
-    t144 = add(t107, n14, w4)
-    t146 = divide(tracking_index, t12, w10)
-    t147 = divide(t146, t12, w10)
-    t149 = multiply(t147, n18, w10)
-    t150 = add(n14, t149, w10)
-    t151 = multiply(t150, t12, w10)
-    t152 = multiply(t151, n16, w10)
-    t154 = multiply(t119, n19, w12)
-    t156 = add(t154, n20, w12)
-    t157 = multiply(t119, t156, w12)
-    t158 = add(t157, n3, w12)
-    t159 = multiply(t119, t158, w12)
-    t160 = add(t159, n14, w12)
-    t161 = divide(t160, t129, w12)
-    t162 = multiply(t119, n3, w3)
-    t163 = add(t162, n3, w3)
-    t164 = multiply(t139, t163, w11)
-    t165 = add(t161, t164, w12)
-    t166 = add(n14, t165, w12)
-    t167 = multiply(t166, e, w3)
-    t168 = add(t152, t167, w10)
-    t169 = add(t168, t16, w10)
-    t170 = divide(r, x, w11)
-    t171 = divide(x, e, predicted_12)
-    t172 = multiply(e, t129, w8)
-    t173 = divide(t171, t172, predicted_12)
-    t174 = divide(t173, r, predicted_12)
-    t175 = divide(t174, t12, predicted_12)
-    t176 = divide(t175, p, predicted_12)
-    t177 = multiply(t176, n3, predicted_12)
-    t178 = add(t166, t177, w12)
-    t179 = multiply(t178, e, w12)
-    t180 = add(n3, t177, predicted_12)
-    t181 = multiply(t180, p, predicted_12)
-    t183 = multiply(t181, n21, predicted_12)
-    t184 = add(t179, t183, w12)
-    t185 = multiply(t170, t184, w11)
-    t186 = add(t169, t185, w10)
-    t188 = add(n14, t140, w9)
-    t189 = multiply(t188, t90, predicted_22)
-    t190 = multiply(t189, n4, predicted_22)
-    t191 = add(t190, t167, predicted_22)
-    t193 = multiply(p, n22, w0)
-    t194 = add(t191, t193, w0)
-    t196 = multiply(t19, x, w2)
-    t197 = multiply(t196, t188, w2)
-    multiply(t114, t116, predicted_11)
-    multiply(t142, t115, predicted_12)
-    multiply(t115, t144, predicted_13)
-    multiply(t186, p, predicted_22)
-    multiply(t194, p, predicted_23)
-    add(t197, tracking_index, predicted_33)
+    t108 = multiply(t107, n3, w10)
+    t109 = multiply(e, n4, w11)
+    t110 = add(t12, t109, w11)
+    t111 = multiply(p, n12, w12)
+    t112 = add(t106, t111, w9)
+    t113 = add(t110, t112, w11)
+    t114 = multiply(t108, t113, w10)
+    t116 = divide(x, r, w9)
+    t117 = multiply(t96, n8, w5)
+    t118 = multiply(t99, n12, w7)
+    t119 = add(t117, t118, w5)
+    t120 = add(t119, t103, w5)
+    t121 = divide(t120, t104, w7)
+    t122 = multiply(t121, n3, w7)
+    t123 = divide(tracking_index, t104, w8)
+    t124 = multiply(t123, t91, w8)
+    t126 = multiply(t124, n13, w8)
+    t127 = add(t122, t126, w7)
+    t128 = add(t127, t107, w12)
+    t129 = multiply(t116, t128, w9)
+    t130 = multiply(p, t113, w12)
+    t132 = add(t107, n14, w4)
+    t134 = divide(tracking_index, t12, predicted_33)
+    t135 = divide(t134, t12, predicted_33)
+    t137 = multiply(t135, n15, predicted_33)
+    t138 = add(n14, t137, predicted_33)
+    t139 = multiply(t138, t12, predicted_33)
+    t141 = multiply(t139, n16, predicted_33)
+    t142 = divide(t88, e, w3)
+    t143 = multiply(t142, n3, w3)
+    t144 = add(t143, n3, w3)
+    t145 = multiply(tracking_index, t144, w13)
+    t146 = multiply(t145, n11, w13)
+    t147 = add(t120, t146, w5)
+    t148 = divide(t147, t104, w5)
+    t149 = multiply(t126, t144, w8)
+    t150 = add(t148, t149, w5)
+    t151 = add(n14, t150, w5)
+    t152 = multiply(t151, e, w3)
+    t153 = add(t141, t152, predicted_33)
+    t154 = add(t153, t16, predicted_33)
+    t155 = divide(r, x, predicted_11)
+    t156 = divide(t90, t104, w6)
+    t157 = divide(t156, tracking_index, w6)
+    t158 = divide(t157, t12, w6)
+    t159 = multiply(t158, n4, w6)
+    t160 = add(t151, t159, w5)
+    t161 = multiply(t160, e, w5)
+    t162 = add(n3, t159, w6)
+    t163 = multiply(t162, p, w6)
+    t165 = multiply(t163, n17, w6)
+    t166 = add(t161, t165, w5)
+    t167 = multiply(t155, t166, predicted_11)
+    t168 = add(t154, t167, predicted_33)
+    t170 = add(n14, t127, w7)
+    t171 = multiply(t170, t90, predicted_22)
+    t172 = multiply(t171, n4, predicted_22)
+    t173 = add(t172, t152, predicted_22)
+    t175 = multiply(p, n18, w0)
+    t176 = add(t173, t175, w0)
+    t178 = multiply(t19, x, w2)
+    t179 = multiply(t178, t170, w2)
+    multiply(t114, t113, predicted_11)
+    multiply(t129, t130, predicted_12)
+    multiply(t130, t132, predicted_13)
+    multiply(t168, p, predicted_22)
+    multiply(t176, p, predicted_23)
+    add(t179, tracking_index, predicted_33)
 
 
 _PREDICTED_COVARIANCE_DERIVATIVES = Signature(
@@ -1924,7 +1899,7 @@ _PREDICTED_COVARIANCE_DERIVATIVES = Signature(
         "predicted_23",
         "predicted_33",
     ),
-    13,
+    14,
     _predicted_covariance_derivatives_block,
 )
 
@@ -1980,7 +1955,7 @@ def updated_covariance(
         <= tracking_index <= 3.2085606867585784e154 (float64) and 2.122721e-29 <= tracking_index <=
         4.414355e19 (float32).
     updated_33: variance of the updated acceleration times T^4/sigma_v^2. Relative error at most
-        6.46 * 2^-52 (float64), 6.46 * 2^-23 (float32), proved for 1.6896185209462645e-185 <=
+        6.45 * 2^-52 (float64), 6.46 * 2^-23 (float32), proved for 1.6896185209462645e-185 <=
         tracking_index <= 1.6532656032497123e154 (float64) and 1.1521641e-23 <= tracking_index <=
         2.2745733e19 (float32).
 
@@ -2196,26 +2171,26 @@ def updated_covariance_derivatives(
         2^1000, in float32 above 0 and at most 2^120.
 
     updated_11: derivative of the variance of the updated position over sigma_v^2. Relative error at
-        most 16.90 * 2^-52 (float64), 16.91 * 2^-23 (float32), proved for 5e-324 <= tracking_index
+        most 15.40 * 2^-52 (float64), 15.40 * 2^-23 (float32), proved for 5e-324 <= tracking_index
         <= 5.849498211276313e102 (float64) and 1e-45 <= tracking_index <= 7.235911e12 (float32).
     updated_12: derivative of the covariance of updated position and velocity times T/sigma_v^2.
-        Relative error at most 17.74 * 2^-52 (float64), 17.75 * 2^-23 (float32), proved for 5e-324
+        Relative error at most 15.92 * 2^-52 (float64), 15.93 * 2^-23 (float32), proved for 5e-324
         <= tracking_index <= 1.6140834523330185e103 (float64) and 1e-45 <= tracking_index <=
         1.9966437e13 (float32).
     updated_13: derivative of the covariance of updated position and acceleration times
-        T^2/sigma_v^2. Relative error at most 16.83 * 2^-52 (float64), 16.84 * 2^-23 (float32),
+        T^2/sigma_v^2. Relative error at most 16.18 * 2^-52 (float64), 16.22 * 2^-23 (float32),
         proved for 5e-324 <= tracking_index <= 1.9098208591277692e103 (float64) and 1e-45 <=
         tracking_index <= 2.362475e13 (float32).
     updated_22: derivative of the variance of the updated velocity times T^2/sigma_v^2. Relative
-        error at most 14.17 * 2^-52 (float64), 14.17 * 2^-23 (float32), proved for 5e-324 <=
+        error at most 14.47 * 2^-52 (float64), 14.44 * 2^-23 (float32), proved for 5e-324 <=
         tracking_index <= 1.0715086071862673e301 (float64) and 1e-45 <= tracking_index <=
         1.329228e36 (float32).
     updated_23: derivative of the covariance of updated velocity and acceleration times
-        T^3/sigma_v^2. Relative error at most 12.60 * 2^-52 (float64), 12.57 * 2^-23 (float32),
+        T^3/sigma_v^2. Relative error at most 13.10 * 2^-52 (float64), 13.07 * 2^-23 (float32),
         proved for 5e-324 <= tracking_index <= 1.0715086071862673e301 (float64) and 1e-45 <=
         tracking_index <= 1.329228e36 (float32).
     updated_33: derivative of the variance of the updated acceleration times T^4/sigma_v^2. Relative
-        error at most 8.05 * 2^-52 (float64), 8.11 * 2^-23 (float32), proved for 5e-324 <=
+        error at most 8.67 * 2^-52 (float64), 8.66 * 2^-23 (float32), proved for 5e-324 <=
         tracking_index <= 1.0715086071862673e301 (float64) and 1e-45 <= tracking_index <=
         1.329228e36 (float32).
 
@@ -2255,21 +2230,17 @@ def _updated_covariance_derivatives_block(
     n11: float = 0.017708333333333333,
     n12: float = 0.125,
     n13: float = 1.0,
-    n14: float = 1.1333333333333333,
-    n15: float = 4.0,
-    n16: float = 3.0,
-    n17: float = 6.0,
-    n18: float = 2.2666666666666666,
-    n19: float = 3.4,
+    n14: float = 6.0,
+    n15: float = 0.0010416666666666667,
+    n16: float = 0.0020833333333333333,
+    n17: float = 0.0125,
+    n18: float = 0.2833333333333333,
+    n19: float = 0.016666666666666666,
     n20: float = 0.004166666666666667,
-    n21: float = 0.0020833333333333333,
-    n22: float = 0.0125,
-    n23: float = 0.2833333333333333,
-    n24: float = 0.016666666666666666,
-    n25: float = 0.3333333333333333,
-    n26: float = 0.041666666666666664,
-    n27: float = 0.020833333333333332,
-    n28: float = 0.014583333333333334,
+    n21: float = 0.3333333333333333,
+    n22: float = 0.041666666666666664,
+    n23: float = 0.020833333333333332,
+    n24: float = 0.014583333333333334,
 ) -> None:
     (tracking_index,) = given
     updated_11, updated_12, updated_13, updated_22, updated_23, updated_33 = out
@@ -2300,7 +2271,6 @@ def _updated_covariance_derivatives_block(
         w23,
         w24,
         w25,
-        w26,
     ) = work
     p = sqrt(tracking_index, updated_23)
     r = sqrt(p, updated_11)
@@ -2377,182 +2347,163 @@ def _updated_covariance_derivatives_block(
     t89 = add(e, t88, updated_12)
     t90 = multiply(x, r, updated_22)
     t91 = divide(t90, t12, updated_33)
-    t92 = multiply(t91, p, updated_33)
-    t94 = multiply(t92, n9, updated_33)
-    t95 = add(t89, t94, updated_33)
-    t96 = square(e, w5)
-    t98 = multiply(t96, n10, w6)
-    t99 = multiply(p, e, w7)
-    t100 = multiply(t99, n8, w8)
-    t101 = add(t98, t100, w6)
-    t103 = multiply(tracking_index, n11, w8)
-    t104 = add(t101, t103, w6)
-    t105 = divide(t95, t104, updated_33)
-    t106 = multiply(t90, n8, w9)
-    t107 = multiply(t105, t106, updated_33)
-    t108 = divide(t107, tracking_index, updated_33)
-    t109 = multiply(t108, n3, updated_33)
-    t110 = multiply(e, n4, w10)
-    t111 = add(t12, t110, w10)
-    t112 = multiply(p, n12, w11)
-    t113 = add(t106, t112, w11)
-    t114 = add(t111, t113, w10)
-    t115 = multiply(p, t114, w11)
-    t116 = divide(t109, t115, updated_33)
-    t118 = multiply(t96, n8, w5)
-    t119 = multiply(t99, n12, w7)
-    t120 = add(t118, t119, w5)
-    t121 = add(t120, t103, w5)
-    t122 = multiply(t89, n12, updated_12)
-    t123 = multiply(t90, t122, updated_12)
-    t124 = add(t121, t123, w5)
-    t125 = divide(t124, t104, w5)
-    t126 = divide(x, t19, w7)
-    t127 = divide(t126, t12, w7)
-    t128 = multiply(t125, t127, w5)
-    t129 = multiply(t128, n3, w5)
-    t130 = divide(t129, t115, w5)
-    t132 = divide(t90, t104, w6)
-    t133 = multiply(x, n8, w7)
-    t134 = multiply(r, n4, w8)
-    t135 = add(x, t134, updated_12)
-    t136 = multiply(t133, t135, w7)
-    t137 = multiply(t132, t136, w6)
-    t138 = add(t137, n13, w6)
-    t139 = multiply(t12, p, w7)
-    t140 = divide(t138, t139, w6)
-    t141 = divide(t140, t115, w6)
-    t143 = divide(n13, t12, w7)
-    t144 = divide(t143, tracking_index, w7)
-    t145 = divide(x, e, updated_12)
-    t146 = divide(t88, e, w4)
-    t148 = multiply(t146, n14, w12)
-    t150 = add(t148, n15, w13)
-    t151 = multiply(t146, t150, w13)
-    t153 = add(t151, n16, w13)
-    t154 = multiply(e, t153, w14)
-    t155 = divide(t145, t154, updated_12)
-    t156 = divide(t155, r, updated_12)
-    t157 = divide(t156, t12, updated_12)
-    t158 = divide(t157, p, updated_12)
-    t159 = multiply(t158, n3, updated_12)
-    t160 = divide(x, r, w14)
-    t161 = multiply(t160, n3, w15)
-    t162 = add(n13, t161, w15)
-    t163 = multiply(t106, t162, w9)
-    t164 = multiply(t159, t163, w9)
-    t165 = add(t144, t164, w7)
-    t166 = divide(t165, t114, w7)
-    t168 = divide(n17, t114, w9)
-    t169 = divide(t168, tracking_index, w9)
-    t170 = multiply(t166, t169, w9)
-    t172 = multiply(t146, n18, w15)
-    t174 = add(t172, n19, w15)
-    t175 = multiply(t146, t174, w15)
-    t176 = add(t175, n3, w15)
-    t177 = multiply(t146, t176, w15)
-    t178 = add(t177, n13, w15)
-    t179 = divide(t178, t153, w15)
-    t180 = divide(p, e, w16)
-    t181 = divide(t180, t153, w17)
-    t182 = multiply(t181, t180, w17)
-    t183 = divide(p, t12, w16)
-    t184 = multiply(t160, t183, w14)
-    t185 = multiply(t182, t184, w17)
-    t187 = multiply(t185, n20, w17)
-    t188 = multiply(t146, n3, w14)
-    t189 = add(t188, n3, w14)
-    t190 = multiply(t187, t189, w14)
-    t191 = add(t179, t190, w15)
-    t192 = divide(tracking_index, t12, w14)
-    t193 = divide(t192, t12, w14)
-    t195 = multiply(t193, n21, w14)
-    t196 = add(t191, t195, w16)
-    t197 = add(t196, t166, w16)
-    t198 = multiply(t197, e, w18)
-    t199 = add(n13, t166, w19)
-    t200 = add(t199, t195, w20)
-    t201 = multiply(t200, p, w21)
-    t202 = multiply(t201, n8, w21)
-    t203 = add(t198, t202, w21)
-    t204 = divide(r, x, updated_11)
-    t205 = add(t197, t159, w16)
-    t206 = multiply(t205, e, w16)
-    t207 = multiply(t204, t206, w16)
-    t208 = add(t203, t207, w21)
-    t209 = multiply(t12, t208, w21)
-    t210 = add(t199, t191, w16)
-    t211 = multiply(t210, e, w22)
-    t212 = add(t199, n13, w23)
-    t213 = multiply(t212, p, w24)
-    t215 = multiply(t213, n22, w25)
-    t216 = add(t200, t159, w26)
-    t217 = multiply(t216, t12, w26)
-    t219 = multiply(t217, n23, w26)
-    t220 = add(t210, t159, w16)
-    t221 = multiply(t220, e, w16)
-    t223 = multiply(t221, n24, w16)
-    t224 = add(t219, t223, w26)
-    t225 = add(t212, t159, w23)
-    t226 = multiply(t225, p, w23)
-    t227 = multiply(t226, n20, w23)
-    t228 = add(t224, t227, w26)
-    t229 = multiply(t204, t228, updated_11)
-    t230 = add(t215, t229, w25)
-    t231 = multiply(p, t230, w25)
-    t232 = add(t209, t231, w21)
-    t233 = divide(t232, t114, w21)
-    t234 = add(t170, t233, w9)
-    t236 = add(t148, n3, w12)
-    t237 = multiply(t146, t236, w4)
-    t238 = add(t237, n13, w4)
-    t239 = divide(t238, t153, w4)
-    t240 = multiply(t239, n3, w4)
-    t241 = add(t240, t187, w4)
-    t242 = add(t241, t195, w14)
-    t243 = add(t242, t166, w14)
-    t244 = multiply(t243, t90, w14)
-    t245 = multiply(t244, n4, w14)
-    t246 = add(t245, t198, w14)
-    t247 = multiply(t12, t246, w14)
-    t248 = multiply(t200, t12, w20)
-    t250 = multiply(t248, n25, w20)
-    t252 = multiply(t211, n26, w22)
-    t253 = add(t250, t252, w20)
-    t254 = add(t199, t241, w19)
-    t255 = multiply(t254, t90, w19)
-    t257 = multiply(t255, n27, w19)
-    t258 = add(t253, t257, w20)
-    t260 = multiply(t213, n28, w24)
-    t261 = add(t258, t260, w20)
-    t262 = multiply(p, t261, w20)
-    t263 = add(t247, t262, w14)
-    t264 = divide(t263, t114, w14)
-    t266 = add(n13, t191, w15)
-    t267 = add(t134, x, w8)
-    t268 = divide(x, t267, w3)
-    t269 = multiply(t159, t268, updated_12)
-    t270 = add(t266, t269, w15)
-    t271 = multiply(t270, e, w15)
-    t272 = multiply(t271, n3, w15)
-    t273 = add(n3, t269, updated_12)
-    t274 = multiply(t273, p, updated_12)
-    t275 = multiply(t274, n8, updated_12)
-    t276 = add(t272, t275, w15)
-    t277 = divide(t276, t267, w15)
-    divide(t116, t115, updated_11)
-    divide(t130, t115, updated_12)
-    divide(t141, t115, updated_13)
-    multiply(t16, t234, updated_22)
-    multiply(t264, p, updated_23)
-    multiply(t277, t19, updated_33)
+    t92 = multiply(t91, p, w5)
+    t94 = multiply(t92, n9, w5)
+    t95 = add(t89, t94, w5)
+    t96 = square(e, w6)
+    t98 = multiply(t96, n10, w7)
+    t99 = multiply(p, e, w8)
+    t100 = multiply(t99, n8, w9)
+    t101 = add(t98, t100, w7)
+    t103 = multiply(tracking_index, n11, w9)
+    t104 = add(t101, t103, w7)
+    t105 = divide(t95, t104, w5)
+    t106 = multiply(t90, n8, w10)
+    t107 = multiply(t105, t106, w5)
+    t108 = divide(t107, tracking_index, w5)
+    t109 = multiply(t108, n3, w5)
+    t110 = multiply(e, n4, w11)
+    t111 = add(t12, t110, w11)
+    t112 = multiply(p, n12, w12)
+    t113 = add(t106, t112, w12)
+    t114 = add(t111, t113, w11)
+    t115 = divide(t109, t114, w5)
+    t116 = divide(t115, t114, w5)
+    t118 = multiply(t96, n8, w6)
+    t119 = multiply(t99, n12, w8)
+    t120 = add(t118, t119, w6)
+    t121 = add(t120, t103, w6)
+    t122 = multiply(t89, n12, w8)
+    t123 = multiply(t90, t122, w8)
+    t124 = add(t121, t123, w8)
+    t125 = divide(t124, t104, w8)
+    t126 = multiply(t125, n3, w8)
+    t127 = divide(t91, tracking_index, w9)
+    t128 = multiply(t126, t127, w8)
+    t129 = multiply(p, t114, w9)
+    t130 = divide(t128, t129, w8)
+    t132 = divide(t90, t104, w12)
+    t133 = add(t89, t106, updated_12)
+    t134 = multiply(t133, n4, updated_12)
+    t135 = multiply(t132, t134, updated_12)
+    t136 = add(t135, n13, updated_12)
+    t137 = multiply(t12, p, w13)
+    t138 = divide(t136, t137, updated_12)
+    t139 = divide(t138, t129, w13)
+    t141 = divide(n13, t12, updated_12)
+    t142 = divide(t141, tracking_index, updated_12)
+    t143 = divide(t132, tracking_index, w12)
+    t144 = divide(t143, t12, w12)
+    t145 = multiply(t144, n4, w12)
+    t146 = divide(x, r, w14)
+    t147 = multiply(t146, n3, w14)
+    t148 = add(n13, t147, w14)
+    t149 = multiply(t106, t148, w10)
+    t150 = multiply(t145, t149, w10)
+    t151 = add(t142, t150, updated_12)
+    t152 = divide(t151, t114, updated_12)
+    t154 = divide(n14, t114, w10)
+    t155 = divide(t154, tracking_index, w10)
+    t156 = multiply(t152, t155, w10)
+    t157 = divide(t88, e, w4)
+    t158 = multiply(t157, n3, w4)
+    t159 = add(t158, n3, w4)
+    t160 = multiply(tracking_index, t159, w14)
+    t161 = multiply(t160, n11, w14)
+    t162 = add(t121, t161, w14)
+    t163 = divide(t162, t104, w14)
+    t164 = divide(tracking_index, t104, w15)
+    t165 = multiply(t164, t91, w15)
+    t167 = multiply(t165, n15, w15)
+    t168 = multiply(t167, t159, w4)
+    t169 = add(t163, t168, w14)
+    t170 = divide(tracking_index, t12, w4)
+    t171 = divide(t170, t12, w4)
+    t173 = multiply(t171, n16, w4)
+    t174 = add(t169, t173, updated_33)
+    t175 = add(t174, t152, updated_33)
+    t176 = multiply(t175, e, w16)
+    t177 = add(n13, t152, w17)
+    t178 = add(t177, t173, w18)
+    t179 = multiply(t178, p, w19)
+    t180 = multiply(t179, n8, w19)
+    t181 = add(t176, t180, w19)
+    t182 = divide(r, x, w20)
+    t183 = add(t175, t145, updated_33)
+    t184 = multiply(t183, e, updated_33)
+    t185 = multiply(t182, t184, updated_33)
+    t186 = add(t181, t185, w19)
+    t187 = multiply(t12, t186, w19)
+    t188 = add(t177, t169, updated_33)
+    t189 = multiply(t188, e, w21)
+    t190 = add(t177, n13, w22)
+    t191 = multiply(t190, p, w23)
+    t193 = multiply(t191, n17, w24)
+    t194 = add(t178, t145, w25)
+    t195 = multiply(t194, t12, w25)
+    t197 = multiply(t195, n18, w25)
+    t198 = add(t188, t145, updated_33)
+    t199 = multiply(t198, e, updated_33)
+    t201 = multiply(t199, n19, updated_33)
+    t202 = add(t197, t201, w25)
+    t203 = add(t190, t145, w22)
+    t204 = multiply(t203, p, w22)
+    t206 = multiply(t204, n20, w22)
+    t207 = add(t202, t206, w25)
+    t208 = multiply(t182, t207, w20)
+    t209 = add(t193, t208, w24)
+    t210 = multiply(p, t209, w24)
+    t211 = add(t187, t210, w19)
+    t212 = divide(t211, t114, w19)
+    t213 = add(t156, t212, w10)
+    t215 = divide(t121, t104, w6)
+    t216 = multiply(t215, n3, w6)
+    t217 = add(t216, t167, w6)
+    t218 = add(t217, t173, w4)
+    t219 = add(t218, t152, w4)
+    t220 = multiply(t219, t90, w4)
+    t221 = multiply(t220, n4, w4)
+    t222 = add(t221, t176, w4)
+    t223 = multiply(t12, t222, w4)
+    t224 = multiply(t178, t12, w18)
+    t226 = multiply(t224, n21, w18)
+    t228 = multiply(t189, n22, w21)
+    t229 = add(t226, t228, w18)
+    t230 = add(t177, t217, w17)
+    t231 = multiply(t230, t90, w17)
+    t233 = multiply(t231, n23, w17)
+    t234 = add(t229, t233, w18)
+    t236 = multiply(t191, n24, w23)
+    t237 = add(t234, t236, w18)
+    t238 = multiply(p, t237, w18)
+    t239 = add(t223, t238, w4)
+    t240 = divide(t239, t114, w4)
+    t242 = add(n13, t169, w14)
+    t243 = multiply(r, n4, updated_11)
+    t244 = add(t243, x, updated_11)
+    t245 = divide(x, t244, w3)
+    t246 = multiply(t145, t245, w12)
+    t247 = add(t242, t246, w14)
+    t248 = multiply(t247, e, w14)
+    t249 = multiply(t248, n3, w14)
+    t250 = add(n3, t246, w12)
+    t251 = multiply(t250, p, w12)
+    t252 = multiply(t251, n8, w12)
+    t253 = add(t249, t252, w14)
+    t254 = divide(t253, t244, w14)
+    divide(t116, tracking_index, updated_11)
+    divide(t130, t129, updated_12)
+    divide(t139, t129, updated_13)
+    multiply(t16, t213, updated_22)
+    multiply(t240, p, updated_23)
+    multiply(t254, t19, updated_33)
 
 
 _UPDATED_COVARIANCE_DERIVATIVES = Signature(
     "updated_covariance_derivatives",
     (_TRACKING_INDEX_DOMAIN_2,),
     ("updated_11", "updated_12", "updated_13", "updated_22", "updated_23", "updated_33"),
-    27,
+    26,
     _updated_covariance_derivatives_block,
 )
 
@@ -2588,7 +2539,7 @@ def gain_second_derivatives(
         3.506117298416322e-232 <= tracking_index <= 3.351388711764904e77 (float64) and 6.871575e-30
         <= tracking_index <= 1.2430991e10 (float32).
     gamma: second derivative by Lambda of the acceleration gain times the square of the sampling
-        interval. Relative error at most 32.54 * 2^-52 (float64), 32.60 * 2^-23 (float32), proved
+        interval. Relative error at most 32.53 * 2^-52 (float64), 32.58 * 2^-23 (float32), proved
         for 5e-324 <= tracking_index <= 3.8021109680071646e77 (float64) and 1e-45 <= tracking_index
         <= 1.4102813e10 (float32).
 
@@ -2934,7 +2885,7 @@ def predictor_gain_second_derivatives(
         jerk_density*sampling_interval**5/measurement_deviation**2; a number above 0 and finite.
 
     position: second derivative by Lambda of the position entry of F K, alpha + beta + gamma/2.
-        Relative error at most 30.14 * 2^-52 (float64), 30.16 * 2^-23 (float32), proved for
+        Relative error at most 30.13 * 2^-52 (float64), 30.16 * 2^-23 (float32), proved for
         6.8526910636419685e-186 <= tracking_index <= 3.922157988100115e77 (float64) and 4.673531e-24
         <= tracking_index <= 1.4548092e10 (float32).
     velocity: second derivative by Lambda of the velocity entry of F K times the sampling interval,
@@ -2942,7 +2893,7 @@ def predictor_gain_second_derivatives(
         proved for 3.5061172984163225e-232 <= tracking_index <= 4.2786186800086156e77 (float64) and
         6.871576e-30 <= tracking_index <= 1.5870279e10 (float32).
     acceleration: second derivative by Lambda of the acceleration entry of F K times the square of
-        the sampling interval, gamma. Relative error at most 32.54 * 2^-52 (float64), 32.60 * 2^-23
+        the sampling interval, gamma. Relative error at most 32.53 * 2^-52 (float64), 32.58 * 2^-23
         (float32), proved for 5e-324 <= tracking_index <= 3.8021109680071646e77 (float64) and 1e-45
         <= tracking_index <= 1.4102813e10 (float32).
 
@@ -3296,7 +3247,7 @@ def predicted_covariance_second_derivatives(
         2^1000, in float32 above 0 and at most 2^120.
 
     predicted_13: second derivative by Lambda of the covariance of predicted position and
-        acceleration times T^2/sigma_v^2. Relative error at most 17.22 * 2^-52 (float64), 17.32 *
+        acceleration times T^2/sigma_v^2. Relative error at most 17.22 * 2^-52 (float64), 17.25 *
         2^-23 (float32), proved for 5e-324 <= tracking_index <= 1.0715086071862673e301 (float64) and
         1e-45 <= tracking_index <= 1.329228e36 (float32).
     predicted_22: second derivative by Lambda of the variance of the predicted velocity times
@@ -3304,7 +3255,7 @@ def predicted_covariance_second_derivatives(
         proved for 5e-324 <= tracking_index <= 1.0715086071862673e301 (float64) and 1e-45 <=
         tracking_index <= 1.329228e36 (float32).
     predicted_23: second derivative by Lambda of the covariance of predicted velocity and
-        acceleration times T^3/sigma_v^2. Relative error at most 10.18 * 2^-52 (float64), 10.18 *
+        acceleration times T^3/sigma_v^2. Relative error at most 10.17 * 2^-52 (float64), 10.17 *
         2^-23 (float32), proved for 5e-324 <= tracking_index <= 1.0715086071862673e301 (float64) and
         1e-45 <= tracking_index <= 1.329228e36 (float32).
     predicted_33: second derivative by Lambda of the variance of the predicted acceleration times
