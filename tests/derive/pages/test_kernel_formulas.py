@@ -58,6 +58,8 @@ def test_operations_are_made_from_the_left_in_the_order_that_is_written() -> Non
     a, b, c = (builder.symbol(name) for name in GIVEN)
     by_hand = builder.graph({"x": (a * b) * (c + a) + ((a + b) + c) / a})
     assert graph_of("    x = a b (c + a) + (a + b + c)/a", "x") == by_hand
+    behind = builder.graph({"x": (a * Fraction(3, 4)) * b})
+    assert graph_of("    x = (3/4) a b", "x") == behind
 
 
 def test_a_formula_goes_on_where_the_next_line_begins_with_more() -> None:
