@@ -36,7 +36,7 @@ HINTS = {
     "crossing-debiased": {"form": "L^3"},
     "crossing-unbiased": {"form": "1/L"},
     "space-definite-minor": {
-        "form": "L along(r_m, L_eta) over(r_m, L_eta) + (1 - L)^2 whole C_1 W_uu/2"
+        "form": "L along(r_m, L_eta) crosswise(r_m, L_eta) + (1 - L)^2 whole C_1 W_uu/2"
     },
 }
 """Without the differences that hide a sign."""
