@@ -9,7 +9,6 @@ import sympy as sp
 
 from gainproof.derive.derivation import Step, joined
 from gainproof.derive.relation import equal, increasing_onto, positive, same_sign
-from gainproof.derive.steady_state.steps_curvature import label, second
 from gainproof.derive.three_state import bending, curvature, shown_signs
 from gainproof.derive.three_state.context import Context
 from gainproof.derive.three_state.covariance_entries import updated
@@ -24,6 +23,8 @@ from gainproof.derive.three_state.names import (
     SLOWING,
     TAU,
     XI,
+    label,
+    second,
 )
 from gainproof.derive.three_state.steps_change import numbers
 from gainproof.derive.three_state.surds import plain_number

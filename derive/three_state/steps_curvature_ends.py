@@ -12,10 +12,9 @@ from gainproof.derive.algebra.tower import Fraction, Tower
 from gainproof.derive.derivation import Step, joined
 from gainproof.derive.expression import real
 from gainproof.derive.relation import limit
-from gainproof.derive.steady_state.steps_curvature import label, second
 from gainproof.derive.three_state import bending, kernel_tower
 from gainproof.derive.three_state.context import Context
-from gainproof.derive.three_state.names import ALPHA, INDEX
+from gainproof.derive.three_state.names import ALPHA, INDEX, label, second
 from gainproof.derive.three_state.steps_ends import entries_over_square
 from gainproof.derive.three_state.surds import plain_number
 

@@ -27,14 +27,26 @@ def test_a_page_is_printed_back_as_it_is_written(path: Path) -> None:
     assert str(read_page(text, path.name, frozenset())) == text
 
 
-SUBJECTS = [path.stem for path in PAGES if path.read_text(encoding="utf-8").startswith("# ")]
+WRITTEN = [
+    entry.name
+    for entry in CATALOGUE
+    if "gainproof.derive.pages.derivation" in modules_below(entry.module)
+]
 
 
-@pytest.mark.parametrize("name", SUBJECTS)
+@pytest.mark.parametrize("name", WRITTEN)
 def test_a_page_that_was_edited_is_derived_anew(name: str) -> None:
     """What is kept of a subject depends on the files in the folder of `gainproof.derive.pages`."""
     (module,) = (entry.module for entry in CATALOGUE if entry.name == name)
     assert modules_below(module)["gainproof.derive.pages"].parent.resolve() == FOLDER.resolve()
+
+
+def test_a_page_is_that_of_subjects_that_are_written_so() -> None:
+    titles = {path.stem for path in PAGES if path.read_text(encoding="utf-8").startswith("# ")}
+    shared = {"measured-position"}
+    assert titles - shared <= set(WRITTEN)
+    families = {"random-velocity", "random-acceleration", "continuous-white-acceleration"}
+    assert families <= set(WRITTEN)
 
 
 def test_a_page_of_too_many_lines_is_refused() -> None:
