@@ -1,5 +1,5 @@
-"""What the page `measured-position` does not say: what differs between models, what is long, and
-the forms that show signs.
+"""What the page `measured-position-two-states` does not say: what differs between models, what is
+long, and the forms that show signs.
 """
 
 from __future__ import annotations

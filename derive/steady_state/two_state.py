@@ -54,15 +54,15 @@ from gainproof.derive.steady_state.towers import at_once_roots, graph_roots
 from gainproof.derive.subject import Program, Subject
 
 ON_TWO_SIDES = ("gains", "predictor_gains")
-PAGE = "measured-position"
+PAGE = "measured-position-two-states"
 POLES = "closed_loop_poles"
 
 
 def derive_two_state(model: Model, sources: tuple[str, ...], folder: Path = FOLDER) -> Subject:
     """Derive everything about the steady state of a two-state model with measured position.
 
-    The steps are those of the page `measured-position` in `folder`. Raises ModelError, naming the
-    reason, for a model outside the method's reach; PageError for a mistake of the page.
+    The steps are those of the page `measured-position-two-states` in `folder`. Raises ModelError,
+    naming the reason, for a model outside the method's reach; PageError for a mistake of the page.
     """
     c = context(model)
     graphs, gain_sides = _graphs(c), sides(c.e, c.n)
