@@ -4,7 +4,6 @@ long, and the forms that show signs.
 
 from __future__ import annotations
 
-import re
 from collections.abc import Mapping
 from fractions import Fraction
 from typing import Any
@@ -14,7 +13,7 @@ import sympy as sp
 from gainproof.derive.algebra.limits import End
 from gainproof.derive.algebra.tower import Generator, Tower
 from gainproof.derive.expression import real
-from gainproof.derive.model import Model
+from gainproof.derive.pages.model_slots import model_slots, plain
 from gainproof.derive.steady_state import covariance_forms, forms, inverses
 from gainproof.derive.steady_state.context import Context
 from gainproof.derive.steady_state.curvature import Curvature
@@ -52,7 +51,8 @@ TURN_TOWER = "with_root_of_3"
 def slots(c: Context) -> Slots:
     """The page's slots by name."""
     return {
-        **_model(c),
+        **model_slots(c.original, c.model),
+        **_units(c),
         **_spectrum(c),
         **_forms(c),
         **_ends(c),
@@ -95,41 +95,10 @@ def ends(c: Context) -> Mapping[str, Mapping[str, End]]:
     return {"main": c.ends, "complex_poles": complex_ends(c.e), "real_poles": real_ends(c.e)}
 
 
-def _model(c: Context) -> Slots:
-    model, scaled = c.original, c.model
-    backward = sp.diag(*(1 / entry for entry in scaled.state_scale)).as_immutable()
-    plain = {q.symbol: sp.Symbol(_plain(q.latex)) for q in model.quantities}
-    first, second = (str(entry.subs(plain)) for entry in scaled.state_scale)
-    return {
-        "transition": model.transition,
-        "process_noise": model.process_noise,
-        "measurement": model.measurement,
-        "measurement_noise": model.measurement_noise,
-        "meanings": _meanings(model),
-        "first_unit": first,
-        "second_unit": second,
-        "units": sp.diag(*scaled.state_scale).as_immutable(),
-        "inverse_units": backward,
-        "quantities_of_transition": _quantities(model, backward, model.transition),
-        "quantities_of_noise": _quantities(model, backward, model.process_noise),
-        "ratio": scaled.noise_ratio,
-    }
-
-
-def _meanings(model: Model) -> str:
-    listed = ", ".join(f"`{_plain(q.latex)}` the {q.meaning}" for q in model.quantities)
-    return f" Here {listed.replace('` the', '` is the', 1)}." if listed else ""
-
-
-def _plain(latex: str) -> str:
-    """A quantity's symbol as it is written on a line of text."""
-    return re.sub(r"[\\{} ]|tilde", "", latex)
-
-
-def _quantities(model: Model, *factors: sp.ImmutableDenseMatrix) -> tuple[sp.Symbol, ...]:
-    """The model's quantities in these matrices."""
-    found = {symbol for factor in factors for symbol in factor.free_symbols}
-    return tuple(q.symbol for q in model.quantities if q.symbol in found)
+def _units(c: Context) -> Slots:
+    signs = {q.symbol: sp.Symbol(plain(q.latex)) for q in c.original.quantities}
+    first, second = (str(entry.subs(signs)) for entry in c.model.state_scale)
+    return {"first_unit": first, "second_unit": second}
 
 
 def _spectrum(c: Context) -> Slots:
@@ -140,7 +109,7 @@ def _spectrum(c: Context) -> Slots:
     return {
         "e": rational(c.e),
         "n": rational(c.n),
-        "noise": _polynomial(c.spectrum.noise),
+        "noise_of_v": _polynomial(c.spectrum.noise),
         "determinant": sp.Add(*products, evaluate=False),
         "closed_loop": closed,
         "factors": sp.Mul(DEVIATION**2, closed, mirrored, evaluate=False),
