@@ -15,7 +15,7 @@ from gainproof.derive.algebra.tower import Generator, NoValue, Parameter, Tower
 from gainproof.derive.derivation import Step
 from gainproof.derive.expression import real
 from gainproof.derive.pages.evaluation import Definition, Meanings
-from gainproof.derive.pages.formula import Formula, FormulaError, read_formula
+from gainproof.derive.pages.formula import NAME, Formula, FormulaError, read_formula
 from gainproof.derive.pages.matrices import Letters, letters_of
 from gainproof.derive.pages.page import (
     Block,
@@ -56,10 +56,9 @@ class Given:
 
     `towers`: settings that are not written on it. `models` by name. `slots`: values by group and
     slot, text (in formulas one in the names of the page), numbers or expressions; those of the page
-    itself have the group "". `hints`: what evidence
-    needs, by step (see `algebra.evidence`), formulas as text in the names of the page. `ends`: of
-    towers with roots. `programs`: the graphs of kernels; `roots`: what their named roots are.
-    `steps`: by name, that the program makes.
+    itself have the group "". `hints`: what evidence needs, by step (see `algebra.evidence`),
+    formulas as text in the names of the page. `ends`: of towers with roots. `programs`: the graphs
+    of kernels; `roots`: what their named roots are. `steps`: by name, that the program makes.
     """
 
     towers: tuple[Tower, ...] = ()
@@ -143,7 +142,7 @@ class _Making:
                 self._included(block) if block.kind == "include" else self._made(block.part)
             )
         elif isinstance(block, Prose):
-            self.heading = self._filled(block.head) if block.mark == "##" else ""
+            self.heading = self._heading(block) if block.mark == "##" else ""
         elif block.kind == "kernel":
             yield self._kernel(block)
         elif block.kind == "setting":
@@ -241,19 +240,13 @@ class _Making:
         """Its statements; the first that is there has the sentence and the reason."""
         first = True
         for number, item in enumerate(step.items):
-            if isinstance(item.said, Made):
-                try:
-                    found = self._made(item.said.name)
-                except FormulaError as error:
-                    raise item.place.error(str(error)) from None
-            else:
-                mark, place = (item.mark, item.place) if number else (step.mark, step.place)
-                found = (
-                    self._statement(
-                        item, replace(mark, setting=mark.setting or step.mark.setting), place
-                    ),
-                )
-            for each in found:
+            mark, place = (item.mark, item.place) if number else (step.mark, step.place)
+            if not self._is_there(mark, place):
+                if number:
+                    continue
+                return
+            mark = replace(mark, setting=mark.setting or step.mark.setting or "main")
+            for each in self._statements(item, mark, place):
                 yield self._opened(each, step) if first else replace(each, joins=True)
                 first = False
 
@@ -265,21 +258,18 @@ class _Making:
         heading, self.heading = self.heading, ""
         return replace(each, sentence=sentence, reason=reason, heading=heading, joins=False)
 
-    def _statement(self, item: Item, mark: Mark, place: Place) -> Step:
+    def _statements(self, item: Item, mark: Mark, place: Place) -> tuple[Step, ...]:
         try:
-            made = Step(
-                self._id(mark.id),
-                "",
-                described(""),
-                "",
-                self._setting(mark.setting or "main"),
-                shown=not mark.hidden,
-                essential=mark.essential,
-            )
-            place = item.place
+            if isinstance(item.said, Made):
+                place = item.place
+                return self._made(item.said.name)
+            name, setting = self._id(mark.id), self._setting(mark.setting)
+            made = Step(name, "", described(""), "", setting, shown=not mark.hidden)
+            made, place = replace(made, essential=mark.essential), item.place
             if made.tower in self.letters and isinstance(item.said, Statement):
-                return self._of_matrices(made, item.said)
-            return self._with_hint(replace(made, relation=self._relation(item, made.tower)))
+                return (self._of_matrices(made, item.said),)
+            made = replace(made, relation=self._relation(item, made.tower))
+            return (self._with_hint(made),)
         except FormulaError as error:
             raise place.error(str(error)) from None
 
@@ -291,6 +281,18 @@ class _Making:
         self.proved[step.id] = found
         made = found.step("")
         return replace(step, relation=made.relation, hint=made.hint)
+
+    def _is_there(self, mark: Mark, place: Place) -> bool:
+        try:
+            return not mark.condition or bool(self.meanings.slot(mark.condition))
+        except FormulaError as error:
+            raise place.error(str(error)) from None
+
+    def _heading(self, block: Prose) -> str:
+        match = re.fullmatch(rf"(.*) \(if ({NAME})\)", block.head)
+        head, condition = match.groups() if match else (block.head, "")
+        there = self._is_there(Mark(condition=condition), block.place)
+        return self._filled(head) if there else ""
 
     def _setting(self, text: str) -> str:
         name = self._filled(text)
@@ -353,6 +355,8 @@ class _Making:
         return replace(step, hint={key: self._hint(value) for key, value in found.items()})
 
     def _hint(self, value: Any) -> Any:
+        if isinstance(value, list):
+            return [self._hint(each) for each in value]
         if not isinstance(value, str):
             return value
         try:
