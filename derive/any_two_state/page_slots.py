@@ -60,8 +60,10 @@ def given(c: Context, kernels: Sequence[Step]) -> Given:
         **_spectrum(c),
         **{name: value.value for name, value in stable.items()},
         "subtractions": _subtractions(stable),
-        "riccati": "riccati-of-the-model" if whole else "riccati-by-entries",
-        "definite": "definite-by-minors" if minors else "definite-by-a-theorem",
+        "written_whole": whole,
+        "riccati_by_entries": "" if whole else "riccati-by-entries",
+        "minors_are_positive": bool(minors),
+        "definite_by_a_theorem": "" if minors else "definite-by-a-theorem",
         "reached": "`Q0` and `F Q0 F'`",
         "left_out": left_out(value.value for value in second.values()),
     }

@@ -56,9 +56,12 @@ def slots(c: Context) -> Slots:
         **_spectrum(c),
         **_forms(c),
         **_ends(c),
-        **_parts(c.e),
         **_turn(c.e),
         **_inverse(c),
+        "with_eta": bool(c.e),
+        "without_eta": not c.e,
+        "poles_turn_real": c.e != 1,
+        "poles_stay_complex": c.e == 1,
         "eta": "eta" if c.e else "4",
         "roots": "`eta` and `s` (steps @eta and @root-s)" if c.e else "`s` (step @root-s)",
         "updated_22_of_rho": _updated_22_of_rho(c.n),
@@ -220,18 +223,6 @@ def _discriminant(c: Context) -> sp.Expr:
     if limit is None:
         return 4 * half_width(c.basis, None, None) ** 2
     return (1 - rational(c.e)) ** 2 * (INDEX + limit) / (16 * (RHO * DEVIATION) ** 2)
-
-
-def _parts(e: Fraction) -> Slots:
-    """The parts of the page that say what differs in more than numbers."""
-    eta = "with" if e else "without"
-    return {
-        "other_end": f"other-end-{eta}-eta",
-        "roots_in_the_index": f"ratios-{eta}-eta",
-        "poles": "complex-poles" if e == 1 else "complex-and-real-poles",
-        "place_of_turn": "turn-at-a-root" if e else "turn-in-closed-form",
-        "gains_by_index": "gains-by-index" if e else "",
-    }
 
 
 def turn_towers(c: Context) -> tuple[Tower, ...]:
