@@ -58,15 +58,14 @@ def slots(c: Context) -> Slots:
         **_ends(c),
         **_turn(c.e),
         **_inverse(c),
-        "with_eta": bool(c.e),
-        "without_eta": not c.e,
-        "poles_turn_real": c.e != 1,
-        "poles_stay_complex": c.e == 1,
+        "e_is_0": c.e == 0,
+        "e_is_1": c.e == 1,
+        "e_is_between": 0 < c.e < 1,
+        "e_above_0": c.e > 0,
+        "e_below_1": c.e < 1,
         "eta": "eta" if c.e else "4",
         "roots": "`eta` and `s` (steps @eta and @root-s)" if c.e else "`s` (step @root-s)",
         "updated_22_of_rho": _updated_22_of_rho(c.n),
-        "chi": _bend(c.e),
-        "fall_of_beta": _fall_of_beta(c.e),
         "pole_limit": pole_limit(c.e),
         "switch": LIMIT,
     }
@@ -188,30 +187,6 @@ def _updated_22_of_rho(n: Fraction) -> str:
     )
 
 
-def _bend(number: Fraction) -> sp.Expr:
-    """chi over kappa and rho."""
-    if number == 0:
-        return (KAPPA + sp.Rational(1, 2)) / (2 * RHO**2)
-    if number == 1:
-        return (KAPPA**3 + KAPPA / 4 + sp.Rational(1, 4)) / (2 * KAPPA**2 * RHO**2)
-    e = rational(number)
-    top = KAPPA**4 + KAPPA**3 / 2 + e * KAPPA**2 / 4 + 3 * e**2 * KAPPA / 8 + (1 + e) * e**2 / 16
-    return top / (2 * KAPPA**2 * RHO**2 * (KAPPA + e / 2))
-
-
-def _fall_of_beta(number: Fraction) -> sp.Expr:
-    """The negative of the second derivative of beta."""
-    if number == 0:
-        return (2 * RHO + 1) * (6 * RHO + 1) / (16 * RHO**3 * DEVIATION**2 * INDEX)
-    scale = (KAPPA * DEVIATION * INDEX) ** 2
-    if number == 1:
-        top = 3 * RHO**2 + 2 * RHO + 1 + (2 * RHO + 1) / (2 * KAPPA)
-        return top / (2 * RHO * scale)
-    e = rational(number)
-    top = 3 * KAPPA**2 + (1 + 3 * e) * KAPPA + e * (3 + 2 * e) / 4 + 2 * RHO * (KAPPA + e / 2)
-    return ((2 * RHO + 1) * e / (4 * KAPPA) + top / (2 * RHO**2)) / (RHO * scale)
-
-
 def pole_limit(e: Fraction) -> sp.Rational | None:
     """The index from which the poles are real, if there is one."""
     return None if e == 1 else rational(8 / (1 - e))
@@ -291,25 +266,19 @@ def _turning_index(number: Fraction, polynomial: sp.Expr) -> str:
 def _ends(c: Context) -> Slots:
     """Both ends of the index: `end` is the limit of s/p."""
     root = sp.sqrt(rational(c.e))
-    end, n = sp.radsimp((1 + root) / 2), rational(c.n)
-    slow = end == n  # X22 then falls behind the index
-    return {
+    end = sp.radsimp((1 + root) / 2)
+    found = {
         "near": "`eta` tends to 4, `s` to `sqrt(2)`" if c.e else "`s` tends to `sqrt(2)`",
         "far": _far(c.e),
         "end": end,
         "square_of_end": sp.expand(end**2),
         "end_of_rest": sp.radsimp(4 / (1 + root) ** 2),
         "end_of_beta": sp.radsimp(2 / (1 + root)),
-        "order_of_updated_22": "Lambda" if slow else "Lambda^2",
-        "end_of_updated_22": "2" if slow else end - n,
         "end_of_second_alpha": sp.radsimp(-24 / (1 + root) ** 2),
-        "order_of_second_beta": "Lambda^4" if c.e else "Lambda^3",
-        "end_of_second_beta": sp.radsimp(-48 * (2 + root) / (root * (1 + root) ** 3))
-        if c.e
-        else "-16",
-        "order_of_second_updated_22": "Lambda^3" if slow else "1",
-        "end_of_second_updated_22": "32" if slow else sp.expand(2 * (end - n)),
     }
+    if c.e:
+        found["end_of_second_beta"] = sp.radsimp(-48 * (2 + root) / (root * (1 + root) ** 3))
+    return found
 
 
 def _far(e: Fraction) -> str:

@@ -80,8 +80,8 @@ def edited(model: str, folder: Path, file: str, right: str, wrong: str) -> Subje
 WRONG = [
     ("eta is 4", "root-s", PAGE, "((1 + e) Lambda + 2", "((1 - e) Lambda + 3"),
     ("eta is 4", "other-end", PAGE, "Lambda = 4", "Lambda = 5"),
-    ("eta is 4", "bend-by-ratios", PAGE, "chi = {chi}", "chi = 2 {chi}"),
-    ("eta is 4", "large-updated-22", PAGE, "-> {end_of_updated_22} as", "-> {end} as"),
+    ("eta is 4", "bend-by-ratios", PAGE, "chi = (kappa + 1/2)", "chi = 2 (kappa + 1/2)"),
+    ("eta is 4", "large-updated-22", PAGE, "X22/Lambda -> 2 as", "X22/Lambda -> 3 as"),
     ("eta is 4", "concave-beta", PAGE, "concave-beta: 0 > d", "concave-beta: 0 > -d"),
     ("poles turn real", "other-end", PAGE, "sigma - Lambda = eta", "sigma + Lambda = eta"),
     ("poles turn real", "roots-in-the-index", PAGE, "+ e/4, kappa", "- e/4, kappa"),
@@ -120,7 +120,7 @@ def test_what_is_not_true_is_rejected(
     [
         ("eta is 4", PAGE, "alpha = p s/sigma\n", "alpha = p s/sigme\n", "'sigme' is neither a"),
         ("eta is 4", PAGE, "### deviation\n", "### index\n", "there is a step 'index' already"),
-        ("eta is 4", PAGE, "### eta (if with_eta)", "### eta (if eta_is)", "no slot 'eta_is'"),
+        ("eta is 4", PAGE, "### eta (if e_above_0)", "### eta (if e_above)", "no slot 'e_above'"),
         ("poles turn real", PAGE, "from 0 to {pole_limit}", "from 0 to {pole}", "no slot 'pole'"),
         ("poles turn real", PAGE, "(in index_below, ", "(in index, ", "no setting 'index' above"),
         ("decay", FIRST, "steps large-index", "steps large", "no steps 'large' of the program"),
