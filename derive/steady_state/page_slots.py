@@ -40,7 +40,7 @@ from gainproof.derive.steady_state.names import (
 )
 from gainproof.derive.steady_state.pole_towers import SIDE, G, X, complex_ends, real_ends
 from gainproof.derive.steady_state.poles import half_width
-from gainproof.derive.steady_state.spectrum import V, closed_loop_matrix, gain_vector
+from gainproof.derive.steady_state.spectrum import V, closed_loop_matrix
 from gainproof.derive.steady_state.towers import KAPPA, RHO, ROOT_S, rational, root_of_16, surd
 
 Slots = dict[str, Any]
@@ -117,7 +117,6 @@ def _spectrum(c: Context) -> Slots:
         "factors": sp.Mul(DEVIATION**2, closed, mirrored, evaluate=False),
         "first_weight": relation.coeff_monomial(ALPHA**2),
         "last_weight": relation.coeff_monomial(BETA**2),
-        "predictor_gain": sp.ImmutableDenseMatrix(c.model.transition * gain_vector()),
     }
 
 
