@@ -36,11 +36,9 @@ from gainproof.derive.steady_state.names import (
     INDEX,
     PREDICTED,
     ROOT,
-    Z,
 )
 from gainproof.derive.steady_state.pole_towers import SIDE, G, X, complex_ends, real_ends
 from gainproof.derive.steady_state.poles import half_width
-from gainproof.derive.steady_state.spectrum import V, closed_loop_matrix
 from gainproof.derive.steady_state.towers import KAPPA, RHO, ROOT_S, rational, root_of_16, surd
 
 Slots = dict[str, Any]
@@ -104,39 +102,21 @@ def _units(c: Context) -> Slots:
 
 
 def _spectrum(c: Context) -> Slots:
-    closed, mirrored = (_by_powers(c.spectrum.closed_loop, at) for at in (Z, 1 / Z))
     relation = sp.Poly(c.spectrum.relation, ALPHA, BETA)
-    inner = Z * sp.eye(2) - closed_loop_matrix(c.model)
-    products = inner[0, 0] * inner[1, 1], -inner[0, 1] * inner[1, 0]
     return {
         "e": rational(c.e),
         "n": rational(c.n),
-        "noise_of_v": _polynomial(c.spectrum.noise),
-        "determinant": sp.Add(*products, evaluate=False),
-        "closed_loop": closed,
-        "factors": sp.Mul(DEVIATION**2, closed, mirrored, evaluate=False),
+        "noise_of_v": _noise_of_v(c.e),
         "first_weight": relation.coeff_monomial(ALPHA**2),
         "last_weight": relation.coeff_monomial(BETA**2),
     }
 
 
-def _by_powers(polynomial: sp.Expr, at: sp.Expr) -> sp.Expr:
-    """A polynomial in z at a place, its highest power first."""
-    terms = [
-        sp.Mul(coefficient, at**power) for (power,), coefficient in sp.Poly(polynomial, Z).terms()
-    ]
-    return sp.Add(*terms, evaluate=False)
-
-
-def _polynomial(noise: sp.Expr) -> str:
-    """A polynomial of degree 1 in v as text: `1 - v/4`."""
-    constant, slope = noise.subs(V, 0), noise.coeff(V, 1)
-    if slope == 0:
-        return str(constant)
-    size = Fraction(str(abs(slope)))
-    top = "v" if size.numerator == 1 else f"{size.numerator} v"
-    below = "" if size.denominator == 1 else f"/{size.denominator}"
-    return f"{constant} {'-' if slope < 0 else '+'} {top}{below}"
+def _noise_of_v(e: Fraction) -> str:
+    """The noise's numerator 1 - (1 - e) v/4 with its number written out."""
+    slope = (1 - e) / 4
+    top = "v" if slope.numerator == 1 else f"{slope.numerator} v"
+    return f"1 - {top}/{slope.denominator}" if slope else "1"
 
 
 def _forms(c: Context) -> Slots:
