@@ -24,7 +24,6 @@ from gainproof.derive.any_two_state.names import (
     GAIN_ROWS,
     INDEX,
     PREDICTED,
-    ROOT,
     UPDATED,
     S,
     Z,
@@ -36,12 +35,11 @@ from gainproof.derive.expression import real
 from gainproof.derive.model import ModelError
 from gainproof.derive.pages.derivation import Given
 from gainproof.derive.pages.model_slots import model_slots
-from gainproof.derive.relation import Relation, equal, increasing_onto
+from gainproof.derive.relation import Relation, equal
 
 LONGEST = 250
 """Operations of what stands on a page: about fifteen lines."""
 PLACE = (1 + S) / (1 - S)
-FACTOR = D2 * S**2 + D1 * S + D0
 TOTAL = D0 + D1 + D2
 Slots = dict[str, Any]
 
@@ -53,13 +51,15 @@ def given(c: Context, kernels: Sequence[Step]) -> Given:
         **covariance_forms.predicted_covariance(c.basis),
         "updated_22": covariance_forms.updated_22(c.basis),
     }
-    whole, minors, second = _is_written(c), _minors(c), _second(c)
+    half, whole = starts_with_half_powers(c.shape), _is_written(c)
+    minors, second = _minors(c), _second(c)
     slots = {
         **model_slots(c.original, c.model),
         "count": "two",
         **_spectrum(c),
         **{name: value.value for name, value in stable.items()},
         "subtractions": _subtractions(stable),
+        "half_powers": half,
         "written_whole": whole,
         "riccati_by_entries": "" if whole else "riccati-by-entries",
         "minors_are_positive": bool(minors),
@@ -70,13 +70,17 @@ def given(c: Context, kernels: Sequence[Step]) -> Given:
     hints: dict[str, Slots] = {f"definite-{word}": {"minors": minors[word]} for word in minors}
     if not whole:
         hints["riccati-innovation"] = {"form": TOTAL**2 / 16}
+    ends = {}
+    if half:
+        hints["parameter-range"] = {"form": "2 p"}
+        ends["main"] = {"0": c.edges[0].end, "infinity": c.edges[1].end}
     return Given(
         towers=(c.tower,),
         slots={"": slots},
         hints=hints,
+        ends=ends,
         steps={
             "free-numbers": free_number_steps(c.original),
-            "parameter-range": _parameter_range(c),
             "riccati": [_riccati(c)],
             "stable": [_stable(c)],
             "derivatives": _derivative_steps("derivative", 1, _first(c)),
@@ -101,7 +105,6 @@ def _spectrum(c: Context) -> Slots:
         "row": sp.ImmutableDenseMatrix(c.model.measurement * inner.adjugate()),
         "column": sp.ImmutableDenseMatrix((c.model.measurement * inner.subs(S, -S).adjugate()).T),
         "open_loop_squared": sp.Mul(known, known.subs(S, -S), evaluate=False),
-        "factors": sp.Mul(FACTOR, FACTOR.subs(S, -S), evaluate=False),
         "closed_loop": _determinant(closed),
         "polynomial": polynomial,
         "polynomial_in_s": sp.Mul(
@@ -113,15 +116,6 @@ def _spectrum(c: Context) -> Slots:
 def _determinant(matrix: sp.MatrixBase) -> sp.Expr:
     products = sp.Mul(matrix[0, 0], matrix[1, 1]), sp.Mul(-1, matrix[0, 1], matrix[1, 0])
     return sp.Add(*(entry for entry in products if entry != 0), evaluate=False)
-
-
-def _parameter_range(c: Context) -> list[Step]:
-    if not starts_with_half_powers(c.shape):
-        return []
-    small, large = c.edges
-    hint = {"form": 2 * ROOT, "ends": {"0": small.end, "infinity": large.end}}
-    relation = increasing_onto(INDEX, sp.Integer(0), "infinity", variable=ROOT.name)
-    return [Step("parameter-range", "", relation, "", hint=hint)]
 
 
 def _subtractions(found: Mapping[str, Signed]) -> str:
