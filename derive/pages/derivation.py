@@ -53,7 +53,8 @@ class Given:
     """What a page does not say.
 
     `towers`: settings that are not written on it. `models` by name. `slots`: values by group and
-    slot, text or expressions; those of the page itself have the group "". `hints`: what evidence
+    slot, text (in formulas one in the names of the page), numbers or expressions; those of the page
+    itself have the group "". `hints`: what evidence
     needs, by step (see `algebra.evidence`), formulas as text in the names of the page. `ends`: of
     towers with roots. `programs`: the graphs of kernels; `roots`: what their named roots are.
     `steps`: by name, that the program makes.
@@ -289,7 +290,11 @@ class _Making:
         return relation
 
     def _require_known(self, relation: Relation, setting: str) -> None:
-        """Each quantity of a statement has to be one of its setting, or stand for any."""
+        """Each quantity of a statement has to be one of its setting, or stand for any; in a
+        definition there is nothing to decide.
+        """
+        if relation.kind == "definition":
+            return
         tower, free = self.towers[setting], relation.parts.get("free", ())
         known = {*tower.variables, *tower.expressions}
         for quantity in free:
@@ -365,12 +370,15 @@ class _Making:
     def _included(self, block: Include) -> Iterator[Step]:
         if block.slots and block.slots not in self.given.slots:
             raise FormulaError(f"no slots {block.slots!r}; known: {', '.join(self.given.slots)}")
-        path = self.folder / f"{block.part}.md"
+        name = self._filled(block.part)
+        if not name:
+            return
+        path = self.folder / f"{name}.md"
         if not path.is_file():
             raise FormulaError(f"no file {path.name} beside this page")
         outside = self.meanings
         self.meanings = replace(outside, slots=self.given.slots.get(block.slots, {}))
-        part = page_of(block.part, self.folder, outside.primed)
+        part = page_of(name, self.folder, outside.primed)
         for each in part.blocks:
             if isinstance(each, Include) or (isinstance(each, Prose) and each.mark == "#"):
                 raise each.place.error("a part has no title and includes no other")
@@ -382,9 +390,9 @@ class _Making:
 
         def value(match: re.Match[str]) -> str:
             found = self.meanings.slots.get(match[1])
-            if not isinstance(found, str):
+            if not isinstance(found, (str, sp.Rational)):
                 raise FormulaError(f"{match[0]!r} is no slot of words here")
-            return found
+            return str(found)
 
         return re.sub(r"\{([^}]*)\}", value, text)
 

@@ -13,7 +13,7 @@ from typing import Any
 
 import sympy as sp
 
-from gainproof.derive.pages.formula import RESERVED, Formula, FormulaError
+from gainproof.derive.pages.formula import RESERVED, Formula, FormulaError, read_formula
 
 MAXIMUM_SIZE = 20_000
 """Nodes of a value, definitions written out."""
@@ -136,7 +136,10 @@ class Meanings:
             case "name":
                 return self._named(formula.text)
             case "slot":
-                return self.slot(formula.text)
+                found = self.slot(formula.text)
+                if isinstance(found, str):
+                    return self._value(read_formula(found, self.primed), multiplied)
+                return found
             case "call":
                 return self._called(formula.text, parts, multiplied)
         values = [self._value(part, multiplied) for part in parts]

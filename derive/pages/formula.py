@@ -35,6 +35,7 @@ RESERVED = frozenset(
         "in",
         "infinity",
         "is",
+        "stands",
         "to",
         "where",
         "with",

@@ -14,7 +14,8 @@ A blank line stands between blocks; the first line of a block says what it is.
         id (...): statement           more, shown together with the first
     because ...                       why it follows
     kernel NAME (in NAME)             what the outputs of a kernel are
-    include PART (SLOTS)              the blocks of another file, with values for its slots
+    include PART (SLOTS)              the blocks of another file, with values for its slots; which
+                                      one a slot may say, {name}, and that it is none
     steps NAME                        steps that the program makes, of that name
 
 `in main` is not said, nor is that a step is not essential. Prose is filled to 100 columns, formulas
@@ -469,7 +470,7 @@ class _Reading:
     def _include(self, kind: str, chunk: Numbered) -> Include:
         number, text = chunk[0]
         slots = rf"(?: \(({NAME})\))?" if kind == "include" else "()"
-        match = re.fullmatch(rf"{kind} ([a-z0-9-]+){slots}", text)
+        match = re.fullmatch(rf"{kind} ([a-z0-9-]+|{{{NAME}}}){slots}", text)
         if match is None or len(chunk) > 1:
             self._at_error(number, f"{kind} NAME is wanted, alone, {text!r} came")
         return Include(kind, match[1], match[2] or "", self._at(number))

@@ -15,6 +15,7 @@ from gainproof.derive.pages.evaluation import Meanings
 from gainproof.derive.pages.formula import Formula, FormulaError, Reader, whole
 from gainproof.derive.relation import (
     Relation,
+    definition,
     equal,
     increasing_onto,
     limit,
@@ -41,6 +42,7 @@ FORMS: Mapping[str, str] = {
     "increasing": "L grows with NAME",
     "decreasing": "L falls with NAME",
     "limit": "L -> B as NAME -> B",
+    "definition": "L stands for R",
 }
 """By kind, the first that fits counts. NAMES: names apart by commas; B: a formula or `infinity`."""
 CONDITIONS = ("equal", "definite", "semidefinite", "symmetric", "invertible", "full rank")
@@ -134,13 +136,16 @@ def relation_of(said: Statement, meanings: Meanings) -> Relation:
 
 
 def _free(meanings: Meanings, left: Formula, right: Formula, names: Formula) -> Relation:
-    listed = [
-        name
-        for each in names.parts
-        for name in (meanings.slot(each.text).split(", ") if each.kind == "slot" else [each.text])
-    ]
-    free = tuple(meanings.symbol(name).name for name in listed)
+    free = tuple(name for each in names.parts for name in _free_names(meanings, each))
     return equal(meanings.value(left), meanings.value(right), free)
+
+
+def _free_names(meanings: Meanings, each: Formula) -> list[str]:
+    """Quantities by names of the page, or by symbols in a slot."""
+    value = meanings.slot(each.text) if each.kind == "slot" else each.text
+    if isinstance(value, str):
+        return [meanings.symbol(name).name for name in value.split(", ")]
+    return [symbol.name for symbol in value]
 
 
 def _positive(meanings: Meanings, left: Formula, right: Formula) -> Relation:
@@ -221,6 +226,9 @@ def _end(meanings: Meanings, value: Formula) -> Any:
 _MADE: Mapping[str, Callable[..., Relation]] = {
     "free": _free,
     "equal": lambda meanings, left, right: equal(meanings.value(left), meanings.value(right)),
+    "definition": lambda meanings, left, right: definition(
+        meanings.value(left), meanings.value(right)
+    ),
     "positive": _positive,
     "definite": _definite,
     "stable": _stable,

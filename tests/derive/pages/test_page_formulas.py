@@ -94,6 +94,7 @@ STATEMENTS = {
         "limit",
         {"expression": A, "variable": "x", "point": "0", "value": "infinity"},
     ),
+    "a^2 stands for b c": ("definition", {"left": A**2, "right": B * C}),
     "gain [a, b] is stable in model": (
         "stable",
         {"model": {"name": "a model"}, "gain": ["a", "b"]},

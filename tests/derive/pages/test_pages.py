@@ -5,6 +5,7 @@ from __future__ import annotations
 from pathlib import Path
 
 import pytest
+import sympy as sp
 
 from gainproof.derive.algebra.evidence import evidence
 from gainproof.derive.algebra.tower import Parameter, Tower
@@ -13,7 +14,7 @@ from gainproof.derive.derivation import PageError, Step
 from gainproof.derive.expression import real
 from gainproof.derive.pages.derivation import FOLDER, Given, page_of, written
 from gainproof.derive.pages.page import read_page
-from gainproof.derive.relation import described
+from gainproof.derive.relation import Relation, described
 from gainproof.jobs.code_digest import modules_below
 
 A, B = real("a"), real("b")
@@ -247,6 +248,66 @@ def test_a_mistake_in_a_part_names_the_part(tmp_path: Path) -> None:
     part = PART.replace("{value} + a > 0", "{amount} + a > 0")
     with pytest.raises(PageError, match=r"part\.md, line 5: no slot 'amount'; known: key, word"):
         written("page", GIVEN, on_disk(tmp_path, part=part))
+
+
+SLOTTED = """\
+# A filter
+What it is about.
+
+names
+    a, b, area
+
+setting main
+    a > 0, b > 0
+
+### first
+Of {root} and {number}.
+
+    {root}^2 + {number} a > 0
+    made: area stands for {own}^2
+    free: {own} + b = b + {own} for any {names}
+
+include {chosen}
+""".replace("    a, b\n", "    a, b, area\n")
+
+
+@pytest.mark.parametrize(("root", "chosen", "ids"), [("3", "", []), ("a b", "part", ["last"])])
+def test_slots_are_formulas_numbers_names_and_parts(
+    tmp_path: Path, root: str, chosen: str, ids: list[str]
+) -> None:
+    own = real("own")
+    slots = {"root": root, "number": sp.Rational(2, 3), "chosen": chosen}
+    given = Given(slots={"": {**slots, "own": own, "names": (own,)}})
+    part = "### last\nA sentence.\n\n    a > 0\n"
+    made = written("page", given, on_disk(tmp_path, SLOTTED, part))
+    first, definition, free, *more = made.steps
+    assert [step.id for step in more] == ids
+    assert first.sentence == f"Of {root} and 2/3."
+    square = {"3": 9, "a b": A**2 * B**2}[root]
+    assert first.relation.parts["expression"] == square + 2 * A / 3
+    assert definition.relation == Relation("definition", {"left": real("area"), "right": own**2})
+    assert free.relation.parts["free"] == ("own",)
+
+
+@pytest.mark.parametrize(
+    ("changed", "line", "said"),
+    [
+        ({"root": "c"}, 13, "'c' is neither a quantity nor a definition of this page"),
+        ({"root": "2*a"}, 13, "'*' is no part of a formula"),
+        ({"number": A}, 10, "'{number}' is no slot of words here"),
+        ({"chosen": "other"}, 17, "no file other.md beside this page"),
+        ({"names": ()}, 15, "'own' has no value in setting main"),
+    ],
+)
+def test_a_mistake_in_a_slot_is_told_with_the_line_where_it_stands(
+    tmp_path: Path, changed: dict[str, object], line: int, said: str
+) -> None:
+    own = real("own")
+    slots = {"root": "a", "number": sp.Integer(2), "chosen": "", "own": own, "names": (own,)}
+    with pytest.raises(PageError) as caught:
+        written("page", Given(slots={"": {**slots, **changed}}), on_disk(tmp_path, SLOTTED))
+    assert f"page.md, line {line}: " in str(caught.value)
+    assert said in str(caught.value)
 
 
 def test_a_part_that_includes_itself_is_refused(tmp_path: Path) -> None:
