@@ -15,7 +15,7 @@ from gainproof.derive.algebra.tower import Generator, NoValue, Parameter, Tower
 from gainproof.derive.derivation import Step
 from gainproof.derive.expression import real
 from gainproof.derive.pages.evaluation import Definition, Meanings
-from gainproof.derive.pages.formula import Formula, FormulaError, read_formula
+from gainproof.derive.pages.formula import NAME, Formula, FormulaError, read_formula
 from gainproof.derive.pages.matrices import Letters, letters_of
 from gainproof.derive.pages.page import (
     Block,
@@ -23,6 +23,7 @@ from gainproof.derive.pages.page import (
     InWords,
     Item,
     Line,
+    Mark,
     Page,
     PageBlock,
     PageStep,
@@ -54,10 +55,9 @@ class Given:
 
     `towers`: settings that are not written on it. `models` by name. `slots`: values by group and
     slot, text (in formulas one in the names of the page), numbers or expressions; those of the page
-    itself have the group "". `hints`: what evidence
-    needs, by step (see `algebra.evidence`), formulas as text in the names of the page. `ends`: of
-    towers with roots. `programs`: the graphs of kernels; `roots`: what their named roots are.
-    `steps`: by name, that the program makes.
+    itself have the group "". `hints`: what evidence needs, by step (see `algebra.evidence`),
+    formulas as text in the names of the page. `ends`: of towers with roots. `programs`: the graphs
+    of kernels; `roots`: what their named roots are. `steps`: by name, that the program makes.
     """
 
     towers: tuple[Tower, ...] = ()
@@ -139,7 +139,7 @@ class _Making:
         elif isinstance(block, Include):
             yield from self._included(block) if block.kind == "include" else self._made(block)
         elif isinstance(block, Prose):
-            self.heading = self._filled(block.head) if block.mark == "##" else ""
+            self.heading = self._heading(block) if block.mark == "##" else ""
         elif block.kind == "kernel":
             yield self._kernel(block)
         elif block.kind == "setting":
@@ -236,6 +236,10 @@ class _Making:
     def _step(self, step: PageStep) -> Iterator[Step]:
         for number, item in enumerate(step.items):
             mark, place = (item.mark, item.place) if number else (step.mark, step.place)
+            if not self._is_there(mark, place):
+                if number:
+                    continue
+                return
             try:
                 made = Step(
                     self._id(mark.id),
@@ -265,6 +269,18 @@ class _Making:
         self.proved[step.id] = found
         made = found.step("")
         return replace(step, relation=made.relation, hint=made.hint)
+
+    def _is_there(self, mark: Mark, place: Place) -> bool:
+        try:
+            return not mark.condition or bool(self.meanings.slot(mark.condition))
+        except FormulaError as error:
+            raise place.error(str(error)) from None
+
+    def _heading(self, block: Prose) -> str:
+        match = re.fullmatch(rf"(.*) \(if ({NAME})\)", block.head)
+        head, condition = match.groups() if match else (block.head, "")
+        there = self._is_there(Mark(condition=condition), block.place)
+        return self._filled(head) if there else ""
 
     def _setting(self, text: str) -> str:
         name = self._filled(text)
@@ -326,6 +342,8 @@ class _Making:
         return replace(step, hint={key: self._hint(value) for key, value in found.items()})
 
     def _hint(self, value: Any) -> Any:
+        if isinstance(value, list):
+            return [self._hint(each) for each in value]
         if not isinstance(value, str):
             return value
         try:

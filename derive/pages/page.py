@@ -8,8 +8,8 @@ A blank line stands between blocks; the first line of a block says what it is.
     setting NAME                      parameters, then what quantities are in them; with no line
                                       beneath one that the program makes
     matrices NAME                     letters of any size, and what some of them stand for
-    ## Heading
-    ### id (in NAME, hidden, essential)   one step, with its sentence beneath
+    ## Heading (if SLOT)
+    ### id (in NAME, if SLOT, hidden, essential)   one step, with its sentence beneath
         statement                     indented: what it says, see `statement`
         id (...): statement           more, shown together with the first
     because ...                       why it follows
@@ -38,7 +38,8 @@ MAXIMUM_LINES = 5000
 WIDTH = 100
 _ID = r"[A-Za-z0-9{}_-]+"
 _MARK = re.compile(
-    rf"({_ID})(?: \((?=\w)(?:in ([A-Za-z0-9{{}}_]+))?(?:, |\b)?(hidden)?(?:, |\b)?(essential)?\))?"
+    rf"({_ID})(?: \((?=\w)(?:in ([A-Za-z0-9{{}}_]+))?(?:, |\b)?(?:if ({NAME}))?(?:, |\b)?(hidden)?"
+    r"(?:, |\b)?(essential)?\))?"
 )
 _ITEM = re.compile(rf"(?:({_ID}(?: \([^)]*\))?): )?(.+)")
 _TOLD = ("theorem: ", "in words: ")
@@ -105,15 +106,20 @@ class InWords:
 
 @dataclass(frozen=True)
 class Mark:
-    """The id of a statement and what is said of it; no setting: main, or that of the step."""
+    """The id of a statement and what is said of it; no setting: main, or that of the step.
+
+    `condition`: a slot; where that is empty the statement is not there, nor those of its step.
+    """
 
     id: str = ""
     setting: str = ""
+    condition: str = ""
     hidden: bool = False
     essential: bool = False
 
     def __str__(self) -> str:
         said = [f"in {self.setting}"] if self.setting else []
+        said += [f"if {self.condition}"] if self.condition else []
         said += ["hidden"] * self.hidden + ["essential"] * self.essential
         return f"{self.id} ({', '.join(said)})" if said else self.id
 
@@ -351,9 +357,12 @@ class _Reading:
 
     def _mark(self, number: int, text: str) -> Mark:
         match = _MARK.fullmatch(text)
-        mark = match and Mark(match[1], match[2] or "", bool(match[3]), bool(match[4]))
+        mark = match and Mark(
+            match[1], match[2] or "", match[3] or "", bool(match[4]), bool(match[5])
+        )
         if mark is None or str(mark) != text:
-            self._at_error(number, f"'id (in NAME, hidden, essential)' is wanted, {text!r} came")
+            wanted = "id (in NAME, if SLOT, hidden, essential)"
+            self._at_error(number, f"{wanted!r} is wanted, {text!r} came")
         return mark
 
     def _items(self, chunk: Numbered) -> Iterator[Item]:

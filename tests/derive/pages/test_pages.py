@@ -181,7 +181,7 @@ MISTAKES = [
     ("P_11 = double(a)", "Q_11 = double(a)", 14, "'Q_11' is no quantity"),
     ("P_11 = double(a)", "P_11 = duoble(a)", 14, "'duoble' is no function"),
     ("P_11 = double(a)", "P_11 = double(a, b)", 14, "double(x) is wanted, 2 arguments came"),
-    ("(essential)", "(important)", 18, "'id (in NAME, hidden, essential)' is wanted"),
+    ("(essential)", "(important)", 18, "'id (in NAME, if SLOT, hidden, essential)' is wanted"),
     ("(essential)", "(in other)", 18, "no setting 'other' above; known: given, main"),
     ("    P_11 = 2 a\n", "    P_11 = 2 (a\n", 21, "wanted ')' after '2 ( a'"),
     ("    P_11 = 2 a\n", "    P_11 = 2 (a)\n", 21, "read as 'P_11 = 2 a', written"),
@@ -225,6 +225,10 @@ MISTAKES = [
         12,
         "no setting 'main'",
     ),
+    ("    second (hidden)", "    second (if no)", 22, "no slot 'no'; known: "),
+    ("### first (essential)", "### first (if no)", 18, "no slot 'no'; known: "),
+    ("## A heading", "## A heading (if no)", 16, "no slot 'no'; known: "),
+    ("    P_11 = 2 a\n", "    P_11 = {no} a\n", 21, "no slot 'no'; known: "),
     ("include part (one)", "include part (two)", 26, "no slots 'two'; known: one, other"),
     ("A sentence.", "A sentence. ", 19, "blanks at the end of the line"),
     ("A sentence.", "A `a sentence.", 19, "a formula stands between two backticks"),
@@ -308,6 +312,43 @@ def test_a_mistake_in_a_slot_is_told_with_the_line_where_it_stands(
         written("page", Given(slots={"": {**slots, **changed}}), on_disk(tmp_path, SLOTTED))
     assert f"page.md, line {line}: " in str(caught.value)
     assert said in str(caught.value)
+
+
+CONDITIONS = [
+    ("### first (essential)", "### first (if there, essential)", ["first", "second"], "A heading"),
+    ("### first (essential)", "### first (if missing, essential)", [], ""),
+    ("    second (hidden)", "    second (if there, hidden)", ["first", "second"], "A heading"),
+    ("    second (hidden)", "    second (if missing, hidden)", ["first"], "A heading"),
+    ("## A heading", "## A heading (if there)", ["first", "second"], "A heading"),
+    ("## A heading", "## A heading (if missing)", ["first", "second"], ""),
+]
+
+
+@pytest.mark.parametrize(("always", "sometimes", "ids", "heading"), CONDITIONS)
+def test_what_has_a_condition_is_there_where_its_slot_has_a_value(
+    tmp_path: Path, always: str, sometimes: str, ids: list[str], heading: str
+) -> None:
+    given = Given(slots={**GIVEN.slots, "": {"there": "0", "missing": ""}})
+    assert always in PAGE
+    made = written("page", given, on_disk(tmp_path, PAGE.replace(always, sometimes, 1)))
+    own = [step for step in made.steps if step.id in ("first", "second")]
+    assert [step.id for step in own] == ids
+    assert "".join(step.heading for step in own) == heading
+
+
+def test_a_heading_stands_over_the_first_step_that_is_there(tmp_path: Path) -> None:
+    given = Given(slots={**GIVEN.slots, "": {"missing": ""}})
+    page = PAGE.replace(
+        "## A heading", "## A heading\n\n### left (if missing)\nIt.\n\n    a = 2", 1
+    )
+    made = written("page", given, on_disk(tmp_path, page))
+    assert (made.steps[0].id, made.steps[0].heading) == ("first", "A heading")
+
+
+def test_hints_may_be_lists_of_formulas(tmp_path: Path) -> None:
+    given = Given(slots=GIVEN.slots, hints={"first": {"values": ["2 a", B]}})
+    made = written("page", given, on_disk(tmp_path))
+    assert made.steps[0].hint == {"values": [2 * A, B]}
 
 
 def test_a_part_that_includes_itself_is_refused(tmp_path: Path) -> None:
