@@ -16,8 +16,8 @@ from gainproof.derive.any_three_state.steps_proof import proof_steps
 from gainproof.derive.any_three_state.steps_spectrum import spectrum_steps
 from gainproof.derive.any_three_state.towers import roots_of
 from gainproof.derive.any_two_state.printed import require_kernels
+from gainproof.derive.any_two_state.programs import kernel_steps
 from gainproof.derive.any_two_state.scaling import scale_free
-from gainproof.derive.any_two_state.steps_kernels import kernel_steps
 from gainproof.derive.any_two_state.steps_model import model_steps
 from gainproof.derive.derivation import Derivation
 from gainproof.derive.model import Model, ModelError

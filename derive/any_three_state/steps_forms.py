@@ -10,8 +10,8 @@ from gainproof.derive.any_three_state.covariances import hidden_entries
 from gainproof.derive.any_three_state.names import DEVIATION, GAINS, INDEX
 from gainproof.derive.any_three_state.quantities import Values
 from gainproof.derive.any_two_state.names import row
+from gainproof.derive.any_two_state.page_slots import followed, left_out
 from gainproof.derive.any_two_state.signed import Signed
-from gainproof.derive.any_two_state.steps_derivatives import followed, left_out
 from gainproof.derive.derivation import Step, joined
 from gainproof.derive.expression import real
 from gainproof.derive.model import ModelError

@@ -11,8 +11,8 @@ from gainproof.derive.any_three_state import derivatives
 from gainproof.derive.any_three_state.context import Context
 from gainproof.derive.any_three_state.names import DEVIATION, GAINS, INDEX, ROOT
 from gainproof.derive.any_three_state.towers import edges, powers_of_root, variable
+from gainproof.derive.any_two_state.limits import first_leading, known_limit
 from gainproof.derive.any_two_state.signed import Signed
-from gainproof.derive.any_two_state.steps_limits import first_leading, known_limit
 from gainproof.derive.derivation import Step, joined
 from gainproof.derive.expression import real
 from gainproof.derive.relation import described, increasing_onto, limit

@@ -16,9 +16,9 @@ from gainproof.derive.any_three_state.names import (
     Z,
 )
 from gainproof.derive.any_two_state.names import row
-from gainproof.derive.any_two_state.steps_spectrum import named_numbers
 from gainproof.derive.derivation import Step, joined
-from gainproof.derive.relation import equal, positive
+from gainproof.derive.expression import real
+from gainproof.derive.relation import definition, equal, positive
 
 PLACE = (1 + S) / (1 - S)
 FACTOR = sp.Add(*(root * S**k for k, root in enumerate(ROOTS)))
@@ -72,7 +72,10 @@ def _open_loop(c: Context) -> list[Step]:
             "The inverse of `z I - F` is its adjugate over its determinant; the adjugate holds "
             "`z` to the second power. The numerator is `n0 - n1 s^2 + n2 s^4`.",
         ),
-        *named_numbers("n", (n0, n1, n2)),
+        *(
+            joined(f"number-n{k}", definition(real(f"n{k}"), value))
+            for k, value in enumerate((n0, n1, n2))
+        ),
     ]
 
 

@@ -2,15 +2,16 @@
 
 from __future__ import annotations
 
-import re
 from typing import Protocol
 
 import sympy as sp
 
-from gainproof.derive.any_two_state.names import INDEX, ODDS
+from gainproof.derive.any_two_state.free_numbers import free_number_steps
+from gainproof.derive.any_two_state.names import INDEX
 from gainproof.derive.derivation import Step, joined
 from gainproof.derive.expression import real
 from gainproof.derive.model import Model, ScaledModel
+from gainproof.derive.pages.model_slots import plain
 from gainproof.derive.relation import Relation, definition, described, equal
 
 COUNTS = {2: "two", 3: "three"}
@@ -28,7 +29,7 @@ class Described(Protocol):
 
 def model_steps(c: Described) -> list[Step]:
     """From the model in its own units to the index and the parameters."""
-    return [*_own_model(c), *_scaling(c), *_parameters(c)]
+    return [*_own_model(c), *_scaling(c), *free_number_steps(c.original)]
 
 
 def _own_model(c: Described) -> list[Step]:
@@ -98,35 +99,3 @@ def _scaled(
     named = [*c.original.quantities]
     free = tuple(q.name for q in named if q.name in found)
     return equal(sp.MatMul(*factors, evaluate=False), wanted, free)
-
-
-def _parameters(c: Described) -> list[Step]:
-    steps: list[Step] = []
-    for entry in c.original.parameters:
-        name, meaning = entry.quantity.name, entry.quantity.meaning
-        text = plain(entry.quantity.latex)
-        if entry.below_one:
-            steps.append(
-                Step(
-                    f"parameter-{name.replace('_', '-')}",
-                    f"`{text}` is the {meaning}, a number between 0 and 1; `x_{text}` runs through "
-                    "all positive numbers.",
-                    equal(real(name), 1 / (1 + real(f"{name}{ODDS}"))),
-                    "Each number between 0 and 1 is `1/(1 + x)` for one positive `x`.",
-                )
-            )
-        else:
-            steps.append(
-                Step(
-                    f"parameter-{name.replace('_', '-')}",
-                    f"`{text}` is the {meaning}, any positive number.",
-                    described(f"`{text} > 0`"),
-                    "It stays free.",
-                )
-            )
-    return steps
-
-
-def plain(latex: str) -> str:
-    """A quantity's symbol as it is written on a line of text."""
-    return re.sub(r"[\\{} ]|tilde", "", latex)

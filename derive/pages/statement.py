@@ -226,7 +226,8 @@ def _quantity(meanings: Meanings, name: Formula) -> str:
 
 
 def _end(meanings: Meanings, value: Formula) -> Any:
-    return "infinity" if value.text == "infinity" else meanings.value(value)
+    said = meanings.slot(value.text) if value.kind == "slot" else value.text
+    return "infinity" if said == "infinity" else meanings.value(value)
 
 
 _MADE: Mapping[str, Callable[..., Relation]] = {

@@ -38,3 +38,13 @@ def rows(kind: str) -> list[list[str]]:
 def gain_vector() -> sp.ImmutableDenseMatrix:
     """The filter gain (alpha, beta, gamma) in units T = 1."""
     return sp.ImmutableDenseMatrix([[ALPHA], [BETA], [GAMMA]])
+
+
+def second(name: str) -> sp.Expr:
+    """The second derivative of a named quantity by the index."""
+    return sp.Derivative(real(name), (INDEX, 2))
+
+
+def label(prefix: str, name: str) -> str:
+    """The id of a step about a named quantity."""
+    return f"{prefix}-{name.replace('_', '-')}"
