@@ -41,7 +41,10 @@ def test_a_page_that_was_edited_is_derived_anew(name: str) -> None:
     assert modules_below(module)["gainproof.derive.pages"].parent.resolve() == FOLDER.resolve()
 
 
-SHARED = {"measured-position-two-states", "first-measured-two-states"}
+SHARED = {
+    *("measured-position-two-states", "first-measured-two-states"),
+    *("measured-position-three-states", "first-measured-three-states"),
+}
 """Pages of several families, or of models of a user's own."""
 
 
