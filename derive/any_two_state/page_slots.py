@@ -58,7 +58,7 @@ def given(c: Context, kernels: Sequence[Step]) -> Given:
         "count": "two",
         **_spectrum(c),
         **{name: value.value for name, value in stable.items()},
-        "subtractions": _subtractions(stable),
+        "subtractions": subtractions(dict(sorted(stable.items()))),
         "half_powers": half,
         "written_whole": whole,
         "riccati_by_entries": "" if whole else "riccati-by-entries",
@@ -118,9 +118,9 @@ def _determinant(matrix: sp.MatrixBase) -> sp.Expr:
     return sp.Add(*(entry for entry in products if entry != 0), evaluate=False)
 
 
-def _subtractions(found: Mapping[str, Signed]) -> str:
+def subtractions(found: Mapping[str, Signed]) -> str:
     """A sentence on what is left of them."""
-    left = sorted(name for name, value in found.items() if value.cancels)
+    left = [name for name, value in found.items() if value.cancels]
     if not left:
         return "No two computed numbers are subtracted, so no digit cancels in a computer."
     listed = ", ".join(f"`{_written(name)}`" for name in left)

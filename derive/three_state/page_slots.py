@@ -4,7 +4,6 @@ long, and the forms that show signs.
 
 from __future__ import annotations
 
-import re
 from collections.abc import Collection, Mapping
 from typing import Any
 
@@ -15,6 +14,7 @@ from gainproof.derive.algebra.limits import End
 from gainproof.derive.algebra.tower import Fraction, Tower
 from gainproof.derive.expression import real
 from gainproof.derive.model import ScaledModel
+from gainproof.derive.pages.model_slots import model_slots, plain
 from gainproof.derive.steady_state.spectrum import V
 from gainproof.derive.three_state import bending, covariance_entries, kernel_tower, pole_tower
 from gainproof.derive.three_state.context import Context
@@ -75,39 +75,17 @@ def poles_by_level(c: Context) -> bool:
 
 def _model(c: Context) -> Slots:
     """The model in its own quantities, and its scaling."""
-    model, scaled = c.original, c.model
-    plain = {q.symbol: sp.Symbol(_plain(q.latex)) for q in model.quantities}
-    units = [str(entry.subs(plain)).replace("**", "^") for entry in scaled.state_scale]
-    ratio = str(scaled.noise_ratio.subs(plain)).replace("**", "^").replace("*", " ")
-    per_unit = sp.diag(*(1 / entry for entry in scaled.state_scale)).as_immutable()
+    texts = {q.symbol: sp.Symbol(plain(q.latex)) for q in c.original.quantities}
+
+    def written(value: sp.Expr) -> str:
+        return str(value.subs(texts)).replace("**", "^").replace("*", " ")
+
+    units = map(written, c.model.state_scale)
     return {
-        "transition": model.transition,
-        "process_noise": model.process_noise,
-        "measurement": model.measurement,
-        "measurement_noise": model.measurement_noise,
-        "meanings": ", ".join(
-            f"`{_plain(quantity.latex)}` {'' if number else 'is '}the {quantity.meaning}"
-            for number, quantity in enumerate(model.quantities)
-        ),
+        **model_slots(c.original, c.model),
         **dict(zip(("position_unit", "velocity_unit", "acceleration_unit"), units, strict=True)),
-        "units": sp.diag(*scaled.state_scale).as_immutable(),
-        "inverse_units": per_unit,
-        "quantities_of_transition": _quantities(c, per_unit, model.transition),
-        "quantities_of_noise": _quantities(c, per_unit, model.process_noise),
-        "ratio": scaled.noise_ratio,
-        "ratio_in_words": ratio,
+        "ratio_in_words": written(c.model.noise_ratio),
     }
-
-
-def _quantities(c: Context, *factors: sp.ImmutableDenseMatrix) -> tuple[sp.Symbol, ...]:
-    """The model's quantities in these matrices."""
-    found = {str(symbol) for factor in factors for symbol in factor.free_symbols}
-    return tuple(q.symbol for q in c.original.quantities if q.name in found)
-
-
-def _plain(latex: str) -> str:
-    """A quantity's symbol as it is written on a line of text."""
-    return re.sub(r"[\\{} ]|tilde", "", latex)
 
 
 def _noise(c: Context) -> Slots:
@@ -116,9 +94,8 @@ def _noise(c: Context) -> Slots:
     entries = {f"Q{i}{j}": noise[i - 1, j - 1] for i in (1, 2, 3) for j in (1, 2, 3) if i <= j}
     polynomial = c.spectrum.noise
     return {
-        "Q0": noise,
         **entries,
-        "noise": polynomial_text(polynomial),
+        "noise_of_v": polynomial_text(polynomial),
         "noise_in_place": _in_place(polynomial, 2 - Z - 1 / Z),
     }
 
