@@ -17,20 +17,21 @@ from gainproof.derive.any_two_state.basis import Basis
 from gainproof.derive.any_two_state.context import Context
 from gainproof.derive.any_two_state.denominators import common_denominator, over_parameters
 from gainproof.derive.any_two_state.domain import FreeNumbers
+from gainproof.derive.any_two_state.free_numbers import free_number_steps
 from gainproof.derive.any_two_state.kernel_numbers import Numbers
 from gainproof.derive.any_two_state.kernels import Made, graph_end_root, symbolic_basis
 from gainproof.derive.any_two_state.names import D0, D2, INDEX, LATEX
 from gainproof.derive.any_two_state.printed import Wording, linear, printed, require_kernels
+from gainproof.derive.any_two_state.programs import kernel_steps
 from gainproof.derive.any_two_state.scaling import scale_free
 from gainproof.derive.any_two_state.shape import Shape, require_first_measured
 from gainproof.derive.any_two_state.signed import Signed
-from gainproof.derive.any_two_state.steps_kernels import kernel_steps
-from gainproof.derive.any_two_state.steps_model import model_steps
 from gainproof.derive.any_two_state.towers import end_root
 from gainproof.derive.derivation import Derivation, Step
 from gainproof.derive.expression import real
 from gainproof.derive.model import Model
 from gainproof.derive.pages.derivation import Given, written
+from gainproof.derive.pages.model_slots import model_slots
 from gainproof.derive.printer.graph import GraphBuilder, Node
 from gainproof.derive.subject import Program, Subject
 
@@ -56,11 +57,11 @@ class OneState(Shape):
         return self.entry(1, 1)
 
     @property
-    def open_loop(self) -> tuple[sp.Expr, sp.Expr, sp.Expr]:  # type: ignore[override]
+    def open_loop(self) -> tuple[sp.Expr, sp.Expr, sp.Expr]:
         return self.readable(1 - self.transition), sp.Integer(0), self.readable(1 + self.transition)
 
     @property
-    def noise_ends(self) -> tuple[sp.Expr, sp.Expr]:  # type: ignore[override]
+    def noise_ends(self) -> tuple[sp.Expr, sp.Expr]:
         return (self.readable(self.noise(1, 1)),) * 2
 
 
@@ -177,11 +178,13 @@ def _given(c: Context, tower: Tower, kernels: list[Step]) -> Given:
     start = small.of(tower.fraction(alpha))
     f0, _, f2 = shape.open_loop
     slots = {
+        **model_slots(c.original, c.model),
+        "measured": "has one entry, which is",
         "title": c.original.title,
         "f": shape.determinant,
         "near": f0,
         "far": f2,
-        "noise": shape.noise_ends[0],
+        "entering": shape.noise_ends[0],
         "variance": predicted,
         "gain": alpha,
         "slope": slope,
@@ -198,7 +201,7 @@ def _given(c: Context, tower: Tower, kernels: list[Step]) -> Given:
             "alpha-range": {"form": slope, **_without_cancellation(tower, (small, large), alpha)},
         },
         ends={"main": {"0": small.end, "infinity": large.end}},
-        steps={"model": model_steps(c), "kernels": kernels},
+        steps={"free-numbers": free_number_steps(c.original), "kernels": kernels},
     )
 
 

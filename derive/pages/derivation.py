@@ -23,6 +23,7 @@ from gainproof.derive.pages.page import (
     InWords,
     Item,
     Line,
+    Made,
     Mark,
     Page,
     PageBlock,
@@ -147,7 +148,9 @@ class _Making:
                 self.references += [(block.place, name) for name in found]
                 yield step
         elif isinstance(block, Include):
-            yield from self._included(block) if block.kind == "include" else self._made(block)
+            yield from (
+                self._included(block) if block.kind == "include" else self._made(block.part)
+            )
         elif isinstance(block, Prose):
             self.heading = self._heading(block) if block.mark == "##" else ""
         elif block.kind == "kernel":
@@ -244,32 +247,41 @@ class _Making:
         return found
 
     def _step(self, step: PageStep) -> Iterator[Step]:
+        """Its statements; the first that is there has the sentence and the reason."""
+        first = True
         for number, item in enumerate(step.items):
             mark, place = (item.mark, item.place) if number else (step.mark, step.place)
             if not self._is_there(mark, place):
                 if number:
                     continue
                 return
-            try:
-                made = Step(
-                    self._id(mark.id),
-                    "" if number else self._filled(step.sentence),
-                    described(""),
-                    "" if number else self._filled(step.reason),
-                    self._setting(mark.setting or step.mark.setting or "main"),
-                    shown=not mark.hidden,
-                    heading=self.heading,
-                    joins=number > 0,
-                    essential=mark.essential,
-                )
+            mark = replace(mark, setting=mark.setting or step.mark.setting or "main")
+            for each in self._statements(item, mark, place):
+                yield self._opened(each, step) if first else replace(each, joins=True)
+                first = False
+
+    def _opened(self, each: Step, step: PageStep) -> Step:
+        try:
+            sentence, reason = self._filled(step.sentence), self._filled(step.reason)
+        except FormulaError as error:
+            raise step.place.error(str(error)) from None
+        heading, self.heading = self.heading, ""
+        return replace(each, sentence=sentence, reason=reason, heading=heading, joins=False)
+
+    def _statements(self, item: Item, mark: Mark, place: Place) -> tuple[Step, ...]:
+        try:
+            if isinstance(item.said, Made):
                 place = item.place
-                if made.tower in self.letters and isinstance(item.said, Statement):
-                    yield self._of_matrices(made, item.said)
-                else:
-                    yield self._with_hint(replace(made, relation=self._relation(item, made.tower)))
-            except FormulaError as error:
-                raise place.error(str(error)) from None
-            self.heading = ""
+                return self._made(item.said.name)
+            name, setting = self._id(mark.id), self._setting(mark.setting)
+            made = Step(name, "", described(""), "", setting, shown=not mark.hidden)
+            made, place = replace(made, essential=mark.essential), item.place
+            if made.tower in self.letters and isinstance(item.said, Statement):
+                return (self._of_matrices(made, item.said),)
+            made = replace(made, relation=self._relation(item, made.tower))
+            return (self._with_hint(made),)
+        except FormulaError as error:
+            raise place.error(str(error)) from None
 
     def _of_matrices(self, step: Step, said: Statement) -> Step:
         letters = self.letters[step.tower]
@@ -311,6 +323,7 @@ class _Making:
             return described(self._filled(item.said.text))
         if isinstance(item.said, Theorem):
             return cited(self._filled(item.said.text), _source(item.said.source))
+        assert isinstance(item.said, Statement)  # what the program makes has its relation
         relation = relation_of(item.said, self.meanings)
         self._require_known(relation, setting)
         return relation
@@ -392,11 +405,11 @@ class _Making:
             shown=False,
         )
 
-    def _made(self, block: Include) -> tuple[Step, ...]:
-        if block.part not in self.given.steps:
+    def _made(self, name: str) -> tuple[Step, ...]:
+        if name not in self.given.steps:
             known = ", ".join(self.given.steps)
-            raise FormulaError(f"no steps {block.part!r} of the program; known: {known}")
-        found = tuple(self.given.steps[block.part])
+            raise FormulaError(f"no steps {name!r} of the program; known: {known}")
+        found = tuple(self.given.steps[name])
         for step in found:
             self._id(step.id)
         return found

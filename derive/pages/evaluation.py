@@ -19,7 +19,7 @@ MAXIMUM_SIZE = 20_000
 """Nodes of a value, definitions written out."""
 FEW = 12
 """Slots that an error lists all of."""
-BUILT_IN = ("sqrt", "determinant", "derivative", "at")
+BUILT_IN = ("sqrt", "determinant", "derivative", "at", "as_written")
 Model = Mapping[str, Any]
 
 
@@ -178,6 +178,21 @@ class Meanings:
         hint = f"; {near[0]!r} is one" if near else ""
         raise FormulaError(f"{name!r} is neither a quantity nor a definition of this page{hint}")
 
+    def _in_order(self, formula: Formula) -> Any:
+        """With sums, and products of these, in the order in which they are written."""
+        values = [self._in_order(part) for part in formula.parts if formula.kind != "call"]
+        sums = any(value.has(sp.Add) for value in values)
+        match formula.kind:
+            case "add":
+                return sp.Add(*values, evaluate=False)
+            case "pow":
+                return values[0] ** int(formula.text)
+            case "mul" if sums:
+                return sp.Mul(*values, evaluate=False)
+            case "div" if sums:
+                return sp.Mul(1 / values[1], values[0], evaluate=False)
+        return self._value(formula, multiplied=True)
+
     def _called(self, name: str, parts: tuple[Formula, ...], multiplied: bool) -> Any:
         if name in self.functions:
             definition = self.functions[name]
@@ -190,6 +205,8 @@ class Meanings:
             return inside._value(definition.formula, multiplied=True)
         if name not in BUILT_IN:
             raise self._no_function(name)
+        if name == "as_written" and len(parts) == 1:
+            return self._in_order(parts[0])
         first = self._value(parts[0], multiplied or name == "determinant")
         match name, parts[1:]:
             case "sqrt", ():
@@ -204,7 +221,8 @@ class Meanings:
             case "at", (place, value):
                 return sp.Subs(first, self.symbol(str(place)), self._value(value, multiplied))
         raise FormulaError(
-            "wanted: sqrt(x), determinant(M), derivative(f, x), derivative(f, x, 2), at(f, x, a)"
+            "wanted: sqrt(x), determinant(M), derivative(f, x), derivative(f, x, 2), at(f, x, a), "
+            "as_written(x)"
         )
 
     def _no_function(self, name: str) -> FormulaError:

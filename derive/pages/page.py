@@ -16,7 +16,8 @@ A blank line stands between blocks; the first line of a block says what it is.
     kernel NAME (in NAME)             what the outputs of a kernel are
     include PART (SLOTS)              the blocks of another file, with values for its slots; which
                                       one a slot may say, {name}, and that it is none
-    steps NAME                        steps that the program makes, of that name
+    steps NAME                        steps that the program makes, of that name; indented, in place
+                                      of a statement, they are shown with those of the step
 
 `in main` is not said, nor is that a step is not essential. Prose is filled to 100 columns, formulas
 are continued on lines that are indented further.
@@ -42,6 +43,7 @@ _MARK = re.compile(
     r"(?:, |\b)?(essential)?\))?"
 )
 _ITEM = re.compile(rf"(?:({_ID}(?: \([^)]*\))?): )?(.+)")
+_MADE = re.compile(r"steps ([a-z0-9-]+)")
 _TOLD = ("theorem: ", "in words: ")
 _THEOREM = re.compile(r"theorem: (.+) \[([a-z0-9-]+)\]")
 _PLAIN = re.compile(rf"{NAME}'?(?:, {NAME}'?)*")
@@ -105,6 +107,16 @@ class InWords:
 
 
 @dataclass(frozen=True)
+class Made:
+    """Statements that the program makes, under the sentence of the page."""
+
+    name: str
+
+    def __str__(self) -> str:
+        return f"steps {self.name}"
+
+
+@dataclass(frozen=True)
 class Mark:
     """The id of a statement and what is said of it; no setting: main, or that of the step.
 
@@ -129,7 +141,7 @@ class Item:
     """One statement of a step; the first is marked by the step."""
 
     mark: Mark
-    said: Statement | Theorem | InWords
+    said: Statement | Theorem | InWords | Made
     place: Place
 
     def __str__(self) -> str:
@@ -367,6 +379,9 @@ class _Reading:
 
     def _items(self, chunk: Numbered) -> Iterator[Item]:
         for place, (number, text) in enumerate(self._lines(chunk)):
+            if made := _MADE.fullmatch(text):
+                yield Item(Mark(), Made(made[1]), self._at(number))
+                continue
             match = None if text.startswith(_TOLD) else _ITEM.fullmatch(text)
             named = match is not None and bool(match[1])
             if named is (place == 0):

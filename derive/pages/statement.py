@@ -115,7 +115,7 @@ def _part(reader: Reader, word: str) -> Formula:
         reader.place += 1
         return Formula("name", "infinity")
     if word == "NAME":
-        return Formula("name", reader.name())
+        return _name_or_slot(reader)
     if word == "NAMES":
         names = [_name_or_slot(reader)]
         while reader.next == ",":
@@ -199,7 +199,7 @@ def _listed(meanings: Meanings, gain: Formula) -> list[Any]:
 
 def _monotone(trend: str) -> Callable[[Meanings, Formula, Formula], Relation]:
     def made(meanings: Meanings, value: Formula, name: Formula) -> Relation:
-        return monotone(meanings.value(value), trend, meanings.symbol(name.text).name)
+        return monotone(meanings.value(value), trend, _quantity(meanings, name))
 
     return made
 
@@ -208,8 +208,8 @@ def _limit(
     meanings: Meanings, value: Formula, at: Formula, name: Formula, point: Formula
 ) -> Relation:
     if str(point) not in ("0", "infinity"):
-        raise FormulaError(f"0 or infinity is wanted behind {name.text} ->, {point} came")
-    variable = meanings.symbol(name.text).name
+        raise FormulaError(f"0 or infinity is wanted behind {name} ->, {point} came")
+    variable = _quantity(meanings, name)
     return limit(meanings.value(value), str(point), _end(meanings, at), variable)
 
 
@@ -217,7 +217,13 @@ def _onto(
     meanings: Meanings, value: Formula, start: Formula, end: Formula, name: Formula
 ) -> Relation:
     first, last = (_end(meanings, each) for each in (start, end))
-    return increasing_onto(meanings.value(value), first, last, meanings.symbol(name.text).name)
+    return increasing_onto(meanings.value(value), first, last, _quantity(meanings, name))
+
+
+def _quantity(meanings: Meanings, name: Formula) -> str:
+    """What certificates call a quantity, which a slot may name."""
+    name_of = meanings.slot(name.text) if name.kind == "slot" else name.text
+    return str(meanings.symbol(name_of))
 
 
 def _sum(
@@ -234,7 +240,8 @@ def _sum(
 
 
 def _end(meanings: Meanings, value: Formula) -> Any:
-    return "infinity" if value.text == "infinity" else meanings.value(value)
+    said = meanings.slot(value.text) if value.kind == "slot" else value.text
+    return "infinity" if said == "infinity" else meanings.value(value)
 
 
 _MADE: Mapping[str, Callable[..., Relation]] = {

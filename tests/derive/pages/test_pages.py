@@ -43,12 +43,20 @@ def test_a_page_that_was_edited_is_derived_anew(name: str) -> None:
     assert modules_below(module)["gainproof.derive.pages"].parent.resolve() == FOLDER.resolve()
 
 
-def test_a_page_is_that_of_subjects_that_are_written_so() -> None:
+SHARED = {
+    *("one-state", "least-squares"),
+    *("measured-position-two-states", "first-measured-two-states"),
+    *("measured-position-three-states", "first-measured-three-states"),
+}
+"""Pages of several families, or of models of a user's own."""
+
+
+def test_a_page_is_that_of_a_subject() -> None:
     titles = {path.stem for path in PAGES if path.read_text(encoding="utf-8").startswith("# ")}
-    shared = {"least-squares", "one-state"}
-    assert titles - shared <= set(WRITTEN)
-    families = {"least-squares-mean", "least-squares-line", "least-squares-parabola"}
-    assert families <= set(WRITTEN)
+    assert titles - SHARED <= set(WRITTEN)
+    fits = {"least-squares-mean", "least-squares-line", "least-squares-parabola"}
+    noises = {"random-velocity", "random-acceleration", "continuous-white-acceleration"}
+    assert fits | noises <= set(WRITTEN)
 
 
 def test_a_page_of_too_many_lines_is_refused() -> None:
@@ -154,6 +162,33 @@ def test_steps_and_settings_of_the_program_are_where_the_page_has_them(tmp_path:
     assert made.steps[-1].sentence == "Made."
 
 
+@pytest.mark.parametrize(
+    ("lines", "shown"),
+    [
+        ("    steps more", ["from-program"]),
+        ("    steps none\n    steps more", ["from-program"]),
+        ("    steps none\n    own: b + 1 > 0", ["own"]),
+        ("    steps more\n    own: b + 1 > 0", ["from-program", "own"]),
+        ("    steps none", []),
+    ],
+)
+def test_the_first_statement_that_is_there_has_the_sentence(
+    tmp_path: Path, lines: str, shown: list[str]
+) -> None:
+    lines = lines.replace("b + 1 > 0", "b + 1 > 0")
+    page = f"# A filter\n\nnames\n    b\n\n## Made\n\n### some (in given)\nOf these.\n\n{lines}\n"
+    page += "\nbecause Reason.\n\n### last (in given)\nAlone.\n\n    b + 1 > 0\n"
+    steps = {**GIVEN.steps, "none": ()}
+    made = written("page", Given(towers=GIVEN.towers, steps=steps), on_disk(tmp_path, page))
+    assert [step.id for step in made.steps] == [*shown, "last"]
+    first, *others = made.steps
+    assert (first.heading, first.joins, first.tower) == ("Made", False, "given")
+    wanted = ("Of these.", "Reason.") if shown else ("Alone.", "")
+    assert (first.sentence, first.reason) == wanted
+    assert [step.joins for step in others] == [step.id != "last" for step in others]
+    assert not any(step.heading for step in others)
+
+
 def test_a_setting_of_numbers_has_no_parameters(tmp_path: Path) -> None:
     page = PAGE.replace("    a > 0, b >= 0\n    P_11 = double(a)", "    a = 1/2\n    P_11 = 1")
     page = page.split("include")[0].rstrip().replace("## A", "let\n    K = [a; P_11]\n\n## A")
@@ -252,6 +287,7 @@ MISTAKES = [
     ("Reason.", "Reason {why}.", 18, "'{why}' is no slot of words here"),
     ("include part (one)", "include parts (one)", 26, "no file parts.md beside this page"),
     ("include part (one)", "steps part", 26, "no steps 'part' of the program; known: more"),
+    ("    P_11 = 2 a\n", "    steps part\n", 21, "no steps 'part' of the program; known: more"),
     ("include part (one)", "include part one", 26, "include NAME is wanted, alone"),
     (
         "    second (hidden)",

@@ -1,6 +1,8 @@
-"""Steps on both ends of the index, and on the range of the first gain."""
+"""Statements on both ends of the index, and on the range of the first gain."""
 
 from __future__ import annotations
+
+from collections.abc import Mapping
 
 import sympy as sp
 
@@ -10,81 +12,30 @@ from gainproof.derive.algebra.positive import NoPlainSign, nonnegative_form
 from gainproof.derive.any_three_state import derivatives
 from gainproof.derive.any_three_state.context import Context
 from gainproof.derive.any_three_state.names import DEVIATION, GAINS, INDEX, ROOT
-from gainproof.derive.any_three_state.towers import edges, powers_of_root, variable
+from gainproof.derive.any_three_state.towers import powers_of_root, variable
+from gainproof.derive.any_two_state.limits import first_leading, known_limit
 from gainproof.derive.any_two_state.signed import Signed
-from gainproof.derive.any_two_state.steps_limits import first_leading, known_limit
 from gainproof.derive.derivation import Step, joined
 from gainproof.derive.expression import real
-from gainproof.derive.relation import described, increasing_onto, limit
-
-SENTENCES = {
-    "small": (
-        "A small index: the filter trusts its prediction.",
-        "Insert what the roots tend to in the forms above.",
-    ),
-    "large": (
-        "A large index: the filter trusts the measurement.",
-        (
-            "The roots grow like powers of the index; those of a coupled pair solve what is left "
-            "of its equations. A limit that no radicals give is left out."
-        ),
-    ),
-}
+from gainproof.derive.relation import increasing_onto, limit
 
 
-def root_steps(c: Context) -> list[Step]:
-    """That the tower's parameter reaches every index, where it is a root of it."""
-    power = powers_of_root(c.shape)
-    if power == 1:
-        return []
-    sentence = (
-        f"Here broken powers of the index occur: `p^{power} = Lambda`. What holds for all positive "
-        "`p` holds for all positive `Lambda`."
-    )
-    try:
-        small, large = edges(c.shape, c.tower)
-    except NoLeadingTerm:
-        relation = described(f"`p` is the positive root of `p^{power} = Lambda`")
-        return [Step("parameter-range", sentence, relation, "It grows from 0 without bound.")]
-    return [
-        Step(
-            "parameter-range",
-            sentence,
-            increasing_onto(INDEX, sp.Integer(0), "infinity", variable=ROOT.name),
-            "Every positive index is such a power of one positive `p`.",
-            hint={
-                "form": power * ROOT ** (power - 1),
-                "ends": {"0": small.end, "infinity": large.end},
-            },
-        )
-    ]
-
-
-def limit_steps(c: Context) -> list[Step]:
+def limit_steps(c: Context) -> Mapping[str, list[Step]]:
     """Leading behaviour at both ends; what has no plain leading term is left out."""
     try:
-        small, large = edges(c.shape, c.tower)
+        ends = c.edges
     except NoLeadingTerm:
-        return []
-    steps: list[Step] = []
+        return {"small-index": [], "large-index": [], "range": []}
     values = {
         **c.quantities.gains(c.basis),
         "predicted_11": c.quantities.value(c.basis, "predicted_11"),
     }
-    for edge, word in ((small, "small"), (large, "large")):
-        group = [_limit(c, edge, word, name, value) for name, value in values.items()]
-        if word == "large":
-            group.append(_limit(c, edge, word, DEVIATION.name, Signed()))
-        shown = [step for step in group if step is not None]
-        if shown:
-            sentence, reason = SENTENCES[word]
-            heading = "" if steps else "Both ends of the index"
-            first = shown[0]
-            opened = Step(
-                first.id, sentence, first.relation, reason, hint=first.hint, heading=heading
-            )
-            steps += [opened, *shown[1:]]
-    return [*steps, *_range(c, (small, large))]
+    found = {}
+    for edge, word in zip(ends, ("small", "large"), strict=True):
+        named = {**values, DEVIATION.name: Signed()} if word == "large" else values
+        group = (_limit(c, edge, word, name, value) for name, value in named.items())
+        found[f"{word}-index"] = [step for step in group if step is not None]
+    return {**found, "range": _range(c, ends)}
 
 
 def _limit(c: Context, edge: Edge, word: str, name: str, form: Signed) -> Step | None:
@@ -142,15 +93,8 @@ def _range(c: Context, ends: tuple[Edge, Edge]) -> list[Step]:
     hint = {"form": slope, "ends": {"0": ends[0].end, "infinity": ends[1].end}}
     if any(_silent(c, edge) for edge in ends):
         hint["limit_form"] = alpha.value
-    return [
-        Step(
-            "alpha-range",
-            "Between these ends the first gain takes every value exactly once.",
-            increasing_onto(GAINS[0], sp.Integer(0), sp.Integer(1), variable=name),
-            "Its derivative is a quotient of sums without a minus sign.",
-            hint=hint,
-        )
-    ]
+    relation = increasing_onto(GAINS[0], sp.Integer(0), sp.Integer(1), variable=name)
+    return [Step("alpha-range", "", relation, "", hint=hint)]
 
 
 def _silent(c: Context, edge: Edge) -> bool:

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
+
 import sympy as sp
 
 from gainproof.derive.algebra.derivative import by
@@ -19,46 +21,23 @@ from gainproof.derive.model import ModelError
 from gainproof.derive.relation import increasing_onto, limit
 
 
-def limit_steps(c: Context) -> list[Step]:
+def limit_steps(c: Context) -> Mapping[str, list[Step]]:
     """Leading behaviour at both ends; what has no plain leading term is left out."""
     try:
         small, large = c.edges
     except NoLeadingTerm:
-        return []
-    steps: list[Step] = []
-    values = {
+        return {"small-index": [], "large-index": [], "range": []}
+    values: dict[str, Signed | None] = {
         **forms.gains(c.basis),
         "predicted_11": Signed(forms.variance_excess(c.basis)),
         "updated_22": covariance_forms.updated_22(c.basis),
     }
+    found = {}
     for edge, word, point in ((small, "small", "0"), (large, "large", "infinity")):
-        group = [
-            *([_deviation(c, edge)] if edge.at_infinity else []),
-            *(_limit(c, edge, (word, point), name, value) for name, value in values.items()),
-        ]
-        shown = [step for step in group if step is not None]
-        if shown:
-            steps += [_opened(shown[0], word), *shown[1:]]
-    return [*steps, *_range(c, (small, large))]
-
-
-def _opened(step: Step, word: str) -> Step:
-    sentence, reason = {
-        "small": (
-            "A small index: the filter trusts its prediction.",
-            "Insert what the roots tend to in the forms above.",
-        ),
-        "large": (
-            "A large index: the filter trusts the measurement.",
-            "The roots grow like the index where noise acts at `z = 1` or `z = -1`.",
-        ),
-    }[word]
-    heading = "Both ends of the index" if word == "small" else ""
-    return Step(step.id, sentence, step.relation, reason, hint=step.hint, heading=heading)
-
-
-def _deviation(c: Context, edge: Edge) -> Step | None:
-    return _limit(c, edge, ("large", "infinity"), DEVIATION.name, None)
+        named = {DEVIATION.name: None, **values} if edge.at_infinity else values
+        group = (_limit(c, edge, (word, point), name, value) for name, value in named.items())
+        found[f"{word}-index"] = [step for step in group if step is not None]
+    return {**found, "range": _range(c, (small, large))}
 
 
 def _limit(
@@ -139,12 +118,5 @@ def _range(c: Context, edges: tuple[Edge, Edge]) -> list[Step]:
     name, index = variable(c.shape)
     if name != INDEX.name:
         hint["form"] = slope * by(index, ROOT)
-    return [
-        Step(
-            "alpha-range",
-            "Between these ends the first gain takes every value exactly once.",
-            increasing_onto(ALPHA, least, sp.Integer(1), variable=name),
-            "Its derivative is a quotient of sums without a minus sign.",
-            hint=hint,
-        )
-    ]
+    relation = increasing_onto(ALPHA, least, sp.Integer(1), variable=name)
+    return [Step("alpha-range", "", relation, "", hint=hint)]
