@@ -13,14 +13,14 @@ from gainproof.derive.fixed_gain.names import MEANINGS
 from gainproof.derive.fixed_gain.three_curve_towers import BY_GAIN, BY_LAG, curve_roots
 from gainproof.derive.fixed_gain.three_kernels import UPDATED, graphs
 from gainproof.derive.fixed_gain.three_noise_kernels import TURNING, kernel_of, noise_graphs
+from gainproof.derive.fixed_gain.three_noises import TOWER as NOISE_TOWER
+from gainproof.derive.fixed_gain.three_noises import noise_meanings
 from gainproof.derive.fixed_gain.three_pole_kernels import EQUATIONS as POLE_EQUATIONS
 from gainproof.derive.fixed_gain.three_pole_kernels import MEANINGS as POLE_MEANINGS
 from gainproof.derive.fixed_gain.three_pole_kernels import POLES, pole_input, pole_meanings
 from gainproof.derive.fixed_gain.three_pole_kernels import SUMMARY as POLE_SUMMARY
 from gainproof.derive.fixed_gain.three_pole_kernels import TOWER as POLE_TOWER
 from gainproof.derive.fixed_gain.three_pole_kernels import TURNING as POLE_TURNING
-from gainproof.derive.fixed_gain.three_steps_noise import TOWER as NOISE_TOWER
-from gainproof.derive.fixed_gain.three_steps_noise import noise_meanings
 from gainproof.derive.fixed_gain.three_towers import ALPHA, BETA, GAMMA, MARGIN
 from gainproof.derive.fixed_gain.two_kernels import SCALE, difference
 from gainproof.derive.printer.graph import Graph, symbols_of

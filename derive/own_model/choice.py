@@ -15,6 +15,7 @@ from gainproof.derive.any_two_state.scaling import scale_free
 from gainproof.derive.any_two_state.shape import require_first_measured
 from gainproof.derive.model import Model, ModelError, ScaledModel, scale
 from gainproof.derive.own_model.checks import require_steady_state, require_written_well
+from gainproof.derive.own_model.one_state import derive_one_state
 from gainproof.derive.printer.together import prove_all
 from gainproof.derive.quantity import METRE, SECOND
 from gainproof.derive.steady_state.two_state import derive_two_state
@@ -38,15 +39,11 @@ def derive_own_model(model: Model) -> Subject:
     require_written_well(model)
     require_names_of_their_own(model)
     states, measured = model.transition.rows, model.measurement.rows
-    if (states, measured) not in ((2, 1), (3, 1), (2, 2)):
+    if (states, measured) not in ((1, 1), (2, 1), (3, 1), (2, 2)):
         raise ModelError(
-            f"model {model.name}: two or three states with one measured, or two with both "
-            f"measured, are in reach; {states} states and {measured} measurements came"
-            + (
-                "; claim files take a single state"
-                if states == 1
-                else ": of several axes that share nothing each is a model of its own"
-            )
+            f"model {model.name}: one to three states with one measured, or two with both "
+            f"measured, are in reach; {states} states and {measured} measurements came: of several "
+            "axes that share nothing each is a model of its own"
         )
     if measured > 1 and model.parameters:
         raise ModelError(
@@ -57,6 +54,8 @@ def derive_own_model(model: Model) -> Subject:
     require_steady_state(model, scaled)
     if measured == 2:
         return _both_measured(model, scaled)
+    if states == 1:
+        return derive_one_state(model)
     return _two_states(model, scaled) if states == 2 else _three_states(model, scaled)
 
 
