@@ -7,11 +7,12 @@ from fractions import Fraction
 from itertools import product
 
 import pytest
-from catalogue_subjects import certificate, derived
+import sympy as sp
+from catalogue_subjects import certificate, derived, subject
 from kernel_truth import truth_at
 from one_of_each import cases
 
-from gainproof.derive.three_state.steps_curvature_ends import SMALL
+from gainproof.derive.expression import real
 from gainproof.verify.certificate import check_statement
 
 JERK = "continuous-white-jerk"
@@ -68,10 +69,14 @@ def test_another_limit_of_a_second_derivative_is_rejected(name: str, word: str) 
 
 def test_small_indices_bend_as_is_said() -> None:
     """The limits against the true values at one small index."""
-    index = 1e-24
-    truth = truth_at("continuous_white_jerk", "tracking_index", index)
-    alpha = float(truth["alpha"].value)
-    for name, (power, other, number) in SMALL.items():
-        true = float(truth[f"dd_{name}"].value)
-        share = true * index**power / alpha**other
-        assert share == pytest.approx(float(Fraction(number)), rel=1e-6), name
+    index = sp.Float("1e-24")
+    truth = truth_at("continuous_white_jerk", "tracking_index", float(index))
+    known = {real(name): sp.Float(truth[name].value) for name in ("alpha",)}
+    steps = [step for step in subject(JERK).derivation.steps if "small-second" in step.id]
+    assert len(steps) == 12
+    for step in steps:
+        (bend,) = (expression := step.relation.parts["expression"]).atoms(sp.Derivative)
+        true = sp.Float(truth[f"dd_{bend.expr}"].value)
+        share = expression.subs(bend, true).subs({**known, real("tracking_index"): index})
+        number = float(step.relation.parts["value"])
+        assert float(share) == pytest.approx(number, rel=1e-6), step.id
