@@ -20,13 +20,12 @@ from gainproof.derive.three_state.context import Context
 from gainproof.derive.three_state.kernel_basis import UNIT, KernelBasis, kernel_basis
 from gainproof.derive.three_state.kernel_meanings import FIRST, SCALE, formula_of
 from gainproof.derive.three_state.kernel_poles import POLES, pole_graph
-from gainproof.derive.three_state.names import DELTA, ETA, GAINS, PREDICTED, XI
+from gainproof.derive.three_state.names import DELTA, ETA, GAINS, PREDICTED, UPDATED, XI
 
 FORMULAS = Path(__file__).with_name("kernels.md")
 """What the outputs are computed by; says how a formula is checked and how to make another."""
 
 PREDICTOR = ("position", "velocity", "acceleration")
-UPDATED = tuple(name.replace("predicted", "updated") for name in PREDICTED)
 KERNELS: Mapping[str, tuple[str, ...]] = {
     "gains": GAINS,
     "gain_derivatives": GAINS,
