@@ -14,7 +14,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from gainproof.generated import filter_step
 
-Real = np.floating[Any] | NDArray[np.floating[Any]]
+Real = float | np.floating[Any] | NDArray[np.floating[Any]]
 
 
 class Moving(NamedTuple):
