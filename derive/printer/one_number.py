@@ -24,12 +24,14 @@ from gainproof.derive.printer.plain import plain
 from gainproof.derive.printer.program import FUNCTIONS
 
 FORM = "form"
-TAKEN = frozenset((*keyword.kwlist, "abs", "errstate", FORM))
+TAKEN = frozenset((*keyword.kwlist, "abs", FORM))
 """What no argument is called."""
 
 
 @dataclass(frozen=True)
-class _Python(Language):
+class Python(Language):
+    """Python's operators, for numbers of either format."""
+
     nested: ClassVar[int] = 36  # a sum of two such texts fits on a line
 
     def constant(self, value: Callable[[Format], float]) -> str:
@@ -44,7 +46,8 @@ class _Python(Language):
         return super().call(name if name == "abs" else f"{FORM}.{name}", [*map(_bare, parts)])
 
     def choice(self, less: str, more: str, yes: str, no: str) -> str:
-        return f"{_typed(yes)} if {less} < {more} else {_typed(no)}"
+        condition = f"{less} < {more}" if less.isidentifier() else f"{more} > {less}"
+        return f"{_typed(yes)} if {condition} else {_typed(no)}"
 
     def statement(self, name: str, text: str) -> str:
         return f"{name} = {text}"
@@ -75,13 +78,12 @@ def function(kernel: Kernel) -> Iterator[str]:
     lines = [part for line in made.lines for part in _fitted(line)]
     count = len(kernel.requirements)
     for each, value in zip(kernel.requirements, made.outputs, strict=False):
-        least = _Python().constant(partial(least_admitted, each))
+        least = Python().constant(partial(least_admitted, each))
         lines += [f"if not {value} >= {least}:", "    raise ValueError"]
     lines += row("return ", made.outputs[count:])
-    if calls_functions(kernel):
-        lines = ['with errstate(all="ignore"):', *(f"    {line}" for line in lines)]
     form = FORM if any(f"{FORM}." in line for line in lines) else f"_{FORM}"
     arguments = [*given, f"{form}: Form = Double"]
+    yield from ('@errstate(all="ignore")',) if calls_functions(kernel) else ()
     yield from listed(f"def {function_name(kernel)}(", arguments, ") -> tuple[float, ...]:")
     yield from (f"    {line}" for line in lines)
 
@@ -139,21 +141,30 @@ def _body(kernel: Kernel) -> Body:
     steps = plain(kernel.program)
     names = [each.name for each in kernel.requirements] + [each.name for each in kernel.outputs]
     ends = [steps.outputs[name] for name in names]
-    return emitted(steps, ends, _Python(), named(_names(kernel)))
+    return emitted(steps, ends, Python(), named(_names(kernel)))
 
 
 def _fitted(line: str) -> list[str]:
-    """A statement on as many lines as the formatter gives it, inside two indentations."""
-    if len(line) + 8 <= WIDTH:
+    """A statement on as many lines as the formatter gives it, inside an indentation."""
+    if len(line) + 4 <= WIDTH:
         return [line]
     name, _, text = line.partition(" = ")
-    front, cut, last = text.rpartition(" + (")
-    if cut and last.endswith(")"):  # a constant of two formats
+    if len(parts := _branches(text)) == 1:  # a sum with a constant of two formats
+        front, _, last = text.rpartition(" + (")
         return [f"{name} = {front} + (", f"    {last[:-1]}", ")"]
-    if len(text) + 12 <= WIDTH:
-        return [f"{name} = (", f"    {text}", ")"]
-    chosen, condition, other = re.split(r" (?=if |else )", text)
-    return [f"{name} = (", *(f"    {part}" for part in (chosen, condition, other)), ")"]
+    inner = [text] if len(text) + 8 <= WIDTH else parts
+    return [f"{name} = (", *(f"    {part}" for part in inner), ")"]
+
+
+def _branches(text: str) -> list[str]:
+    """The value, condition and other value of a choice; of anything else the whole."""
+    parts, depth = [""], 0
+    for word in text.split(" "):
+        if not depth and word in ("if", "else"):
+            parts.append("")
+        parts[-1] = f"{parts[-1]} {word}".lstrip()
+        depth += word.count("(") - word.count(")")
+    return parts
 
 
 def _within(given: Input, ends: tuple[float, float]) -> Iterator[str]:

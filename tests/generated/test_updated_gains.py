@@ -211,9 +211,9 @@ def test_limits_are_where_they_are_said_to_be(nominal: float) -> None:
         def at(ratio: Any, near: float = near) -> Any:
             return updated_gains.first_order_gains(nominal, nominal * float(ratio) * near)
 
-        assert (at(limits.alpha_one_ratio).alpha > 1) is np.bool_(sign > 0)
+        assert (at(limits.alpha_one_ratio).alpha > 1) is (sign > 0)
         first = at(limits.unstable_ratio)
-        assert (2 * first.alpha + first.beta > 4) is np.bool_(sign > 0)
+        assert (2 * first.alpha + first.beta > 4) is (sign > 0)
     assert limits.alpha_one_ratio < limits.variance_ratio < limits.unstable_ratio
     step = limits.variance_ratio
     assert step - 1 / step == pytest.approx(math.sqrt(1 + 8 / nominal), rel=1e-14)
