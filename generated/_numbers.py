@@ -28,9 +28,10 @@ equals it, and is refused.
 named: Callable[[type[Result], Iterable[Any]], Result] = tuple.__new__
 """A result of this class from its values, which are as many as it has fields."""
 INTEGERS = (np.int8, np.int16, np.int32, np.int64, np.uint8, np.uint16, np.uint32, np.uint64)
-DOUBLES = frozenset({float, int, np.float64, *INTEGERS})
-"""What becomes float64. Subclasses and other types are for arrays to decide."""
+DOUBLES = frozenset({float, int, np.float64, np.float32, *INTEGERS})
+"""What becomes float64, unless all are float32; other types are for arrays to decide."""
 PYTHONS = frozenset({float, int})
+"""What gives Python floats; with a number of NumPy's among the inputs results are NumPy's too."""
 _DOUBLE, _BITS = Struct("<d"), Struct("<q")
 
 

@@ -18,7 +18,7 @@ import numpy as np
 from gainproof.generated._blocks import BLOCK, Blocks, Parts, cut, rows
 from gainproof.generated._guards import admit, doubted
 from gainproof.generated._inputs import as_real, common_shape
-from gainproof.generated._numbers import ONE, of_numbers
+from gainproof.generated._numbers import ONE, PYTHONS, of_numbers
 from gainproof.generated._outputs import checked, overlap
 
 if TYPE_CHECKING:
@@ -86,7 +86,8 @@ def evaluate(
         ends = [len(spans) * part // count for part in range(count + 1)]
         run(call, [spans[first:last] for first, last in pairwise(ends)])
     if out is None and shape == ():
-        return tuple(y[()] for y in results)
+        kinds = set(map(type, given))
+        return tuple(float(y[()]) if kinds <= PYTHONS else y[()] for y in results)
     return tuple(results)
 
 

@@ -145,6 +145,7 @@ def bearing(
     return Bearing(*evaluate(_BEARING, (target_x, target_y, station_x, station_y), out, workers))
 
 
+@errstate(all="ignore")
 def _bearing_of_numbers(
     target_x: float,
     target_y: float,
@@ -152,14 +153,13 @@ def _bearing_of_numbers(
     station_y: float,
     form: Form = Double,
 ) -> tuple[float, ...]:
-    with errstate(all="ignore"):
-        t2 = target_x - station_x
-        t6 = target_y - station_y
-        t9 = form.sqrt((t2 * t2) + (t6 * t6))
-        t10 = form.atan2(t2, t6)
-        if not t9 >= (9.999999974752427e-07 if form.single else 1e-20):
-            raise ValueError
-        return (t10,)
+    t2 = target_x - station_x
+    t6 = target_y - station_y
+    t9 = form.sqrt((t2 * t2) + (t6 * t6))
+    t10 = form.atan2(t2, t6)
+    if not t9 >= (9.999999974752427e-07 if form.single else 1e-20):
+        raise ValueError
+    return (t10,)
 
 
 def _bearing_block(given: Arrays, out: Arrays, work: Arrays, _single: bool) -> None:
@@ -439,6 +439,7 @@ def angles(
     )
 
 
+@errstate(all="ignore")
 def _angles_of_numbers(
     target_x: float,
     target_y: float,
@@ -448,20 +449,19 @@ def _angles_of_numbers(
     station_z: float,
     form: Form = Double,
 ) -> tuple[float, ...]:
-    with errstate(all="ignore"):
-        t2 = target_x - station_x
-        t6 = target_y - station_y
-        t8 = (t2 * t2) + (t6 * t6)
-        t9 = form.sqrt(t8)
-        t12 = target_z - station_z
-        t15 = form.sqrt(t8 + (t12 * t12))
-        t16 = form.atan2(t2, t6)
-        t17 = form.atan2(t12, t9)
-        if not t9 >= (9.999999974752427e-07 if form.single else 1e-20):
-            raise ValueError
-        if not t15 >= (9.999999974752427e-07 if form.single else 1e-20):
-            raise ValueError
-        return (t16, t17)
+    t2 = target_x - station_x
+    t6 = target_y - station_y
+    t8 = (t2 * t2) + (t6 * t6)
+    t9 = form.sqrt(t8)
+    t12 = target_z - station_z
+    t15 = form.sqrt(t8 + (t12 * t12))
+    t16 = form.atan2(t2, t6)
+    t17 = form.atan2(t12, t9)
+    if not t9 >= (9.999999974752427e-07 if form.single else 1e-20):
+        raise ValueError
+    if not t15 >= (9.999999974752427e-07 if form.single else 1e-20):
+        raise ValueError
+    return (t16, t17)
 
 
 def _angles_block(given: Arrays, out: Arrays, work: Arrays, _single: bool) -> None:

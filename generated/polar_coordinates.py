@@ -250,18 +250,18 @@ def to_cartesian(
     return ToCartesian(*evaluate(_TO_CARTESIAN, (slant_range, elevation, bearing), out, workers))
 
 
+@errstate(all="ignore")
 def _to_cartesian_of_numbers(
     slant_range: float,
     elevation: float,
     bearing: float,
     form: Form = Double,
 ) -> tuple[float, ...]:
-    with errstate(all="ignore"):
-        t7 = slant_range * form.cos(elevation)
-        t8 = t7 * form.sin(bearing)
-        t9 = t7 * form.cos(bearing)
-        t10 = slant_range * form.sin(elevation)
-        return (t8, t9, t10)
+    t7 = slant_range * form.cos(elevation)
+    t8 = t7 * form.sin(bearing)
+    t9 = t7 * form.cos(bearing)
+    t10 = slant_range * form.sin(elevation)
+    return (t8, t9, t10)
 
 
 def _to_cartesian_block(given: Arrays, out: Arrays, work: Arrays, _single: bool) -> None:
@@ -356,13 +356,13 @@ def to_polar(
     return ToPolar(*evaluate(_TO_POLAR, (x, y, z), out, workers))
 
 
+@errstate(all="ignore")
 def _to_polar_of_numbers(x: float, y: float, z: float, form: Form = Double) -> tuple[float, ...]:
-    with errstate(all="ignore"):
-        t5 = (x * x) + (y * y)
-        t9 = form.sqrt(t5 + (z * z))
-        t10 = form.atan2(z, form.sqrt(t5))
-        t11 = form.atan2(x, y)
-        return (t9, t10, t11)
+    t5 = (x * x) + (y * y)
+    t9 = form.sqrt(t5 + (z * z))
+    t10 = form.atan2(z, form.sqrt(t5))
+    t11 = form.atan2(x, y)
+    return (t9, t10, t11)
 
 
 def _to_polar_block(given: Arrays, out: Arrays, work: Arrays, _single: bool) -> None:
@@ -491,26 +491,26 @@ def cartesian_derivatives(
     )
 
 
+@errstate(all="ignore")
 def _cartesian_derivatives_of_numbers(
     slant_range: float,
     elevation: float,
     bearing: float,
     form: Form = Double,
 ) -> tuple[float, ...]:
-    with errstate(all="ignore"):
-        t2 = form.cos(elevation)
-        t3 = form.sin(elevation)
-        t5 = form.cos(bearing)
-        t6 = form.sin(bearing)
-        t7 = slant_range * t2
-        t8 = slant_range * t3
-        t9 = t2 * t6
-        t10 = t2 * t5
-        t12 = -(t8 * t6)
-        t13 = t7 * t5
-        t15 = -(t8 * t5)
-        t17 = -(t7 * t6)
-        return (t9, t12, t13, t10, t15, t17, t3, t7)
+    t2 = form.cos(elevation)
+    t3 = form.sin(elevation)
+    t5 = form.cos(bearing)
+    t6 = form.sin(bearing)
+    t7 = slant_range * t2
+    t8 = slant_range * t3
+    t9 = t2 * t6
+    t10 = t2 * t5
+    t12 = -(t8 * t6)
+    t13 = t7 * t5
+    t15 = -(t8 * t5)
+    t17 = -(t7 * t6)
+    return (t9, t12, t13, t10, t15, t17, t3, t7)
 
 
 def _cartesian_derivatives_block(given: Arrays, out: Arrays, work: Arrays, _single: bool) -> None:
@@ -893,6 +893,7 @@ def noise_covariance(
     )
 
 
+@errstate(all="ignore")
 def _noise_covariance_of_numbers(
     slant_range: float,
     elevation: float,
@@ -902,30 +903,29 @@ def _noise_covariance_of_numbers(
     bearing_deviation: float,
     form: Form = Double,
 ) -> tuple[float, ...]:
-    with errstate(all="ignore"):
-        t5 = form.cos(elevation)
-        t6 = form.sin(elevation)
-        t8 = form.cos(bearing)
-        t9 = form.sin(bearing)
-        t10 = slant_range * elevation_deviation
-        t12 = (slant_range * t5) * bearing_deviation
-        t13 = t5 * range_deviation
-        t14 = t6 * t10
-        t17 = (t13 * t13) + (t14 * t14)
-        t18 = t12 * t12
-        t19 = t6 * range_deviation
-        t20 = t5 * t10
-        t24 = (range_deviation * range_deviation) - (t10 * t10)
-        t25 = (t5 * t6) * t24
-        t26 = t9 * t9
-        t27 = t8 * t8
-        t30 = (t26 * t17) + (t27 * t18)
-        t33 = (t9 * t8) * (t17 - t18)
-        t34 = t9 * t25
-        t37 = (t27 * t17) + (t26 * t18)
-        t38 = t8 * t25
-        t41 = (t19 * t19) + (t20 * t20)
-        return (t30, t33, t34, t37, t38, t41)
+    t5 = form.cos(elevation)
+    t6 = form.sin(elevation)
+    t8 = form.cos(bearing)
+    t9 = form.sin(bearing)
+    t10 = slant_range * elevation_deviation
+    t12 = (slant_range * t5) * bearing_deviation
+    t13 = t5 * range_deviation
+    t14 = t6 * t10
+    t17 = (t13 * t13) + (t14 * t14)
+    t18 = t12 * t12
+    t19 = t6 * range_deviation
+    t20 = t5 * t10
+    t24 = (range_deviation * range_deviation) - (t10 * t10)
+    t25 = (t5 * t6) * t24
+    t26 = t9 * t9
+    t27 = t8 * t8
+    t30 = (t26 * t17) + (t27 * t18)
+    t33 = (t9 * t8) * (t17 - t18)
+    t34 = t9 * t25
+    t37 = (t27 * t17) + (t26 * t18)
+    t38 = t8 * t25
+    t41 = (t19 * t19) + (t20 * t20)
+    return (t30, t33, t34, t37, t38, t41)
 
 
 def _noise_covariance_block(given: Arrays, out: Arrays, work: Arrays, _single: bool) -> None:
@@ -1104,6 +1104,7 @@ def mean_of_converted(
     )
 
 
+@errstate(all="ignore")
 def _mean_of_converted_of_numbers(
     slant_range: float,
     elevation: float,
@@ -1112,24 +1113,23 @@ def _mean_of_converted_of_numbers(
     bearing_deviation: float,
     form: Form = Double,
 ) -> tuple[float, ...]:
-    with errstate(all="ignore"):
-        t9 = slant_range * form.cos(elevation)
-        t10 = t9 * form.sin(bearing)
-        t11 = t9 * form.cos(bearing)
-        t12 = slant_range * form.sin(elevation)
-        t13 = elevation_deviation * elevation_deviation
-        t16 = -t13 * 0.5
-        t17 = bearing_deviation * bearing_deviation
-        t20 = -(t13 + t17) * 0.5
-        t22 = form.exp(t20)
-        t24 = form.expm1(t20)
-        t25 = t10 * t22
-        t26 = t11 * t22
-        t27 = t12 * form.exp(t16)
-        t28 = t10 * t24
-        t29 = t11 * t24
-        t30 = t12 * form.expm1(t16)
-        return (t25, t26, t27, t28, t29, t30)
+    t9 = slant_range * form.cos(elevation)
+    t10 = t9 * form.sin(bearing)
+    t11 = t9 * form.cos(bearing)
+    t12 = slant_range * form.sin(elevation)
+    t13 = elevation_deviation * elevation_deviation
+    t16 = -t13 * 0.5
+    t17 = bearing_deviation * bearing_deviation
+    t20 = -(t13 + t17) * 0.5
+    t22 = form.exp(t20)
+    t24 = form.expm1(t20)
+    t25 = t10 * t22
+    t26 = t11 * t22
+    t27 = t12 * form.exp(t16)
+    t28 = t10 * t24
+    t29 = t11 * t24
+    t30 = t12 * form.expm1(t16)
+    return (t25, t26, t27, t28, t29, t30)
 
 
 def _mean_of_converted_block(
@@ -1518,15 +1518,15 @@ def to_cartesian_in_plane(
     )
 
 
+@errstate(all="ignore")
 def _to_cartesian_in_plane_of_numbers(
     slant_range: float,
     bearing: float,
     form: Form = Double,
 ) -> tuple[float, ...]:
-    with errstate(all="ignore"):
-        t4 = slant_range * form.sin(bearing)
-        t5 = slant_range * form.cos(bearing)
-        return (t4, t5)
+    t4 = slant_range * form.sin(bearing)
+    t5 = slant_range * form.cos(bearing)
+    return (t4, t5)
 
 
 def _to_cartesian_in_plane_block(given: Arrays, out: Arrays, work: Arrays, _single: bool) -> None:
@@ -1602,11 +1602,11 @@ def to_polar_in_plane(
     return ToPolarInPlane(*evaluate(_TO_POLAR_IN_PLANE, (x, y), out, workers))
 
 
+@errstate(all="ignore")
 def _to_polar_in_plane_of_numbers(x: float, y: float, form: Form = Double) -> tuple[float, ...]:
-    with errstate(all="ignore"):
-        t5 = form.sqrt((x * x) + (y * y))
-        t6 = form.atan2(x, y)
-        return (t5, t6)
+    t5 = form.sqrt((x * x) + (y * y))
+    t6 = form.atan2(x, y)
+    return (t5, t6)
 
 
 def _to_polar_in_plane_block(given: Arrays, out: Arrays, work: Arrays, _single: bool) -> None:
@@ -1703,17 +1703,17 @@ def cartesian_derivatives_in_plane(
     )
 
 
+@errstate(all="ignore")
 def _cartesian_derivatives_in_plane_of_numbers(
     slant_range: float,
     bearing: float,
     form: Form = Double,
 ) -> tuple[float, ...]:
-    with errstate(all="ignore"):
-        t2 = form.cos(bearing)
-        t3 = form.sin(bearing)
-        t4 = slant_range * t2
-        t6 = -(slant_range * t3)
-        return (t3, t4, t2, t6)
+    t2 = form.cos(bearing)
+    t3 = form.sin(bearing)
+    t4 = slant_range * t2
+    t6 = -(slant_range * t3)
+    return (t3, t4, t2, t6)
 
 
 def _cartesian_derivatives_in_plane_block(
@@ -1957,6 +1957,7 @@ def noise_covariance_in_plane(
     )
 
 
+@errstate(all="ignore")
 def _noise_covariance_in_plane_of_numbers(
     slant_range: float,
     bearing: float,
@@ -1964,18 +1965,17 @@ def _noise_covariance_in_plane_of_numbers(
     bearing_deviation: float,
     form: Form = Double,
 ) -> tuple[float, ...]:
-    with errstate(all="ignore"):
-        t4 = form.cos(bearing)
-        t5 = form.sin(bearing)
-        t6 = slant_range * bearing_deviation
-        t7 = range_deviation * range_deviation
-        t8 = t6 * t6
-        t9 = t5 * t5
-        t10 = t4 * t4
-        t13 = (t9 * t7) + (t10 * t8)
-        t16 = (t5 * t4) * (t7 - t8)
-        t19 = (t10 * t7) + (t9 * t8)
-        return (t13, t16, t19)
+    t4 = form.cos(bearing)
+    t5 = form.sin(bearing)
+    t6 = slant_range * bearing_deviation
+    t7 = range_deviation * range_deviation
+    t8 = t6 * t6
+    t9 = t5 * t5
+    t10 = t4 * t4
+    t13 = (t9 * t7) + (t10 * t8)
+    t16 = (t5 * t4) * (t7 - t8)
+    t19 = (t10 * t7) + (t9 * t8)
+    return (t13, t16, t19)
 
 
 def _noise_covariance_in_plane_block(
@@ -2097,24 +2097,24 @@ def mean_of_converted_in_plane(
     )
 
 
+@errstate(all="ignore")
 def _mean_of_converted_in_plane_of_numbers(
     slant_range: float,
     bearing: float,
     bearing_deviation: float,
     form: Form = Double,
 ) -> tuple[float, ...]:
-    with errstate(all="ignore"):
-        t5 = slant_range * form.sin(bearing)
-        t6 = slant_range * form.cos(bearing)
-        t7 = bearing_deviation * bearing_deviation
-        t10 = -t7 * 0.5
-        t11 = form.exp(t10)
-        t12 = form.expm1(t10)
-        t13 = t5 * t11
-        t14 = t6 * t11
-        t15 = t5 * t12
-        t16 = t6 * t12
-        return (t13, t14, t15, t16)
+    t5 = slant_range * form.sin(bearing)
+    t6 = slant_range * form.cos(bearing)
+    t7 = bearing_deviation * bearing_deviation
+    t10 = -t7 * 0.5
+    t11 = form.exp(t10)
+    t12 = form.expm1(t10)
+    t13 = t5 * t11
+    t14 = t6 * t11
+    t15 = t5 * t12
+    t16 = t6 * t12
+    return (t13, t14, t15, t16)
 
 
 def _mean_of_converted_in_plane_block(
