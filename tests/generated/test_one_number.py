@@ -146,19 +146,20 @@ def test_what_is_odd_is_answered_as_arrays_answer(module: str) -> None:
 
 @pytest.mark.parametrize("module", MODULES)
 def test_options_are_looked_at(module: str) -> None:
-    called = next(kernels(module))
-    row = inside(called)
-    for wrong in (0, -1, 1.0, "1", None, 1.5):
-        said = answer(called, row, workers=wrong)
-        assert said[0] is ValueError
-        assert "workers must be a whole number of threads" in said[1]
-    for fine in (True, 1, 3, np.int64(1)):
-        assert answer(called, row, workers=fine) == answer(called, row)
-    assert answer(called, row, out=())[0] is ValueError
-    out = tuple(np.empty(()) for _ in called.signature.outputs)
-    found = called.function(*row, out=out)
-    assert all(a is b for a, b in zip(found, out, strict=True))
-    assert as_bytes(found, np.float64) == as_bytes(called.function(*row), np.float64)
+    for called in kernels(module):
+        row = inside(called)
+        for wrong in (0, -1, 1.0, "1", None, 1.5):
+            said = answer(called, row, workers=wrong)
+            assert said[0] is ValueError
+            assert "workers must be a whole number of threads" in said[1]
+        for fine in (True, 1, 3, np.int64(1)):
+            assert answer(called, row, workers=fine) == answer(called, row)
+        assert answer(called, row, out=())[0] is ValueError
+        out = tuple(np.empty(()) for _ in called.signature.outputs)
+        found = called.function(*row, out=out, **called.options)
+        assert all(a is b for a, b in zip(found, out, strict=True))
+        plain = called.function(*row, **called.options)
+        assert as_bytes(found, np.float64) == as_bytes(plain, np.float64)
 
 
 @pytest.mark.parametrize("module", MODULES)

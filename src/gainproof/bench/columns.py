@@ -89,8 +89,8 @@ KERNEL_OVER = (
         "formula",
         "one number / formula",
         "1/py",
-        "the kernel called with Python floats, a call a point, over the plain Python formula of its "
-        "graph by `math`, without guards and names",
+        "the kernel called with Python floats, a call a point, over the plain Python formula of "
+        "its graph by `math`, without guards and names",
     ),
 )
 OVER_KERNEL = (
