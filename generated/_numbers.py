@@ -14,8 +14,6 @@ from typing import TYPE_CHECKING, Any, TypeAlias, TypeVar
 
 import numpy as np
 
-from gainproof.generated._bits import near_cbrt
-
 if TYPE_CHECKING:
     from gainproof.generated._signature import Array, Block, Domain, Signature
 
@@ -32,19 +30,15 @@ DOUBLES = frozenset({float, int, np.float64, np.float32, *INTEGERS})
 """What becomes float64, unless all are float32; other types are for arrays to decide."""
 PYTHONS = frozenset({float, int})
 """What gives Python floats; with a number of NumPy's among the inputs results are NumPy's too."""
-_DOUBLE, _BITS = Struct("<d"), Struct("<q")
+_DOUBLE, _SINGLE = (Struct("<d"), Struct("<q")), (Struct("<f"), Struct("<i"))
 
 
-def _near_cbrt(x: float) -> float:
-    """As `near_cbrt` of an array has it."""
-    (bits,) = _BITS.unpack(_DOUBLE.pack(x))
-    (near,) = _DOUBLE.unpack(_BITS.pack(bits // 3 + 3071306327078975046))
+def _near_cbrt(x: float, form: tuple[Struct, Struct], added: int) -> float:
+    """As `near_cbrt` of an array has it: a third of the bits, and more."""
+    number, whole = form
+    (bits,) = whole.unpack(number.pack(x))
+    (near,) = number.unpack(whole.pack(bits // 3 + added))
     return float(near)
-
-
-def _near_cbrt_single(x: Any) -> Any:
-    given = np.array([x])
-    return near_cbrt(given, np.empty_like(given), True)[0]
 
 
 class Double:
@@ -55,7 +49,7 @@ class Double:
     single = False
     of: Callable[[Any], Any] = float
     sqrt: Callable[[float], float] = math.sqrt
-    near_cbrt: Callable[[float], float] = _near_cbrt
+    near_cbrt: Callable[[float], float] = lambda x: _near_cbrt(x, _DOUBLE, 3071306327078975046)
     sin: Callable[[float], float] = lambda x: float(np.sin(x))
     cos: Callable[[float], float] = lambda x: float(np.cos(x))
     exp: Callable[[float], float] = lambda x: float(np.exp(x))
@@ -73,7 +67,7 @@ class Single:
     single = True
     of: Callable[[Any], Any] = np.float32
     sqrt: Callable[[float], float] = np.sqrt
-    near_cbrt: Callable[[float], float] = _near_cbrt_single
+    near_cbrt: Callable[[float], Any] = lambda x: np.float32(_near_cbrt(x, _SINGLE, 709958653))
     sin: Callable[[float], float] = np.sin
     cos: Callable[[float], float] = np.cos
     exp: Callable[[float], float] = np.exp
