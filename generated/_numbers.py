@@ -15,7 +15,7 @@ from typing import TYPE_CHECKING, Any, TypeAlias, TypeVar
 import numpy as np
 
 if TYPE_CHECKING:
-    from gainproof.generated._signature import Array, Block, Domain, Signature
+    from gainproof.generated._signature import Array, Block, Signature
 
 Result = TypeVar("Result", bound=tuple[Any, ...])
 
@@ -92,32 +92,23 @@ def of_numbers(kernel: Signature, given: Sequence[Any]) -> tuple[Any, ...] | Non
         return None
     if kernel.only and single != (kernel.only == "float32"):
         return None
+    if int in kinds and not all(type(x) is not int or -(2**63) <= x < 2**64 for x in given):
+        return None  # no integer of NumPy's
+    doubles = list(map(float, given))
+    for domain, x in zip(kernel.inputs, doubles, strict=True):
+        _, _, double_ends, single_ends, whole, zero, signed = domain
+        low, high = single_ends if single else double_ends
+        inside = low <= (abs(x) if signed else x) <= high or (zero and x == 0)
+        if not inside or (whole and not x.is_integer()):
+            return None
     try:
-        inputs = given if single else [_double(x) for x in given]
-        for domain, x in zip(kernel.inputs, map(float, inputs), strict=True):
-            if not _within(x, domain, *(domain.single if single else domain.double)):
-                return None
         if single:
             with np.errstate(all="ignore"):
-                return tuple(map(np.float32, kernel.numbers(*inputs, Single)))
-        found = kernel.numbers(*inputs)
+                return tuple(map(np.float32, kernel.numbers(*given, Single)))
+        found = kernel.numbers(*doubles)
         return tuple(found if kinds <= PYTHONS else map(np.float64, found))
     except (ArithmeticError, ValueError):
         return None
-
-
-def _double(x: Any) -> float:
-    """A number as float64; OverflowError for an integer that no integer of NumPy's holds."""
-    if type(x) is int and not -(2**63) <= x < 2**64:
-        raise OverflowError
-    return float(x)
-
-
-def _within(x: float, domain: Domain, low: float, high: float) -> bool:
-    """Whether a number lies in a domain; comparisons with NaN are false."""
-    size = abs(x) if domain.signed else x
-    inside = low <= size <= high or (domain.zero and x == 0)
-    return inside and (not domain.whole or x.is_integer())
 
 
 def filled_by(numbers: Callable[..., Sequence[Any]]) -> Block:
