@@ -127,6 +127,10 @@ ODD: tuple[Any, ...] = (
 )
 
 
+SIZES = (1e-45, 1e-38, -1e-30, 1e-20, 1e-6, 1e-3, 0.9, 1.0, 1.5, 1e3, -1e5, 1e9, 1e17, 1e30, 3e38)
+"""Of float32 numbers, whose domains have other ends."""
+
+
 class Own(float):
     """A type of a user's own."""
 
@@ -139,8 +143,12 @@ def test_what_is_odd_is_answered_as_arrays_answer(module: str) -> None:
         for place, odd in itertools.product(range(len(row)), (*ODD, Own(row[0]), Own(-1.0))):
             given = [*row[:place], odd, *row[place + 1 :]]
             assert answer(called, given) == answer(called, given, workers=2), (called.id, given)
-        for odd in ODD:
-            given = [odd] * len(row)
+        rows = [[odd] * len(row) for odd in ODD]
+        with np.errstate(over="ignore"):
+            single = [np.float32(x) for x in row]
+        for place, size in itertools.product(range(len(row)), SIZES):
+            rows.append([*single[:place], np.float32(size), *single[place + 1 :]])
+        for given in rows:
             assert answer(called, given) == answer(called, given, workers=2), (called.id, given)
 
 
