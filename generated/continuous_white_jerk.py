@@ -6,19 +6,19 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-import numpy as np
 from numpy import add, divide, multiply, negative, sqrt, square, subtract
 
 from gainproof.generated._bits import near_cbrt
+from gainproof.generated._numbers import ONE, Double, filled_by, named
 from gainproof.generated._runtime import evaluate
 from gainproof.generated._signature import Domain, Signature
 
 if TYPE_CHECKING:
     from typing import NamedTuple
 
-    from numpy.typing import ArrayLike
-
-    from gainproof.generated._signature import Arrays, Real
+    from gainproof.generated._double_word import Part
+    from gainproof.generated._numbers import Form
+    from gainproof.generated._signature import ArrayLike, Arrays, Real
 else:
     from gainproof.generated._result import NamedTuple
 
@@ -139,8 +139,56 @@ def gains(
 
     Source: derivation continuous-white-jerk
     """
+    if (
+        type(tracking_index) is float
+        and 5e-324 <= tracking_index <= 1.7976931348623157e308
+        and out is None
+        and workers is ONE
+        and not accurate
+    ):
+        try:
+            return named(Gains, _gains_of_numbers(tracking_index))
+        except (ArithmeticError, ValueError):
+            pass  # arrays say what is wrong
     kernel = _ACCURATE_GAINS if accurate else _GAINS
     return Gains(*evaluate(kernel, (tracking_index,), out, workers))
+
+
+def _gains_of_numbers(tracking_index: float, form: Form = Double) -> tuple[float, ...]:
+    t2 = form.sqrt(tracking_index)
+    t3 = form.sqrt(t2)
+    t5 = 2.220446049250313e-16 / tracking_index
+    t7 = tracking_index * 4.625929269271486e-19
+    t11 = form.sqrt(t5 + t7) * 67108864.0
+    t13 = (t11 * t3) * 2.0
+    t15 = t2 * 0.5
+    t17 = tracking_index * 0.07083333333333333
+    t24 = ((t2 * t3) * 1.5516447222296765) + (8.0 / t3)
+    t25 = form.near_cbrt(t24)
+    t29 = form.sqrt((t13 * t25) + t17)
+    t32 = form.sqrt((t29 * 2.0) + t15)
+    t33 = t13 * 0.5
+    t34 = t29 * t32
+    t39 = ((t32 * t34) - (t33 * t25)) / (t34 - t33)
+    t43 = form.sqrt((t13 * t39) + t17)
+    t46 = form.sqrt((t43 * 2.0) + t15)
+    t47 = t43 * t46
+    t52 = ((t46 * t47) - (t33 * t39)) / (t47 - t33)
+    t56 = form.sqrt((t13 * t52) + t17)
+    t59 = form.sqrt((t56 * 2.0) + t15)
+    t60 = t56 * t59
+    t65 = ((t59 * t60) - (t33 * t52)) / (t60 - t33)
+    t69 = form.sqrt((t13 * t65) + t17)
+    t72 = form.sqrt((t69 * 2.0) + t15)
+    t73 = t69 * t72
+    t78 = ((t72 * t73) - (t33 * t65)) / (t73 - t33)
+    t82 = form.sqrt((t13 * t78) + t17)
+    t88 = form.sqrt((t82 * 2.0) + t15) * t3
+    t93 = (t11 + (t82 * 0.5)) + ((t88 * 0.25) + (t2 * 0.125))
+    t96 = (t82 + (t2 * 0.25)) / t93
+    t97 = t88 / t93
+    t98 = t2 / t93
+    return (t96, t97, t98)
 
 
 def _gains_block(
@@ -253,26 +301,24 @@ _GAINS = Signature(
     ("alpha", "beta", "gamma"),
     7,
     _gains_block,
+    numbers=_gains_of_numbers,
 )
 
 
-def _gains_in_double_words(given: Arrays, out: Arrays, _work: Arrays, single: bool) -> None:
-    if single:
-        # float64 keeps 29 bits more than come out
-        found = evaluate(_GAINS, (given[0].astype(np.float64),), None, 1)
-        for result, value in zip(out, found, strict=True):
-            result[...] = value
-        return
+def _gains_in_double_words(given: Part, form: Form = Double) -> tuple[Part, ...]:
     # loaded when it is asked for
     from gainproof.generated._double_word import add, divide, exact, multiply, refined, root, scale
 
-    tracking_index = exact(given[0])
+    if form.single:
+        # float64 keeps 29 bits more than come out
+        return evaluate(_GAINS, exact(given)[:1], None, 1)
+    tracking_index = exact(given)
     t1 = multiply(tracking_index, tracking_index)
     t3 = divide((64.0, 0.0), t1)
     t5 = add(t3, (0.13333333333333333, 1.8503717077085942e-18))
     delta = root(t5)
     # what the plain kernel gives is near the root
-    near = evaluate(_GAINS, (given[0].astype(np.float64),), None, 1)
+    near = evaluate(_GAINS, exact(given)[:1], None, 1)
     near_xi = exact(2.0 * near[1] / near[2])
     t8 = multiply(delta, near_xi)
     t10 = scale(t8, 2.0)
@@ -297,9 +343,7 @@ def _gains_in_double_words(given: Arrays, out: Arrays, _work: Arrays, single: bo
     t32 = scale(xi, 4.0)
     t33 = divide(t32, nu)
     t35 = divide((8.0, 0.0), nu)
-    out[0][...] = t30[0]
-    out[1][...] = t33[0]
-    out[2][...] = t35[0]
+    return (t30[0], t33[0], t35[0])
 
 
 _ACCURATE_GAINS = Signature(
@@ -307,7 +351,8 @@ _ACCURATE_GAINS = Signature(
     (_ACCURATE_TRACKING_INDEX_DOMAIN,),
     ("alpha", "beta", "gamma"),
     0,
-    _gains_in_double_words,
+    filled_by(_gains_in_double_words),
+    numbers=_gains_in_double_words,
 )
 
 
@@ -356,7 +401,68 @@ def gain_derivatives(
 
     Source: derivation continuous-white-jerk
     """
+    if (
+        type(tracking_index) is float
+        and 5e-324 <= tracking_index <= 1.7976931348623157e308
+        and out is None
+        and workers is ONE
+    ):
+        try:
+            return named(GainDerivatives, _gain_derivatives_of_numbers(tracking_index))
+        except (ArithmeticError, ValueError):
+            pass  # arrays say what is wrong
     return GainDerivatives(*evaluate(_GAIN_DERIVATIVES, (tracking_index,), out, workers))
+
+
+def _gain_derivatives_of_numbers(tracking_index: float, form: Form = Double) -> tuple[float, ...]:
+    t3 = form.sqrt(tracking_index)
+    t4 = form.sqrt(t3)
+    t6 = 2.220446049250313e-16 / tracking_index
+    t8 = tracking_index * 4.625929269271486e-19
+    t12 = form.sqrt(t6 + t8) * 67108864.0
+    t14 = (t12 * t4) * 2.0
+    t16 = t3 * 0.5
+    t18 = tracking_index * 0.07083333333333333
+    t19 = t3 * t4
+    t25 = (t19 * 1.5516447222296765) + (8.0 / t4)
+    t26 = form.near_cbrt(t25)
+    t30 = form.sqrt((t14 * t26) + t18)
+    t33 = form.sqrt((t30 * 2.0) + t16)
+    t34 = t14 * 0.5
+    t35 = t30 * t33
+    t40 = ((t33 * t35) - (t34 * t26)) / (t35 - t34)
+    t44 = form.sqrt((t14 * t40) + t18)
+    t47 = form.sqrt((t44 * 2.0) + t16)
+    t48 = t44 * t47
+    t53 = ((t47 * t48) - (t34 * t40)) / (t48 - t34)
+    t57 = form.sqrt((t14 * t53) + t18)
+    t60 = form.sqrt((t57 * 2.0) + t16)
+    t61 = t57 * t60
+    t66 = ((t60 * t61) - (t34 * t53)) / (t61 - t34)
+    t70 = form.sqrt((t14 * t66) + t18)
+    t73 = form.sqrt((t70 * 2.0) + t16)
+    t74 = t70 * t73
+    t79 = ((t73 * t74) - (t34 * t66)) / (t74 - t34)
+    t83 = form.sqrt((t14 * t79) + t18)
+    t86 = form.sqrt((t83 * 2.0) + t16)
+    t87 = t83 * t83
+    t90 = t3 * t83
+    t94 = tracking_index * 0.017708333333333333
+    t96 = ((t87 * 0.75) + (t90 * 0.25)) + t94
+    t101 = t86 * t4
+    t105 = ((t101 / t12) * t3) * 0.008333333333333333
+    t107 = t83 + (t3 * 0.25)
+    t110 = t101 * 0.25
+    t115 = (((t87 * 0.25) + (t90 * 0.125)) + t94) + (t101 * (t107 * 0.125))
+    t121 = (t101 / t96) * ((t86 * 0.25) * (t86 + (t4 * 0.5)))
+    t123 = (((t107 + t105) / t96) * t110) / tracking_index
+    t128 = ((t115 / t96) * ((t86 / t19) / t12)) * 2.0
+    t135 = (t12 + (t83 * 0.5)) + (t110 + (t3 * 0.125))
+    t136 = t3 * t135
+    t138 = ((t123 * 2.0) / t136) / t136
+    t140 = (t128 / t136) / t136
+    t142 = (((t121 + 1.0) / (t12 * t3)) / t136) / t136
+    return (t138, t140, t142)
 
 
 def _gain_derivatives_block(
@@ -511,6 +617,7 @@ _GAIN_DERIVATIVES = Signature(
     ("alpha", "beta", "gamma"),
     10,
     _gain_derivatives_block,
+    numbers=_gain_derivatives_of_numbers,
 )
 
 
@@ -578,7 +685,75 @@ def gains_with_derivatives(
 
     Source: derivation continuous-white-jerk
     """
+    if (
+        type(tracking_index) is float
+        and 5e-324 <= tracking_index <= 1.7976931348623157e308
+        and out is None
+        and workers is ONE
+    ):
+        try:
+            return named(GainsWithDerivatives, _gains_with_derivatives_of_numbers(tracking_index))
+        except (ArithmeticError, ValueError):
+            pass  # arrays say what is wrong
     return GainsWithDerivatives(*evaluate(_GAINS_WITH_DERIVATIVES, (tracking_index,), out, workers))
+
+
+def _gains_with_derivatives_of_numbers(
+    tracking_index: float,
+    form: Form = Double,
+) -> tuple[float, ...]:
+    t3 = form.sqrt(tracking_index)
+    t4 = form.sqrt(t3)
+    t6 = 2.220446049250313e-16 / tracking_index
+    t8 = tracking_index * 4.625929269271486e-19
+    t12 = form.sqrt(t6 + t8) * 67108864.0
+    t14 = (t12 * t4) * 2.0
+    t16 = t3 * 0.5
+    t18 = tracking_index * 0.07083333333333333
+    t19 = t3 * t4
+    t25 = (t19 * 1.5516447222296765) + (8.0 / t4)
+    t26 = form.near_cbrt(t25)
+    t30 = form.sqrt((t14 * t26) + t18)
+    t33 = form.sqrt((t30 * 2.0) + t16)
+    t34 = t14 * 0.5
+    t35 = t30 * t33
+    t40 = ((t33 * t35) - (t34 * t26)) / (t35 - t34)
+    t44 = form.sqrt((t14 * t40) + t18)
+    t47 = form.sqrt((t44 * 2.0) + t16)
+    t48 = t44 * t47
+    t53 = ((t47 * t48) - (t34 * t40)) / (t48 - t34)
+    t57 = form.sqrt((t14 * t53) + t18)
+    t60 = form.sqrt((t57 * 2.0) + t16)
+    t61 = t57 * t60
+    t66 = ((t60 * t61) - (t34 * t53)) / (t61 - t34)
+    t70 = form.sqrt((t14 * t66) + t18)
+    t73 = form.sqrt((t70 * 2.0) + t16)
+    t74 = t70 * t73
+    t79 = ((t73 * t74) - (t34 * t66)) / (t74 - t34)
+    t83 = form.sqrt((t14 * t79) + t18)
+    t86 = form.sqrt((t83 * 2.0) + t16)
+    t89 = t86 * t4
+    t91 = t89 * 0.25
+    t94 = (t12 + (t83 * 0.5)) + (t91 + (t3 * 0.125))
+    t96 = t83 + (t3 * 0.25)
+    t100 = t83 * t83
+    t103 = t3 * t83
+    t106 = tracking_index * 0.017708333333333333
+    t108 = ((t100 * 0.75) + (t103 * 0.25)) + t106
+    t112 = ((t100 * 0.25) + (t103 * 0.125)) + t106
+    t116 = ((t89 / t12) * t3) * 0.008333333333333333
+    t129 = (t89 / t108) * ((t86 * 0.25) * (t86 + (t4 * 0.5)))
+    t131 = (((t96 + t116) / t108) * t91) / tracking_index
+    t133 = (t112 + (t89 * (t96 * 0.125))) / t108
+    t139 = t3 * t94
+    t142 = ((t133 * ((t86 / t19) / t12)) * 2.0) / t139
+    t97 = t96 / t94
+    t98 = t89 / t94
+    t99 = t3 / t94
+    t141 = ((t131 * 2.0) / t139) / t139
+    t143 = t142 / t139
+    t145 = (((t129 + 1.0) / (t12 * t3)) / t139) / t139
+    return (t97, t98, t99, t141, t143, t145)
 
 
 def _gains_with_derivatives_block(
@@ -736,6 +911,7 @@ _GAINS_WITH_DERIVATIVES = Signature(
     ("alpha", "beta", "gamma", "d_alpha", "d_beta", "d_gamma"),
     6,
     _gains_with_derivatives_block,
+    numbers=_gains_with_derivatives_of_numbers,
 )
 
 
@@ -784,7 +960,54 @@ def predictor_gains(
 
     Source: derivation continuous-white-jerk
     """
+    if (
+        type(tracking_index) is float
+        and 5e-324 <= tracking_index <= 1.7976931348623157e308
+        and out is None
+        and workers is ONE
+    ):
+        try:
+            return named(PredictorGains, _predictor_gains_of_numbers(tracking_index))
+        except (ArithmeticError, ValueError):
+            pass  # arrays say what is wrong
     return PredictorGains(*evaluate(_PREDICTOR_GAINS, (tracking_index,), out, workers))
+
+
+def _predictor_gains_of_numbers(tracking_index: float, form: Form = Double) -> tuple[float, ...]:
+    t2 = form.sqrt(tracking_index)
+    t3 = form.sqrt(t2)
+    t5 = 2.220446049250313e-16 / tracking_index
+    t7 = tracking_index * 4.625929269271486e-19
+    t11 = form.sqrt(t5 + t7) * 67108864.0
+    t13 = (t11 * t3) * 2.0
+    t15 = t2 * 0.5
+    t17 = tracking_index * 0.07083333333333333
+    t24 = ((t2 * t3) * 1.5516447222296765) + (8.0 / t3)
+    t25 = form.near_cbrt(t24)
+    t29 = form.sqrt((t13 * t25) + t17)
+    t32 = form.sqrt((t29 * 2.0) + t15)
+    t33 = t13 * 0.5
+    t34 = t29 * t32
+    t39 = ((t32 * t34) - (t33 * t25)) / (t34 - t33)
+    t43 = form.sqrt((t13 * t39) + t17)
+    t46 = form.sqrt((t43 * 2.0) + t15)
+    t47 = t43 * t46
+    t52 = ((t46 * t47) - (t33 * t39)) / (t47 - t33)
+    t56 = form.sqrt((t13 * t52) + t17)
+    t59 = form.sqrt((t56 * 2.0) + t15)
+    t60 = t56 * t59
+    t65 = ((t59 * t60) - (t33 * t52)) / (t60 - t33)
+    t69 = form.sqrt((t13 * t65) + t17)
+    t72 = form.sqrt((t69 * 2.0) + t15)
+    t73 = t69 * t72
+    t78 = ((t72 * t73) - (t33 * t65)) / (t73 - t33)
+    t82 = form.sqrt((t13 * t78) + t17)
+    t88 = form.sqrt((t82 * 2.0) + t15) * t3
+    t93 = (t11 + (t82 * 0.5)) + ((t88 * 0.25) + (t2 * 0.125))
+    t98 = (t82 + (t88 + (t2 * 0.75))) / t93
+    t100 = (t88 + t2) / t93
+    t101 = t2 / t93
+    return (t98, t100, t101)
 
 
 def _predictor_gains_block(
@@ -900,6 +1123,7 @@ _PREDICTOR_GAINS = Signature(
     ("position", "velocity", "acceleration"),
     7,
     _predictor_gains_block,
+    numbers=_predictor_gains_of_numbers,
 )
 
 
@@ -950,9 +1174,77 @@ def predictor_gain_derivatives(
 
     Source: derivation continuous-white-jerk
     """
+    if (
+        type(tracking_index) is float
+        and 5e-324 <= tracking_index <= 1.7976931348623157e308
+        and out is None
+        and workers is ONE
+    ):
+        try:
+            return named(
+                PredictorGainDerivatives, _predictor_gain_derivatives_of_numbers(tracking_index)
+            )
+        except (ArithmeticError, ValueError):
+            pass  # arrays say what is wrong
     return PredictorGainDerivatives(
         *evaluate(_PREDICTOR_GAIN_DERIVATIVES, (tracking_index,), out, workers)
     )
+
+
+def _predictor_gain_derivatives_of_numbers(
+    tracking_index: float,
+    form: Form = Double,
+) -> tuple[float, ...]:
+    t3 = form.sqrt(tracking_index)
+    t4 = form.sqrt(t3)
+    t6 = 2.220446049250313e-16 / tracking_index
+    t8 = tracking_index * 4.625929269271486e-19
+    t12 = form.sqrt(t6 + t8) * 67108864.0
+    t14 = (t12 * t4) * 2.0
+    t16 = t3 * 0.5
+    t18 = tracking_index * 0.07083333333333333
+    t19 = t3 * t4
+    t25 = (t19 * 1.5516447222296765) + (8.0 / t4)
+    t26 = form.near_cbrt(t25)
+    t30 = form.sqrt((t14 * t26) + t18)
+    t33 = form.sqrt((t30 * 2.0) + t16)
+    t34 = t14 * 0.5
+    t35 = t30 * t33
+    t40 = ((t33 * t35) - (t34 * t26)) / (t35 - t34)
+    t44 = form.sqrt((t14 * t40) + t18)
+    t47 = form.sqrt((t44 * 2.0) + t16)
+    t48 = t44 * t47
+    t53 = ((t47 * t48) - (t34 * t40)) / (t48 - t34)
+    t57 = form.sqrt((t14 * t53) + t18)
+    t60 = form.sqrt((t57 * 2.0) + t16)
+    t61 = t57 * t60
+    t66 = ((t60 * t61) - (t34 * t53)) / (t61 - t34)
+    t70 = form.sqrt((t14 * t66) + t18)
+    t73 = form.sqrt((t70 * 2.0) + t16)
+    t74 = t70 * t73
+    t79 = ((t73 * t74) - (t34 * t66)) / (t74 - t34)
+    t83 = form.sqrt((t14 * t79) + t18)
+    t86 = form.sqrt((t83 * 2.0) + t16)
+    t87 = t83 * t83
+    t90 = t3 * t83
+    t94 = tracking_index * 0.017708333333333333
+    t96 = ((t87 * 0.75) + (t90 * 0.25)) + t94
+    t101 = t86 * t4
+    t105 = ((t101 / t12) * t3) * 0.008333333333333333
+    t107 = t83 + (t3 * 0.25)
+    t110 = t101 * 0.25
+    t115 = (((t87 * 0.25) + (t90 * 0.125)) + t94) + (t101 * (t107 * 0.125))
+    t121 = (t101 / t96) * ((t86 * 0.25) * (t86 + (t4 * 0.5)))
+    t123 = (((t107 + t105) / t96) * t110) / tracking_index
+    t128 = ((t115 / t96) * ((t86 / t19) / t12)) * 2.0
+    t130 = (t121 + 1.0) / (t12 * t3)
+    t139 = (t12 + (t83 * 0.5)) + (t110 + (t3 * 0.125))
+    t140 = t3 * t139
+    t141 = ((t123 * 2.0) + (t128 + (t130 * 0.5))) / t140
+    t142 = t141 / t140
+    t144 = ((t128 + t130) / t140) / t140
+    t146 = (t130 / t140) / t140
+    return (t142, t144, t146)
 
 
 def _predictor_gain_derivatives_block(
@@ -1110,6 +1402,7 @@ _PREDICTOR_GAIN_DERIVATIVES = Signature(
     ("position", "velocity", "acceleration"),
     9,
     _predictor_gain_derivatives_block,
+    numbers=_predictor_gain_derivatives_of_numbers,
 )
 
 
@@ -1148,7 +1441,55 @@ def innovation_deviation(
 
     Source: derivation continuous-white-jerk
     """
+    if (
+        type(tracking_index) is float
+        and 5e-324 <= tracking_index <= 1.7976931348623157e308
+        and out is None
+        and workers is ONE
+    ):
+        try:
+            return named(InnovationDeviation, _innovation_deviation_of_numbers(tracking_index))
+        except (ArithmeticError, ValueError):
+            pass  # arrays say what is wrong
     return InnovationDeviation(*evaluate(_INNOVATION_DEVIATION, (tracking_index,), out, workers))
+
+
+def _innovation_deviation_of_numbers(
+    tracking_index: float,
+    form: Form = Double,
+) -> tuple[float, ...]:
+    t2 = form.sqrt(tracking_index)
+    t3 = form.sqrt(t2)
+    t5 = 2.220446049250313e-16 / tracking_index
+    t7 = tracking_index * 4.625929269271486e-19
+    t11 = form.sqrt(t5 + t7) * 67108864.0
+    t13 = (t11 * t3) * 2.0
+    t15 = t2 * 0.5
+    t17 = tracking_index * 0.07083333333333333
+    t24 = ((t2 * t3) * 1.5516447222296765) + (8.0 / t3)
+    t25 = form.near_cbrt(t24)
+    t29 = form.sqrt((t13 * t25) + t17)
+    t32 = form.sqrt((t29 * 2.0) + t15)
+    t33 = t13 * 0.5
+    t34 = t29 * t32
+    t39 = ((t32 * t34) - (t33 * t25)) / (t34 - t33)
+    t43 = form.sqrt((t13 * t39) + t17)
+    t46 = form.sqrt((t43 * 2.0) + t15)
+    t47 = t43 * t46
+    t52 = ((t46 * t47) - (t33 * t39)) / (t47 - t33)
+    t56 = form.sqrt((t13 * t52) + t17)
+    t59 = form.sqrt((t56 * 2.0) + t15)
+    t60 = t56 * t59
+    t65 = ((t59 * t60) - (t33 * t52)) / (t60 - t33)
+    t69 = form.sqrt((t13 * t65) + t17)
+    t72 = form.sqrt((t69 * 2.0) + t15)
+    t73 = t69 * t72
+    t78 = ((t72 * t73) - (t33 * t65)) / (t73 - t33)
+    t82 = form.sqrt((t13 * t78) + t17)
+    t90 = (form.sqrt((t82 * 2.0) + t15) * t3) * 0.25
+    t93 = (t11 + (t82 * 0.5)) + (t90 + (t2 * 0.125))
+    t94 = t2 * t93
+    return (t94,)
 
 
 def _innovation_deviation_block(
@@ -1257,6 +1598,7 @@ _INNOVATION_DEVIATION = Signature(
     ("innovation_deviation",),
     9,
     _innovation_deviation_block,
+    numbers=_innovation_deviation_of_numbers,
 )
 
 
@@ -1297,7 +1639,53 @@ def pole_product(
 
     Source: derivation continuous-white-jerk
     """
+    if (
+        type(tracking_index) is float
+        and 5e-324 <= tracking_index <= 1.7976931348623157e308
+        and out is None
+        and workers is ONE
+    ):
+        try:
+            return named(PoleProduct, _pole_product_of_numbers(tracking_index))
+        except (ArithmeticError, ValueError):
+            pass  # arrays say what is wrong
     return PoleProduct(*evaluate(_POLE_PRODUCT, (tracking_index,), out, workers))
+
+
+def _pole_product_of_numbers(tracking_index: float, form: Form = Double) -> tuple[float, ...]:
+    t3 = form.sqrt(tracking_index)
+    t4 = form.sqrt(t3)
+    t6 = 2.220446049250313e-16 / tracking_index
+    t8 = tracking_index * 4.625929269271486e-19
+    t12 = form.sqrt(t6 + t8) * 67108864.0
+    t14 = (t12 * t4) * 2.0
+    t16 = t3 * 0.5
+    t18 = tracking_index * 0.07083333333333333
+    t25 = ((t3 * t4) * 1.5516447222296765) + (8.0 / t4)
+    t26 = form.near_cbrt(t25)
+    t30 = form.sqrt((t14 * t26) + t18)
+    t33 = form.sqrt((t30 * 2.0) + t16)
+    t34 = t14 * 0.5
+    t35 = t30 * t33
+    t40 = ((t33 * t35) - (t34 * t26)) / (t35 - t34)
+    t44 = form.sqrt((t14 * t40) + t18)
+    t47 = form.sqrt((t44 * 2.0) + t16)
+    t48 = t44 * t47
+    t53 = ((t47 * t48) - (t34 * t40)) / (t48 - t34)
+    t57 = form.sqrt((t14 * t53) + t18)
+    t60 = form.sqrt((t57 * 2.0) + t16)
+    t61 = t57 * t60
+    t66 = ((t60 * t61) - (t34 * t53)) / (t61 - t34)
+    t70 = form.sqrt((t14 * t66) + t18)
+    t73 = form.sqrt((t70 * 2.0) + t16)
+    t74 = t70 * t73
+    t79 = ((t73 * t74) - (t34 * t66)) / (t74 - t34)
+    t83 = form.sqrt((t14 * t79) + t18)
+    t91 = (form.sqrt((t83 * 2.0) + t16) * t4) * 0.25
+    t94 = (t12 + (t83 * 0.5)) + (t91 + (t3 * 0.125))
+    t96 = 1.0 / (t3 * t94)
+    t97 = t96 * t96
+    return (t97,)
 
 
 def _pole_product_block(
@@ -1409,6 +1797,7 @@ _POLE_PRODUCT = Signature(
     ("pole_product",),
     9,
     _pole_product_block,
+    numbers=_pole_product_of_numbers,
 )
 
 
@@ -1479,7 +1868,69 @@ def predicted_covariance(
 
     Source: derivation continuous-white-jerk
     """
+    if (
+        type(tracking_index) is float
+        and 5e-324 <= tracking_index <= 1.7976931348623157e308
+        and out is None
+        and workers is ONE
+    ):
+        try:
+            return named(PredictedCovariance, _predicted_covariance_of_numbers(tracking_index))
+        except (ArithmeticError, ValueError):
+            pass  # arrays say what is wrong
     return PredictedCovariance(*evaluate(_PREDICTED_COVARIANCE, (tracking_index,), out, workers))
+
+
+def _predicted_covariance_of_numbers(
+    tracking_index: float,
+    form: Form = Double,
+) -> tuple[float, ...]:
+    t2 = form.sqrt(tracking_index)
+    t3 = form.sqrt(t2)
+    t5 = 2.220446049250313e-16 / tracking_index
+    t7 = tracking_index * 4.625929269271486e-19
+    t11 = form.sqrt(t5 + t7) * 67108864.0
+    t13 = (t11 * t3) * 2.0
+    t15 = t2 * 0.5
+    t17 = tracking_index * 0.07083333333333333
+    t18 = t2 * t3
+    t24 = (t18 * 1.5516447222296765) + (8.0 / t3)
+    t25 = form.near_cbrt(t24)
+    t29 = form.sqrt((t13 * t25) + t17)
+    t32 = form.sqrt((t29 * 2.0) + t15)
+    t33 = t13 * 0.5
+    t34 = t29 * t32
+    t39 = ((t32 * t34) - (t33 * t25)) / (t34 - t33)
+    t43 = form.sqrt((t13 * t39) + t17)
+    t46 = form.sqrt((t43 * 2.0) + t15)
+    t47 = t43 * t46
+    t52 = ((t46 * t47) - (t33 * t39)) / (t47 - t33)
+    t56 = form.sqrt((t13 * t52) + t17)
+    t59 = form.sqrt((t56 * 2.0) + t15)
+    t60 = t56 * t59
+    t65 = ((t59 * t60) - (t33 * t52)) / (t60 - t33)
+    t69 = form.sqrt((t13 * t65) + t17)
+    t72 = form.sqrt((t69 * 2.0) + t15)
+    t73 = t69 * t72
+    t78 = ((t72 * t73) - (t33 * t65)) / (t73 - t33)
+    t82 = form.sqrt((t13 * t78) + t17)
+    t85 = form.sqrt((t82 * 2.0) + t15)
+    t93 = (t11 + (t82 * 0.5)) + (((t85 * t3) * 0.25) + (t2 * 0.125))
+    t94 = t2 * t93
+    t95 = t18 * t85
+    t96 = t2 * t82
+    t108 = tracking_index * 0.017708333333333333
+    t110 = (((t82 * t82) * 0.75) + (t96 * 0.25)) + t108
+    t116 = ((t110 / t85) * (t3 * 2.0)) + (t95 * 0.25)
+    t118 = (t116 + t96) + (tracking_index * 0.25)
+    t124 = (t96 + (t95 * 0.5)) + (tracking_index * 0.3333333333333333)
+    t100 = ((t82 + (t2 * 0.25)) * t2) * t94
+    t101 = t95 * t94
+    t102 = tracking_index * t94
+    t119 = tracking_index * t118
+    t125 = tracking_index * t124
+    t128 = tracking_index * (t95 + (tracking_index * 0.5))
+    return (t100, t101, t102, t119, t125, t128)
 
 
 def _predicted_covariance_block(
@@ -1625,6 +2076,7 @@ _PREDICTED_COVARIANCE = Signature(
     ),
     6,
     _predicted_covariance_block,
+    numbers=_predicted_covariance_of_numbers,
 )
 
 
@@ -1697,9 +2149,97 @@ def predicted_covariance_derivatives(
 
     Source: derivation continuous-white-jerk
     """
+    if (
+        type(tracking_index) is float
+        and 5e-324 <= tracking_index <= 1.0715086071862673e301
+        and out is None
+        and workers is ONE
+    ):
+        try:
+            return named(
+                PredictedCovarianceDerivatives,
+                _predicted_covariance_derivatives_of_numbers(tracking_index),
+            )
+        except (ArithmeticError, ValueError):
+            pass  # arrays say what is wrong
     return PredictedCovarianceDerivatives(
         *evaluate(_PREDICTED_COVARIANCE_DERIVATIVES, (tracking_index,), out, workers)
     )
+
+
+def _predicted_covariance_derivatives_of_numbers(
+    tracking_index: float,
+    form: Form = Double,
+) -> tuple[float, ...]:
+    t3 = form.sqrt(tracking_index)
+    t4 = form.sqrt(t3)
+    t6 = 2.220446049250313e-16 / tracking_index
+    t8 = tracking_index * 4.625929269271486e-19
+    t12 = form.sqrt(t6 + t8) * 67108864.0
+    t14 = (t12 * t4) * 2.0
+    t16 = t3 * 0.5
+    t18 = tracking_index * 0.07083333333333333
+    t19 = t3 * t4
+    t25 = (t19 * 1.5516447222296765) + (8.0 / t4)
+    t26 = form.near_cbrt(t25)
+    t30 = form.sqrt((t14 * t26) + t18)
+    t33 = form.sqrt((t30 * 2.0) + t16)
+    t34 = t14 * 0.5
+    t35 = t30 * t33
+    t40 = ((t33 * t35) - (t34 * t26)) / (t35 - t34)
+    t44 = form.sqrt((t14 * t40) + t18)
+    t47 = form.sqrt((t44 * 2.0) + t16)
+    t48 = t44 * t47
+    t53 = ((t47 * t48) - (t34 * t40)) / (t48 - t34)
+    t57 = form.sqrt((t14 * t53) + t18)
+    t60 = form.sqrt((t57 * 2.0) + t16)
+    t61 = t57 * t60
+    t66 = ((t60 * t61) - (t34 * t53)) / (t61 - t34)
+    t70 = form.sqrt((t14 * t66) + t18)
+    t73 = form.sqrt((t70 * 2.0) + t16)
+    t74 = t70 * t73
+    t79 = ((t73 * t74) - (t34 * t66)) / (t74 - t34)
+    t83 = form.sqrt((t14 * t79) + t18)
+    t86 = form.sqrt((t83 * 2.0) + t16)
+    t87 = t83 * t83
+    t90 = t3 * t83
+    t94 = tracking_index * 0.017708333333333333
+    t96 = ((t87 * 0.75) + (t90 * 0.25)) + t94
+    t97 = t87 * 0.25
+    t101 = t86 * t4
+    t102 = t101 / t12
+    t108 = (t83 + (t3 * 0.25)) + ((t102 * t3) * 0.008333333333333333)
+    t109 = tracking_index / t96
+    t112 = (t109 * t102) * 0.0010416666666666667
+    t114 = (((t97 + (t90 * 0.125)) + t94) / t96) * 2.0
+    t116 = t101 * 0.25
+    t117 = (t108 / t96) * t116
+    t118 = t114 + 1.0
+    t123 = (t12 + (t83 * 0.5)) + (t116 + (t3 * 0.125))
+    t124 = t3 * t123
+    t125 = t19 * t86
+    t126 = t86 / t4
+    t127 = t126 * 2.0
+    t129 = t83 * t3
+    t134 = ((t97 + (t90 * 0.09375)) + t94) / t96
+    t140 = (t109 * tracking_index) * 0.008854166666666666
+    t141 = (t129 * (t134 * 4.0)) + t140
+    t158 = ((t87 * 0.5625) + (t90 * 0.5)) + (tracking_index * 0.19114583333333332)
+    t163 = (t129 * 0.5666666666666667) + (tracking_index * 0.04043402777777778)
+    t169 = ((t83 * (t158 / t96)) * (t83 / t86)) * (t4 * 2.0)
+    t172 = (t163 / t96) * (tracking_index / t86)
+    t176 = t125 * 0.5
+    t185 = (t125 * 2.0) * ((t127 * (t127 + 2.0)) + 1.0)
+    t188 = t112 * ((((t12 * t3) * 8.0) + t185) * 0.125)
+    t190 = (t169 + (t172 * (t4 * 0.125))) + (t176 * (t118 * 0.5))
+    t197 = t176 * (t118 + (t112 * (t127 + 1.0)))
+    t145 = ((t117 / t3) * t123) * (t124 * 2.0)
+    t149 = (t126 * ((t114 + t117) + t112)) * t124
+    t151 = t124 * (t117 + 1.0)
+    t193 = ((t190 + t141) + t188) + (tracking_index * 0.5)
+    t201 = (t197 + t141) + (tracking_index * 0.6666666666666666)
+    t203 = (t125 * (t118 + t112)) + tracking_index
+    return (t145, t149, t151, t193, t201, t203)
 
 
 def _predicted_covariance_derivatives_block(
@@ -1901,6 +2441,7 @@ _PREDICTED_COVARIANCE_DERIVATIVES = Signature(
     ),
     14,
     _predicted_covariance_derivatives_block,
+    numbers=_predicted_covariance_derivatives_of_numbers,
 )
 
 
@@ -1971,7 +2512,74 @@ def updated_covariance(
 
     Source: derivation continuous-white-jerk
     """
+    if (
+        type(tracking_index) is float
+        and 5e-324 <= tracking_index <= 1.7976931348623157e308
+        and out is None
+        and workers is ONE
+    ):
+        try:
+            return named(UpdatedCovariance, _updated_covariance_of_numbers(tracking_index))
+        except (ArithmeticError, ValueError):
+            pass  # arrays say what is wrong
     return UpdatedCovariance(*evaluate(_UPDATED_COVARIANCE, (tracking_index,), out, workers))
+
+
+def _updated_covariance_of_numbers(tracking_index: float, form: Form = Double) -> tuple[float, ...]:
+    t2 = form.sqrt(tracking_index)
+    t3 = form.sqrt(t2)
+    t5 = 2.220446049250313e-16 / tracking_index
+    t7 = tracking_index * 4.625929269271486e-19
+    t11 = form.sqrt(t5 + t7) * 67108864.0
+    t13 = (t11 * t3) * 2.0
+    t15 = t2 * 0.5
+    t17 = tracking_index * 0.07083333333333333
+    t18 = t2 * t3
+    t24 = (t18 * 1.5516447222296765) + (8.0 / t3)
+    t25 = form.near_cbrt(t24)
+    t29 = form.sqrt((t13 * t25) + t17)
+    t32 = form.sqrt((t29 * 2.0) + t15)
+    t33 = t13 * 0.5
+    t34 = t29 * t32
+    t39 = ((t32 * t34) - (t33 * t25)) / (t34 - t33)
+    t43 = form.sqrt((t13 * t39) + t17)
+    t46 = form.sqrt((t43 * 2.0) + t15)
+    t47 = t43 * t46
+    t52 = ((t46 * t47) - (t33 * t39)) / (t47 - t33)
+    t56 = form.sqrt((t13 * t52) + t17)
+    t59 = form.sqrt((t56 * 2.0) + t15)
+    t60 = t56 * t59
+    t65 = ((t59 * t60) - (t33 * t52)) / (t60 - t33)
+    t69 = form.sqrt((t13 * t65) + t17)
+    t72 = form.sqrt((t69 * 2.0) + t15)
+    t73 = t69 * t72
+    t78 = ((t72 * t73) - (t33 * t65)) / (t73 - t33)
+    t82 = form.sqrt((t13 * t78) + t17)
+    t85 = form.sqrt((t82 * 2.0) + t15)
+    t88 = t85 * t3
+    t93 = (t11 + (t82 * 0.5)) + ((t88 * 0.25) + (t2 * 0.125))
+    t101 = (t3 / t85) * 0.5
+    t107 = (t101 * 0.0015544039943282079) + 0.001342661308665835
+    t119 = (t82 * t85) + ((t85 * t2) * 0.4201389538804297)
+    t120 = t119 + ((t82 * t3) * 1.157703721925804)
+    t126 = (t85 * 8.0) / (t11 + (t2 * 0.04564354645876384))
+    t127 = t126 / (t120 + (t18 * 0.3038222447983318))
+    t129 = (t127 / tracking_index) * t101
+    t130 = t129 * ((t101 * t107) + 0.012527851797391616)
+    t133 = (t129 * (t130 + 0.02951035632013989)) + 0.004836791882468496
+    t135 = (t85 / t3) * 2.0
+    t136 = tracking_index * t135
+    t137 = t136 * t135
+    t145 = (t129 * 0.01554403994328208) + 0.07688427749004201
+    t148 = t137 * ((t129 * t145) + 0.03257168256667591)
+    t153 = (t129 * 0.21594471475321234) + 0.2840552852467877
+    t96 = (t82 + (t2 * 0.25)) / t93
+    t97 = t88 / t93
+    t98 = t2 / t93
+    t140 = tracking_index * ((t137 * t135) * t133)
+    t149 = tracking_index * t148
+    t155 = tracking_index * (t136 * t153)
+    return (t96, t97, t98, t140, t149, t155)
 
 
 def _updated_covariance_block(
@@ -2135,6 +2743,7 @@ _UPDATED_COVARIANCE = Signature(
     ("updated_11", "updated_12", "updated_13", "updated_22", "updated_23", "updated_33"),
     11,
     _updated_covariance_block,
+    numbers=_updated_covariance_of_numbers,
 )
 
 
@@ -2206,9 +2815,128 @@ def updated_covariance_derivatives(
 
     Source: derivation continuous-white-jerk
     """
+    if (
+        type(tracking_index) is float
+        and 5e-324 <= tracking_index <= 1.0715086071862673e301
+        and out is None
+        and workers is ONE
+    ):
+        try:
+            return named(
+                UpdatedCovarianceDerivatives,
+                _updated_covariance_derivatives_of_numbers(tracking_index),
+            )
+        except (ArithmeticError, ValueError):
+            pass  # arrays say what is wrong
     return UpdatedCovarianceDerivatives(
         *evaluate(_UPDATED_COVARIANCE_DERIVATIVES, (tracking_index,), out, workers)
     )
+
+
+def _updated_covariance_derivatives_of_numbers(
+    tracking_index: float,
+    form: Form = Double,
+) -> tuple[float, ...]:
+    t3 = form.sqrt(tracking_index)
+    t4 = form.sqrt(t3)
+    t6 = 2.220446049250313e-16 / tracking_index
+    t8 = tracking_index * 4.625929269271486e-19
+    t12 = form.sqrt(t6 + t8) * 67108864.0
+    t14 = (t12 * t4) * 2.0
+    t16 = t3 * 0.5
+    t18 = tracking_index * 0.07083333333333333
+    t19 = t3 * t4
+    t25 = (t19 * 1.5516447222296765) + (8.0 / t4)
+    t26 = form.near_cbrt(t25)
+    t30 = form.sqrt((t14 * t26) + t18)
+    t33 = form.sqrt((t30 * 2.0) + t16)
+    t34 = t14 * 0.5
+    t35 = t30 * t33
+    t40 = ((t33 * t35) - (t34 * t26)) / (t35 - t34)
+    t44 = form.sqrt((t14 * t40) + t18)
+    t47 = form.sqrt((t44 * 2.0) + t16)
+    t48 = t44 * t47
+    t53 = ((t47 * t48) - (t34 * t40)) / (t48 - t34)
+    t57 = form.sqrt((t14 * t53) + t18)
+    t60 = form.sqrt((t57 * 2.0) + t16)
+    t61 = t57 * t60
+    t66 = ((t60 * t61) - (t34 * t53)) / (t61 - t34)
+    t70 = form.sqrt((t14 * t66) + t18)
+    t73 = form.sqrt((t70 * 2.0) + t16)
+    t74 = t70 * t73
+    t79 = ((t73 * t74) - (t34 * t66)) / (t74 - t34)
+    t83 = form.sqrt((t14 * t79) + t18)
+    t86 = form.sqrt((t83 * 2.0) + t16)
+    t87 = t83 * t83
+    t90 = t3 * t83
+    t94 = tracking_index * 0.017708333333333333
+    t96 = ((t87 * 0.75) + (t90 * 0.25)) + t94
+    t101 = t86 * t4
+    t105 = ((t101 / t12) * t3) * 0.008333333333333333
+    t106 = t3 * 0.25
+    t107 = t83 + t106
+    t110 = t101 * 0.25
+    t115 = (((t87 * 0.25) + (t90 * 0.125)) + t94) + (t101 * (t107 * 0.125))
+    t121 = (t101 / t96) * ((t86 * 0.25) * (t86 + (t4 * 0.5)))
+    t123 = (((t107 + t105) / t96) * t110) / tracking_index
+    t128 = ((t115 / t96) * ((t86 / t19) / t12)) * 2.0
+    t135 = (t12 + (t83 * 0.5)) + (t110 + (t3 * 0.125))
+    t136 = t3 * t135
+    t143 = t106 / t83
+    t145 = (t143 * 2.0) + 2.0
+    t151 = t143 * ((t143 * 1.1333333333333333) + 4.0)
+    t156 = (((t145 * t145) / (t151 + 3.0)) * 2.0) * 0.5
+    t158 = t86 / t4
+    t161 = t156 * (((t86 * t86) * t158) / t12)
+    t164 = (t4 / t86) * 0.5
+    t170 = (t164 * 0.002147434972563894) + 0.0004207522200028469
+    t176 = (t164 * 0.0006806106112531079) + 4.770195232300711e-05
+    t178 = (t164 * t176) + 0.0005939932302701088
+    t180 = (t164 * t178) + 0.0012011996131270541
+    t187 = (t164 * 1.1130869873173935e-06) + 2.40365251971767e-06
+    t189 = (t164 * t187) + 4.485509837081989e-05
+    t191 = (t164 * t189) + 2.6490197795575033e-05
+    t195 = t164 * (t164 * (t164 * (t164 * t191)))
+    t205 = (t83 * t86) + ((t86 * t3) * 0.4201389538804297)
+    t206 = t205 + ((t83 * t4) * 1.157703721925804)
+    t212 = (t86 * 8.0) / (t12 + (t3 * 0.04564354645876384))
+    t213 = t212 / (t206 + (t19 * 0.3038222447983318))
+    t215 = (t213 / tracking_index) * t164
+    t218 = t215 * ((t215 * t195) + (t164 * t180))
+    t221 = (t215 * (t218 + t170)) + 0.003120138308007913
+    t223 = (t215 * t221) + 0.0006919789408530644
+    t225 = (t215 * t223) + 0.00016166178113617547
+    t227 = t158 * 2.0
+    t228 = tracking_index * t227
+    t229 = t228 * t227
+    t237 = (t164 * 0.003867012806359654) + 0.008787800541239142
+    t243 = (t164 * 0.0014572444000597266) + 0.00044600464693861374
+    t247 = t164 * (t164 * 0.0003819760675104699)
+    t251 = (t164 * 1.4198606121686811e-05) + 4.5610907691950606e-05
+    t256 = t164 * (t164 * 4.152448461890179e-06)
+    t259 = (t215 * (t164 * t256)) + (t164 * (t164 * t251))
+    t263 = (t215 * ((t215 * t259) + t247)) + (t164 * t243)
+    t265 = (t215 * t263) + (t164 * 0.010629383447761992)
+    t269 = (t215 * ((t215 * t265) + t237)) + 0.005748544758231629
+    t271 = (t215 * t269) + 0.0010886547005292285
+    t279 = (t164 * 0.0617702296423904) + 0.009004199764000792
+    t283 = (t164 * 0.029175032653922572) + 0.024236707302347834
+    t288 = t164 * (t164 * 2.8882077876638812e-05)
+    t291 = (t164 * (t164 * t288)) + 0.0018925618323447572
+    t297 = (t164 * 5.070746774703352e-05) + 5.994198246385098e-05
+    t302 = t164 * (t164 * 2.3267309087301856e-06)
+    t305 = (t215 * (t164 * t302)) + (t164 * (t164 * t297))
+    t308 = (t215 * (t215 * t305)) + (t164 * (t164 * t291))
+    t311 = t215 * ((t215 * t308) + (t164 * t283))
+    t314 = (t215 * (t311 + t279)) + 0.05962672141888376
+    t317 = ((t215 * t314) + 0.009494078817115444) * t161
+    t138 = ((t123 * 2.0) / t136) / t136
+    t140 = (t128 / t136) / t136
+    t142 = (((t121 + 1.0) / (t12 * t3)) / t136) / t136
+    t231 = (t229 * t227) * (t225 * t161)
+    t273 = t229 * (t271 * t161)
+    t318 = t228 * t317
+    return (t138, t140, t142, t231, t273, t318)
 
 
 def _updated_covariance_derivatives_block(
@@ -2505,6 +3233,7 @@ _UPDATED_COVARIANCE_DERIVATIVES = Signature(
     ("updated_11", "updated_12", "updated_13", "updated_22", "updated_23", "updated_33"),
     26,
     _updated_covariance_derivatives_block,
+    numbers=_updated_covariance_derivatives_of_numbers,
 )
 
 
@@ -2555,9 +3284,108 @@ def gain_second_derivatives(
 
     Source: derivation continuous-white-jerk
     """
+    if (
+        type(tracking_index) is float
+        and 5e-324 <= tracking_index <= 1.7976931348623157e308
+        and out is None
+        and workers is ONE
+    ):
+        try:
+            return named(GainSecondDerivatives, _gain_second_derivatives_of_numbers(tracking_index))
+        except (ArithmeticError, ValueError):
+            pass  # arrays say what is wrong
     return GainSecondDerivatives(
         *evaluate(_GAIN_SECOND_DERIVATIVES, (tracking_index,), out, workers)
     )
+
+
+def _gain_second_derivatives_of_numbers(
+    tracking_index: float,
+    form: Form = Double,
+) -> tuple[float, ...]:
+    t3 = form.sqrt(tracking_index)
+    t4 = form.sqrt(t3)
+    t6 = 2.220446049250313e-16 / tracking_index
+    t8 = tracking_index * 4.625929269271486e-19
+    t12 = form.sqrt(t6 + t8) * 67108864.0
+    t14 = (t12 * t4) * 2.0
+    t16 = t3 * 0.5
+    t18 = tracking_index * 0.07083333333333333
+    t25 = ((t3 * t4) * 1.5516447222296765) + (8.0 / t4)
+    t26 = form.near_cbrt(t25)
+    t30 = form.sqrt((t14 * t26) + t18)
+    t33 = form.sqrt((t30 * 2.0) + t16)
+    t34 = t14 * 0.5
+    t35 = t30 * t33
+    t40 = ((t33 * t35) - (t34 * t26)) / (t35 - t34)
+    t44 = form.sqrt((t14 * t40) + t18)
+    t47 = form.sqrt((t44 * 2.0) + t16)
+    t48 = t44 * t47
+    t53 = ((t47 * t48) - (t34 * t40)) / (t48 - t34)
+    t57 = form.sqrt((t14 * t53) + t18)
+    t60 = form.sqrt((t57 * 2.0) + t16)
+    t61 = t57 * t60
+    t66 = ((t60 * t61) - (t34 * t53)) / (t61 - t34)
+    t70 = form.sqrt((t14 * t66) + t18)
+    t73 = form.sqrt((t70 * 2.0) + t16)
+    t74 = t70 * t73
+    t79 = ((t73 * t74) - (t34 * t66)) / (t74 - t34)
+    t83 = form.sqrt((t14 * t79) + t18)
+    t86 = form.sqrt((t83 * 2.0) + t16)
+    t89 = t86 * t4
+    t94 = (t12 + (t83 * 0.5)) + ((t89 * 0.25) + (t3 * 0.125))
+    t95 = t3 * t94
+    t96 = t86 / t4
+    t97 = t96 * 2.0
+    t99 = (t3 * 0.25) / t83
+    t101 = (t99 * 1.0) + 1.0
+    t104 = t99 * 1.1333333333333333
+    t109 = (t99 * (t104 + 4.0)) + 3.0
+    t112 = t3 / t83
+    t117 = ((t112 / t109) * t112) * (t96 * (t3 / t12))
+    t119 = t117 * 0.004166666666666667
+    t120 = (((t101 * t99) / t109) * 2.0) + t119
+    t121 = t120 * t97
+    t126 = (t99 * 2.0) + 2.0
+    t129 = ((t99 / t109) * (t126 / t109)) / t109
+    t134 = t99 * ((t99 * 0.7544444444444445) + 1.6)
+    t141 = (t99 * ((t99 * (t134 + 2.1)) + 2.0)) + 0.75
+    t145 = (t126 * t99) / t109
+    t149 = ((tracking_index / t12) / t12) * 0.0020833333333333333
+    t154 = (((t86 / t83) / (t83 * t109)) / t4) / t12
+    t156 = (t154 / t3) * 2.0
+    t160 = t156 + t119
+    t164 = t160 + (((t126 * t126) / t109) * 2.0)
+    t165 = t119 * t164
+    t166 = (t149 + t156) + ((t145 * t145) * 4.0)
+    t169 = (t129 * (t141 * 8.0)) + (t119 * (t166 + t165))
+    t172 = t89 / t94
+    t181 = t99 * ((t99 * 2.908888888888889) + 10.2)
+    t189 = (t99 * ((t99 * (t181 + 12.8)) + 7.0)) + 1.5
+    t194 = t99 * ((t99 * 2.8666666666666667) + 6.0)
+    t197 = ((t194 + 3.0) / t109) * 2.0
+    t206 = ((t101 / t109) * (t189 / t109)) * 4.0
+    t209 = t156 * (t126 + (((t12 / t83) * 2.0) * t197))
+    t210 = (((t121 * t101) * 2.0) + t206) + t209
+    t215 = (((t99 * (t104 + 2.0)) + 1.0) / t109) * 2.0
+    t216 = t215 * t109
+    t219 = (t83 / t3) * 4.0
+    t223 = t119 * ((t216 * t219) + (t101 * t197))
+    t227 = t149 * (((t219 / t97) * (t216 * 0.5)) + t101)
+    t230 = (t156 * (t83 / t94)) * ((t210 + t223) + t227)
+    t231 = ((t172 / tracking_index) * 0.5) * t230
+    t237 = (((t219 * (t109 * 0.5)) / t126) + 1.0) + t97
+    t243 = ((t160 * t99) * (t101 + t126)) / t109
+    t245 = t145 * 2.0
+    t249 = ((t243 * 2.0) + (t245 * t245)) + t165
+    t251 = (t120 * ((t172 * 0.25) * t237)) + (t249 + (t149 * t215))
+    t254 = (t97 * (((t120 * t121) * 2.0) + t169)) * 2.0
+    t257 = ((t254 / tracking_index) / t95) / t95
+    t261 = ((t156 * (t97 * t251)) / t95) / tracking_index
+    t262 = -(t257 / tracking_index)
+    t263 = -(t231 / tracking_index)
+    t264 = -t261
+    return (t262, t263, t264)
 
 
 def _gain_second_derivatives_block(
@@ -2857,6 +3685,7 @@ _GAIN_SECOND_DERIVATIVES = Signature(
     ("alpha", "beta", "gamma"),
     21,
     _gain_second_derivatives_block,
+    numbers=_gain_second_derivatives_of_numbers,
 )
 
 
@@ -2909,9 +3738,113 @@ def predictor_gain_second_derivatives(
 
     Source: derivation continuous-white-jerk
     """
+    if (
+        type(tracking_index) is float
+        and 5e-324 <= tracking_index <= 1.7976931348623157e308
+        and out is None
+        and workers is ONE
+    ):
+        try:
+            return named(
+                PredictorGainSecondDerivatives,
+                _predictor_gain_second_derivatives_of_numbers(tracking_index),
+            )
+        except (ArithmeticError, ValueError):
+            pass  # arrays say what is wrong
     return PredictorGainSecondDerivatives(
         *evaluate(_PREDICTOR_GAIN_SECOND_DERIVATIVES, (tracking_index,), out, workers)
     )
+
+
+def _predictor_gain_second_derivatives_of_numbers(
+    tracking_index: float,
+    form: Form = Double,
+) -> tuple[float, ...]:
+    t3 = form.sqrt(tracking_index)
+    t4 = form.sqrt(t3)
+    t6 = 2.220446049250313e-16 / tracking_index
+    t8 = tracking_index * 4.625929269271486e-19
+    t12 = form.sqrt(t6 + t8) * 67108864.0
+    t14 = (t12 * t4) * 2.0
+    t16 = t3 * 0.5
+    t18 = tracking_index * 0.07083333333333333
+    t25 = ((t3 * t4) * 1.5516447222296765) + (8.0 / t4)
+    t26 = form.near_cbrt(t25)
+    t30 = form.sqrt((t14 * t26) + t18)
+    t33 = form.sqrt((t30 * 2.0) + t16)
+    t34 = t14 * 0.5
+    t35 = t30 * t33
+    t40 = ((t33 * t35) - (t34 * t26)) / (t35 - t34)
+    t44 = form.sqrt((t14 * t40) + t18)
+    t47 = form.sqrt((t44 * 2.0) + t16)
+    t48 = t44 * t47
+    t53 = ((t47 * t48) - (t34 * t40)) / (t48 - t34)
+    t57 = form.sqrt((t14 * t53) + t18)
+    t60 = form.sqrt((t57 * 2.0) + t16)
+    t61 = t57 * t60
+    t66 = ((t60 * t61) - (t34 * t53)) / (t61 - t34)
+    t70 = form.sqrt((t14 * t66) + t18)
+    t73 = form.sqrt((t70 * 2.0) + t16)
+    t74 = t70 * t73
+    t79 = ((t73 * t74) - (t34 * t66)) / (t74 - t34)
+    t83 = form.sqrt((t14 * t79) + t18)
+    t86 = form.sqrt((t83 * 2.0) + t16)
+    t89 = t86 * t4
+    t94 = (t12 + (t83 * 0.5)) + ((t89 * 0.25) + (t3 * 0.125))
+    t95 = t3 * t94
+    t96 = t86 / t4
+    t97 = t96 * 2.0
+    t99 = (t3 * 0.25) / t83
+    t101 = (t99 * 1.0) + 1.0
+    t104 = t99 * 1.1333333333333333
+    t109 = (t99 * (t104 + 4.0)) + 3.0
+    t112 = t3 / t83
+    t117 = ((t112 / t109) * t112) * (t96 * (t3 / t12))
+    t119 = t117 * 0.004166666666666667
+    t120 = (((t101 * t99) / t109) * 2.0) + t119
+    t121 = t120 * t97
+    t126 = (t99 * 2.0) + 2.0
+    t129 = ((t99 / t109) * (t126 / t109)) / t109
+    t134 = t99 * ((t99 * 0.7544444444444445) + 1.6)
+    t141 = (t99 * ((t99 * (t134 + 2.1)) + 2.0)) + 0.75
+    t145 = (t126 * t99) / t109
+    t149 = ((tracking_index / t12) / t12) * 0.0020833333333333333
+    t154 = (((t86 / t83) / (t83 * t109)) / t4) / t12
+    t156 = (t154 / t3) * 2.0
+    t160 = t156 + t119
+    t164 = t160 + (((t126 * t126) / t109) * 2.0)
+    t165 = t119 * t164
+    t166 = (t149 + t156) + ((t145 * t145) * 4.0)
+    t169 = (t129 * (t141 * 8.0)) + (t119 * (t166 + t165))
+    t172 = t89 / t94
+    t181 = t99 * ((t99 * 2.908888888888889) + 10.2)
+    t189 = (t99 * ((t99 * (t181 + 12.8)) + 7.0)) + 1.5
+    t194 = t99 * ((t99 * 2.8666666666666667) + 6.0)
+    t197 = ((t194 + 3.0) / t109) * 2.0
+    t206 = ((t101 / t109) * (t189 / t109)) * 4.0
+    t209 = t156 * (t126 + (((t12 / t83) * 2.0) * t197))
+    t210 = (((t121 * t101) * 2.0) + t206) + t209
+    t215 = (((t99 * (t104 + 2.0)) + 1.0) / t109) * 2.0
+    t216 = t215 * t109
+    t219 = (t83 / t3) * 4.0
+    t223 = t119 * ((t216 * t219) + (t101 * t197))
+    t227 = t149 * (((t219 / t97) * (t216 * 0.5)) + t101)
+    t230 = (t156 * (t83 / t94)) * ((t210 + t223) + t227)
+    t231 = ((t172 / tracking_index) * 0.5) * t230
+    t237 = (((t219 * (t109 * 0.5)) / t126) + 1.0) + t97
+    t243 = ((t160 * t99) * (t101 + t126)) / t109
+    t245 = t145 * 2.0
+    t249 = ((t243 * 2.0) + (t245 * t245)) + t165
+    t251 = (t120 * ((t172 * 0.25) * t237)) + (t249 + (t149 * t215))
+    t254 = (t97 * (((t120 * t121) * 2.0) + t169)) * 2.0
+    t257 = ((t254 / tracking_index) / t95) / t95
+    t259 = t231 / tracking_index
+    t261 = ((t156 * (t97 * t251)) / t95) / tracking_index
+    t264 = (t257 / tracking_index) + (t259 + (t261 * 0.5))
+    t265 = -t264
+    t267 = -(t259 + t261)
+    t268 = -t261
+    return (t265, t267, t268)
 
 
 def _predictor_gain_second_derivatives_block(
@@ -3215,6 +4148,7 @@ _PREDICTOR_GAIN_SECOND_DERIVATIVES = Signature(
     ("position", "velocity", "acceleration"),
     21,
     _predictor_gain_second_derivatives_block,
+    numbers=_predictor_gain_second_derivatives_of_numbers,
 )
 
 
@@ -3275,9 +4209,109 @@ def predicted_covariance_second_derivatives(
 
     Source: derivation continuous-white-jerk
     """
+    if (
+        type(tracking_index) is float
+        and 5e-324 <= tracking_index <= 1.0715086071862673e301
+        and out is None
+        and workers is ONE
+    ):
+        try:
+            return named(
+                PredictedCovarianceSecondDerivatives,
+                _predicted_covariance_second_derivatives_of_numbers(tracking_index),
+            )
+        except (ArithmeticError, ValueError):
+            pass  # arrays say what is wrong
     return PredictedCovarianceSecondDerivatives(
         *evaluate(_PREDICTED_COVARIANCE_SECOND_DERIVATIVES, (tracking_index,), out, workers)
     )
+
+
+def _predicted_covariance_second_derivatives_of_numbers(
+    tracking_index: float,
+    form: Form = Double,
+) -> tuple[float, ...]:
+    t3 = form.sqrt(tracking_index)
+    t4 = form.sqrt(t3)
+    t6 = 2.220446049250313e-16 / tracking_index
+    t8 = tracking_index * 4.625929269271486e-19
+    t12 = form.sqrt(t6 + t8) * 67108864.0
+    t14 = (t12 * t4) * 2.0
+    t16 = t3 * 0.5
+    t18 = tracking_index * 0.07083333333333333
+    t25 = ((t3 * t4) * 1.5516447222296765) + (8.0 / t4)
+    t26 = form.near_cbrt(t25)
+    t30 = form.sqrt((t14 * t26) + t18)
+    t33 = form.sqrt((t30 * 2.0) + t16)
+    t34 = t14 * 0.5
+    t35 = t30 * t33
+    t40 = ((t33 * t35) - (t34 * t26)) / (t35 - t34)
+    t44 = form.sqrt((t14 * t40) + t18)
+    t47 = form.sqrt((t44 * 2.0) + t16)
+    t48 = t44 * t47
+    t53 = ((t47 * t48) - (t34 * t40)) / (t48 - t34)
+    t57 = form.sqrt((t14 * t53) + t18)
+    t60 = form.sqrt((t57 * 2.0) + t16)
+    t61 = t57 * t60
+    t66 = ((t60 * t61) - (t34 * t53)) / (t61 - t34)
+    t70 = form.sqrt((t14 * t66) + t18)
+    t73 = form.sqrt((t70 * 2.0) + t16)
+    t74 = t70 * t73
+    t79 = ((t73 * t74) - (t34 * t66)) / (t74 - t34)
+    t83 = form.sqrt((t14 * t79) + t18)
+    t86 = form.sqrt((t83 * 2.0) + t16)
+    t89 = (t3 * 0.25) / t83
+    t91 = (t89 * 1.0) + 1.0
+    t94 = t89 * 1.1333333333333333
+    t99 = (t89 * (t94 + 4.0)) + 3.0
+    t102 = t3 / t83
+    t105 = t86 / t4
+    t108 = ((t102 / t99) * t102) * (t105 * (t3 / t12))
+    t110 = t108 * 0.004166666666666667
+    t112 = t105 * 2.0
+    t113 = ((((t91 * t89) / t99) * 2.0) + t110) * t112
+    t120 = (((t86 / t83) / (t83 * t99)) / t4) / t12
+    t122 = (t120 / t3) * 2.0
+    t123 = t122 + t110
+    t126 = (t89 * 2.0) + 2.0
+    t130 = (((t123 * t89) * (t91 + t126)) / t99) * 2.0
+    t132 = (t126 * t89) / t99
+    t133 = t132 * 2.0
+    t138 = t123 + (((t126 * t126) / t99) * 2.0)
+    t139 = t110 * t138
+    t143 = ((tracking_index / t12) / t12) * 0.0020833333333333333
+    t148 = (((t89 * (t94 + 2.0)) + 1.0) / t99) * 2.0
+    t152 = ((t130 + (t133 * t133)) + t139) + (t143 * t148)
+    t155 = (t113 * (t113 + 1.0)) + ((t122 * t152) * t112)
+    t162 = (t12 + (t83 * 0.5)) + (((t86 * t4) * 0.25) + (t3 * 0.125))
+    t166 = t148 + t110
+    t172 = (t89 * 4.533333333333333) + 9.066666666666666
+    t178 = ((((t89 * t172) + 4.0) * t89) / t99) * (t126 / t99)
+    t181 = t122 * ((t178 + t143) + t139)
+    t183 = t112 * ((t166 * (t166 + 1.0)) + t181)
+    t187 = (t89 * 12.844444444444445) + 42.61333333333334
+    t191 = t89 * ((t89 * t187) + 49.86666666666667)
+    t196 = (t89 * (t191 + 26.133333333333333)) + 10.0
+    t202 = ((((t89 * t196) + 4.0) / t99) / t99) + (t181 * t126)
+    t205 = (t89 * 2.2666666666666666) + 4.533333333333333
+    t211 = ((t89 * ((t89 * t205) + 6.0)) + 4.0) / t99
+    t218 = ((t89 * ((t89 * 3.4) + 4.0)) + 1.0) / t99
+    t220 = t218 + (t110 * 2.0)
+    t221 = t83 / t3
+    t226 = ((t211 * 2.0) + (t126 * t220)) + (t89 * 4.0)
+    t229 = (t221 * 4.0) * (t202 + (t110 * t226))
+    t234 = t89 * ((t89 * 6.8) + 15.866666666666667)
+    t238 = (t89 * (t234 + 11.066666666666666)) + 2.0
+    t243 = ((t89 / t99) * (t238 / t99)) * (t166 * 4.0)
+    t250 = t166 * ((t132 * 12.0) + (t123 * 6.0))
+    t254 = t110 * ((t250 + (t220 * 4.0)) + t122)
+    t259 = (t221 * (t99 * 4.0)) * ((t243 + (t181 * t138)) + t254)
+    t263 = (((t83 / t86) * (t259 / t4)) + t183) * 0.125
+    t165 = (t155 * (t3 * t162)) / tracking_index
+    t266 = t263 + ((t229 * 0.25) + 0.5)
+    t270 = ((t229 + t183) * 0.25) + 0.6666666666666666
+    t272 = (t183 * 0.5) + 1.0
+    return (t165, t266, t270, t272)
 
 
 def _predicted_covariance_second_derivatives_block(
@@ -3563,6 +4597,7 @@ _PREDICTED_COVARIANCE_SECOND_DERIVATIVES = Signature(
     ("predicted_13", "predicted_22", "predicted_23", "predicted_33"),
     16,
     _predicted_covariance_second_derivatives_block,
+    numbers=_predicted_covariance_second_derivatives_of_numbers,
 )
 
 
@@ -3617,9 +4652,98 @@ def predicted_position_second_derivatives(
 
     Source: derivation continuous-white-jerk
     """
+    if (
+        type(tracking_index) is float
+        and 1.688508503057271e-226 <= tracking_index <= 1.0715086071862673e301
+        and out is None
+        and workers is ONE
+    ):
+        try:
+            return named(
+                PredictedPositionSecondDerivatives,
+                _predicted_position_second_derivatives_of_numbers(tracking_index),
+            )
+        except (ArithmeticError, ValueError):
+            pass  # arrays say what is wrong
     return PredictedPositionSecondDerivatives(
         *evaluate(_PREDICTED_POSITION_SECOND_DERIVATIVES, (tracking_index,), out, workers)
     )
+
+
+def _predicted_position_second_derivatives_of_numbers(
+    tracking_index: float,
+    form: Form = Double,
+) -> tuple[float, ...]:
+    t3 = form.sqrt(tracking_index)
+    t4 = form.sqrt(t3)
+    t6 = 2.220446049250313e-16 / tracking_index
+    t8 = tracking_index * 4.625929269271486e-19
+    t12 = form.sqrt(t6 + t8) * 67108864.0
+    t14 = (t12 * t4) * 2.0
+    t16 = t3 * 0.5
+    t18 = tracking_index * 0.07083333333333333
+    t25 = ((t3 * t4) * 1.5516447222296765) + (8.0 / t4)
+    t26 = form.near_cbrt(t25)
+    t30 = form.sqrt((t14 * t26) + t18)
+    t33 = form.sqrt((t30 * 2.0) + t16)
+    t34 = t14 * 0.5
+    t35 = t30 * t33
+    t40 = ((t33 * t35) - (t34 * t26)) / (t35 - t34)
+    t44 = form.sqrt((t14 * t40) + t18)
+    t47 = form.sqrt((t44 * 2.0) + t16)
+    t48 = t44 * t47
+    t53 = ((t47 * t48) - (t34 * t40)) / (t48 - t34)
+    t57 = form.sqrt((t14 * t53) + t18)
+    t60 = form.sqrt((t57 * 2.0) + t16)
+    t61 = t57 * t60
+    t66 = ((t60 * t61) - (t34 * t53)) / (t61 - t34)
+    t70 = form.sqrt((t14 * t66) + t18)
+    t73 = form.sqrt((t70 * 2.0) + t16)
+    t74 = t70 * t73
+    t79 = ((t73 * t74) - (t34 * t66)) / (t74 - t34)
+    t83 = form.sqrt((t14 * t79) + t18)
+    t86 = form.sqrt((t83 * 2.0) + t16)
+    t94 = (t12 + (t83 * 0.5)) + (((t86 * t4) * 0.25) + (t3 * 0.125))
+    t96 = (t3 * t94) / tracking_index
+    t97 = t86 / t4
+    t98 = t97 * t96
+    t101 = (t3 * 0.25) / t83
+    t103 = t101 * 1.1333333333333333
+    t108 = (t101 * (t103 + 4.0)) + 3.0
+    t112 = (((t86 / t83) / (t83 * t108)) / t4) / t12
+    t114 = (t112 / t3) * 2.0
+    t115 = t3 / t83
+    t120 = ((t115 / t108) * t115) * (t97 * (t3 / t12))
+    t122 = t120 * 0.004166666666666667
+    t123 = t114 + t122
+    t126 = (t101 * 1.0) + 1.0
+    t128 = (t101 * 2.0) + 2.0
+    t131 = ((t123 * t101) * (t126 + t128)) / t108
+    t134 = (t128 * t101) / t108
+    t135 = t134 * 2.0
+    t140 = t123 + (((t128 * t128) / t108) * 2.0)
+    t141 = t122 * t140
+    t145 = ((tracking_index / t12) / t12) * 0.0020833333333333333
+    t150 = (((t101 * (t103 + 2.0)) + 1.0) / t108) * 2.0
+    t153 = ((t131 * 2.0) + (t135 * t135)) + t141
+    t156 = t97 * 2.0
+    t157 = (t114 * (t153 + (t145 * t150))) * t156
+    t162 = (((t126 * t101) / t108) * 2.0) + t122
+    t163 = t162 * t156
+    t164 = (t150 + t122) + t163
+    t170 = t128 / t108
+    t177 = t101 * ((t101 * 0.7544444444444445) + 1.6)
+    t184 = (t101 * ((t101 * (t177 + 2.1)) + 2.0)) + 0.75
+    t186 = (((t101 / t108) * t170) / t108) * (t184 * 8.0)
+    t190 = (t145 + t114) + ((t134 * t134) * 4.0)
+    t194 = (t186 + (t122 * (t190 + t141))) * t156
+    t204 = (t101 * 4.533333333333333) + 9.066666666666666
+    t208 = (((t101 * t204) + 4.0) * t101) / t108
+    t212 = t114 * (((t208 * t170) + t145) + t141)
+    t215 = t98 * (((t164 * t163) + t157) + t212)
+    t198 = (((t163 * t163) * t96) * (t96 * 4.0)) - ((t194 * t96) * (t96 * 2.0))
+    t218 = t215 - (t98 * (t164 * t114))
+    return (t198, t218)
 
 
 def _predicted_position_second_derivatives_block(
@@ -3850,6 +4974,7 @@ _PREDICTED_POSITION_SECOND_DERIVATIVES = Signature(
     ("predicted_11", "predicted_12"),
     17,
     _predicted_position_second_derivatives_block,
+    numbers=_predicted_position_second_derivatives_of_numbers,
 )
 
 
@@ -3912,9 +5037,102 @@ def updated_covariance_second_derivatives(
 
     Source: derivation continuous-white-jerk
     """
+    if (
+        type(tracking_index) is float
+        and 5e-324 <= tracking_index <= 1.7976931348623157e308
+        and out is None
+        and workers is ONE
+    ):
+        try:
+            return named(
+                UpdatedCovarianceSecondDerivatives,
+                _updated_covariance_second_derivatives_of_numbers(tracking_index),
+            )
+        except (ArithmeticError, ValueError):
+            pass  # arrays say what is wrong
     return UpdatedCovarianceSecondDerivatives(
         *evaluate(_UPDATED_COVARIANCE_SECOND_DERIVATIVES, (tracking_index,), out, workers)
     )
+
+
+def _updated_covariance_second_derivatives_of_numbers(
+    tracking_index: float,
+    form: Form = Double,
+) -> tuple[float, ...]:
+    t3 = form.sqrt(tracking_index)
+    t4 = form.sqrt(t3)
+    t6 = 2.220446049250313e-16 / tracking_index
+    t8 = tracking_index * 4.625929269271486e-19
+    t12 = form.sqrt(t6 + t8) * 67108864.0
+    t14 = (t12 * t4) * 2.0
+    t16 = t3 * 0.5
+    t18 = tracking_index * 0.07083333333333333
+    t25 = ((t3 * t4) * 1.5516447222296765) + (8.0 / t4)
+    t26 = form.near_cbrt(t25)
+    t30 = form.sqrt((t14 * t26) + t18)
+    t33 = form.sqrt((t30 * 2.0) + t16)
+    t34 = t14 * 0.5
+    t35 = t30 * t33
+    t40 = ((t33 * t35) - (t34 * t26)) / (t35 - t34)
+    t44 = form.sqrt((t14 * t40) + t18)
+    t47 = form.sqrt((t44 * 2.0) + t16)
+    t48 = t44 * t47
+    t53 = ((t47 * t48) - (t34 * t40)) / (t48 - t34)
+    t57 = form.sqrt((t14 * t53) + t18)
+    t60 = form.sqrt((t57 * 2.0) + t16)
+    t61 = t57 * t60
+    t66 = ((t60 * t61) - (t34 * t53)) / (t61 - t34)
+    t70 = form.sqrt((t14 * t66) + t18)
+    t73 = form.sqrt((t70 * 2.0) + t16)
+    t74 = t70 * t73
+    t79 = ((t73 * t74) - (t34 * t66)) / (t74 - t34)
+    t83 = form.sqrt((t14 * t79) + t18)
+    t86 = form.sqrt((t83 * 2.0) + t16)
+    t87 = t86 / t4
+    t88 = t87 * 2.0
+    t91 = (t3 * 0.25) / t83
+    t93 = t91 * 1.1333333333333333
+    t101 = (t91 * (t93 + 4.0)) + 3.0
+    t103 = (((t91 * (t93 + 2.0)) + 1.0) / t101) * 2.0
+    t104 = t3 / t83
+    t109 = ((t104 / t101) * t104) * (t87 * (t3 / t12))
+    t111 = t109 * 0.004166666666666667
+    t112 = t103 + t111
+    t119 = (((t86 / t83) / (t83 * t101)) / t4) / t12
+    t121 = (t119 / t3) * 2.0
+    t125 = (t91 * 4.533333333333333) + 9.066666666666666
+    t131 = (t91 * 2.0) + 2.0
+    t133 = ((((t91 * t125) + 4.0) * t91) / t101) * (t131 / t101)
+    t137 = ((tracking_index / t12) / t12) * 0.0020833333333333333
+    t138 = t121 + t111
+    t142 = t138 + (((t131 * t131) / t101) * 2.0)
+    t146 = t121 * ((t133 + t137) + (t111 * t142))
+    t148 = t88 * ((t112 * (t112 + 1.0)) + t146)
+    t152 = (t91 * 12.844444444444445) + 42.61333333333334
+    t156 = t91 * ((t91 * t152) + 49.86666666666667)
+    t161 = (t91 * (t156 + 26.133333333333333)) + 10.0
+    t167 = ((((t91 * t161) + 4.0) / t101) / t101) + (t146 * t131)
+    t170 = (t91 * 2.2666666666666666) + 4.533333333333333
+    t176 = ((t91 * ((t91 * t170) + 6.0)) + 4.0) / t101
+    t183 = ((t91 * ((t91 * 3.4) + 4.0)) + 1.0) / t101
+    t185 = t183 + (t111 * 2.0)
+    t186 = t83 / t3
+    t191 = ((t176 * 2.0) + (t131 * t185)) + (t91 * 4.0)
+    t194 = (t186 * 4.0) * (t167 + (t111 * t191))
+    t199 = t91 * ((t91 * 6.8) + 15.866666666666667)
+    t203 = (t91 * (t199 + 11.066666666666666)) + 2.0
+    t208 = ((t91 / t101) * (t203 / t101)) * (t112 * 4.0)
+    t216 = (((t131 * t91) / t101) * 12.0) + (t138 * 6.0)
+    t220 = ((t112 * t216) + (t185 * 4.0)) + t121
+    t222 = (t208 + (t146 * t142)) + (t111 * t220)
+    t228 = (t83 / t86) * (((t186 * (t101 * 4.0)) * t222) / t4)
+    t233 = ((t228 + t148) * 0.125) + ((t194 * 0.25) + 0.5)
+    t237 = ((t194 + t148) * 0.25) + 0.6666666666666666
+    t238 = t148 * 0.5
+    t246 = t233 - ((t194 * 0.5) + 1.0)
+    t248 = t237 - t238
+    t250 = (t238 + 1.0) - (t88 * (((t4 / t86) * 0.5) * 2.0))
+    return (t246, t248, t250)
 
 
 def _updated_covariance_second_derivatives_block(
@@ -4177,6 +5395,7 @@ _UPDATED_COVARIANCE_SECOND_DERIVATIVES = Signature(
     ("updated_22", "updated_23", "updated_33"),
     14,
     _updated_covariance_second_derivatives_block,
+    numbers=_updated_covariance_second_derivatives_of_numbers,
 )
 
 
@@ -4234,7 +5453,97 @@ def closed_loop_poles(
 
     Source: derivation continuous-white-jerk
     """
+    if (
+        type(tracking_index) is float
+        and 5e-324 <= tracking_index <= 1.7976931348623157e308
+        and out is None
+        and workers is ONE
+    ):
+        try:
+            return named(ClosedLoopPoles, _closed_loop_poles_of_numbers(tracking_index))
+        except (ArithmeticError, ValueError):
+            pass  # arrays say what is wrong
     return ClosedLoopPoles(*evaluate(_CLOSED_LOOP_POLES, (tracking_index,), out, workers))
+
+
+def _closed_loop_poles_of_numbers(tracking_index: float, form: Form = Double) -> tuple[float, ...]:
+    t1 = form.sqrt(tracking_index)
+    t4 = 1.0 / form.sqrt(t1)
+    t8 = 1.0 / (t4 + (tracking_index * 0.015625))
+    t9 = t8 * t4
+    t13 = (t9 * t9) * ((t9 * t4) * 0.015625)
+    t14 = t8 * t8
+    t17 = (tracking_index * t8) * 0.0006944444444444445
+    t18 = t14 * 0.015625
+    t19 = t17 * t17
+    t20 = t19 * t17
+    t25 = t13 + ((t17 * t18) + (t20 * 2.0))
+    t28 = (t19 * 3.0) + t18
+    t32 = t13 + ((t14 * t8) * 0.00234374962747097)
+    t38 = t32 + ((t17 * (t18 * 2.0)) + (t20 * 8.0))
+    t39 = form.near_cbrt(t38)
+    t41 = t28 * t39
+    t42 = t41 + t25
+    t44 = form.sqrt(t39 * t42)
+    t45 = form.sqrt(t44)
+    t49 = (t42 * 0.25) + (t41 * 0.25)
+    t50 = t44 * t45
+    t55 = ((t45 * t50) - (t49 * t39)) / (t50 - t49)
+    t57 = t28 * t55
+    t58 = t57 + t25
+    t60 = form.sqrt(t55 * t58)
+    t61 = form.sqrt(t60)
+    t64 = (t58 * 0.25) + (t57 * 0.25)
+    t65 = t60 * t61
+    t70 = ((t61 * t65) - (t64 * t55)) / (t65 - t64)
+    t72 = t28 * t70
+    t73 = t72 + t25
+    t75 = form.sqrt(t70 * t73)
+    t76 = form.sqrt(t75)
+    t79 = (t73 * 0.25) + (t72 * 0.25)
+    t80 = t75 * t76
+    t85 = ((t76 * t80) - (t79 * t70)) / (t80 - t79)
+    t87 = t28 * t85
+    t88 = t87 + t25
+    t90 = form.sqrt(t85 * t88)
+    t91 = form.sqrt(t90)
+    t94 = (t88 * 0.25) + (t87 * 0.25)
+    t95 = t90 * t91
+    t100 = ((t91 * t95) - (t94 * t85)) / (t95 - t94)
+    t105 = form.sqrt(t100 * ((t28 * t100) + t25))
+    t107 = form.sqrt(t105) + t17
+    t108 = t107 / t8
+    t109 = t8 / t107
+    t111 = t109 / tracking_index
+    t113 = form.sqrt(t111 + 1.0)
+    t115 = 2.220446049250313e-16 / tracking_index
+    t117 = tracking_index * 4.625929269271486e-19
+    t122 = (form.sqrt(t115 + t117) * 67108864.0) * 8.0
+    t124 = (t122 / t113) / t1
+    t128 = t124 + 1.0
+    t129 = t128 + (0.13333333333333333 / (t111 + t124))
+    t132 = (form.sqrt(t129) + 1.0) + t124
+    t133 = t113 + 1.0
+    t138 = tracking_index * 0.028087750045592646
+    t140 = t108 + ((t109 * 0.01454608337892598) + t138)
+    t141 = (5.966800592310059 - tracking_index) + (
+        -9.738720763152742e-08 if form.single else 3.740420498507711e-16
+    )
+    t145 = ((t141 / t140) / tracking_index) * (5.966800592310059 + tracking_index)
+    t156 = (t145 * 0.028087750045592646) * ((t111 + 0.9309493362512627) / t128)
+    t162 = tracking_index * 0.0033840162126440396
+    t163 = (t109 * 0.0028603819712654517) + t162
+    t165 = (31.608914128879448 - tracking_index) + (
+        7.072486027936975e-07 if form.single else -1.5829239487703273e-15
+    )
+    t167 = (t165 / (t108 + t163)) / tracking_index
+    t169 = t167 * (31.608914128879448 + tracking_index)
+    t176 = ((t169 * 0.001000877316602882) / t132) * ((t111 + 0.8497311128276556) / t129)
+    t149 = (t111 / t133) / t133
+    t152 = ((form.sqrt(t108) / t1) * 8.0) / t132
+    t157 = t156 / t132
+    t179 = (t176 / t132) * -3.0
+    return (t149, t152, t157, t179)
 
 
 def _closed_loop_poles_block(
@@ -4435,4 +5744,5 @@ _CLOSED_LOOP_POLES = Signature(
     ("real_pole", "modulus", "half_sum", "quarter_discriminant"),
     7,
     _closed_loop_poles_block,
+    numbers=_closed_loop_poles_of_numbers,
 )

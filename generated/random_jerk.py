@@ -6,19 +6,19 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-import numpy as np
 from numpy import add, divide, multiply, negative, sqrt, square, subtract
 
 from gainproof.generated._bits import near_cbrt
+from gainproof.generated._numbers import ONE, Double, filled_by, named
 from gainproof.generated._runtime import evaluate
 from gainproof.generated._signature import Domain, Signature
 
 if TYPE_CHECKING:
     from typing import NamedTuple
 
-    from numpy.typing import ArrayLike
-
-    from gainproof.generated._signature import Arrays, Real
+    from gainproof.generated._double_word import Part
+    from gainproof.generated._numbers import Form
+    from gainproof.generated._signature import ArrayLike, Arrays, Real
 else:
     from gainproof.generated._result import NamedTuple
 
@@ -140,8 +140,56 @@ def gains(
 
     Source: derivation random-jerk
     """
+    if (
+        type(tracking_index) is float
+        and 5e-324 <= tracking_index <= 1.7976931348623157e308
+        and out is None
+        and workers is ONE
+        and not accurate
+    ):
+        try:
+            return named(Gains, _gains_of_numbers(tracking_index))
+        except (ArithmeticError, ValueError):
+            pass  # arrays say what is wrong
     kernel = _ACCURATE_GAINS if accurate else _GAINS
     return Gains(*evaluate(kernel, (tracking_index,), out, workers))
+
+
+def _gains_of_numbers(tracking_index: float, form: Form = Double) -> tuple[float, ...]:
+    t1 = form.sqrt(tracking_index)
+    t2 = form.sqrt(t1)
+    t4 = 2.220446049250313e-16 / tracking_index
+    t6 = tracking_index * 3.854941057726238e-19
+    t10 = form.sqrt(t4 + t6) * 67108864.0
+    t13 = (t10 * t2) * 2.0
+    t15 = t1 * 0.4166666666666667
+    t17 = tracking_index * 0.04861111111111111
+    t24 = ((t1 * t2) * 1.2504627916220945) + (8.0 / t2)
+    t25 = form.near_cbrt(t24)
+    t29 = form.sqrt((t13 * t25) + t17)
+    t32 = form.sqrt((t29 * 2.0) + t15)
+    t34 = t13 * 0.5
+    t35 = t29 * t32
+    t40 = ((t32 * t35) - (t34 * t25)) / (t35 - t34)
+    t44 = form.sqrt((t13 * t40) + t17)
+    t47 = form.sqrt((t44 * 2.0) + t15)
+    t48 = t44 * t47
+    t53 = ((t47 * t48) - (t34 * t40)) / (t48 - t34)
+    t57 = form.sqrt((t13 * t53) + t17)
+    t60 = form.sqrt((t57 * 2.0) + t15)
+    t61 = t57 * t60
+    t66 = ((t60 * t61) - (t34 * t53)) / (t61 - t34)
+    t70 = form.sqrt((t13 * t66) + t17)
+    t73 = form.sqrt((t70 * 2.0) + t15)
+    t74 = t70 * t73
+    t79 = ((t73 * t74) - (t34 * t66)) / (t74 - t34)
+    t83 = form.sqrt((t13 * t79) + t17)
+    t89 = form.sqrt((t83 * 2.0) + t15) * t2
+    t94 = (t10 + (t83 * 0.5)) + ((t89 * 0.25) + (t1 * 0.125))
+    t97 = (t83 + (t1 * 0.25)) / t94
+    t98 = t89 / t94
+    t99 = t1 / t94
+    return (t97, t98, t99)
 
 
 def _gains_block(
@@ -255,26 +303,24 @@ _GAINS = Signature(
     ("alpha", "beta", "gamma"),
     7,
     _gains_block,
+    numbers=_gains_of_numbers,
 )
 
 
-def _gains_in_double_words(given: Arrays, out: Arrays, _work: Arrays, single: bool) -> None:
-    if single:
-        # float64 keeps 29 bits more than come out
-        found = evaluate(_GAINS, (given[0].astype(np.float64),), None, 1)
-        for result, value in zip(out, found, strict=True):
-            result[...] = value
-        return
+def _gains_in_double_words(given: Part, form: Form = Double) -> tuple[Part, ...]:
     # loaded when it is asked for
     from gainproof.generated._double_word import add, divide, exact, multiply, refined, root, scale
 
-    tracking_index = exact(given[0])
+    if form.single:
+        # float64 keeps 29 bits more than come out
+        return evaluate(_GAINS, exact(given)[:1], None, 1)
+    tracking_index = exact(given)
     t1 = multiply(tracking_index, tracking_index)
     t3 = divide((64.0, 0.0), t1)
     t5 = add(t3, (0.1111111111111111, 6.1679056923619804e-18))
     delta = root(t5)
     # what the plain kernel gives is near the root
-    near = evaluate(_GAINS, (given[0].astype(np.float64),), None, 1)
+    near = evaluate(_GAINS, exact(given)[:1], None, 1)
     near_xi = exact(2.0 * near[1] / near[2])
     t8 = multiply(delta, near_xi)
     t10 = scale(t8, 2.0)
@@ -299,9 +345,7 @@ def _gains_in_double_words(given: Arrays, out: Arrays, _work: Arrays, single: bo
     t33 = scale(xi, 4.0)
     t34 = divide(t33, nu)
     t36 = divide((8.0, 0.0), nu)
-    out[0][...] = t31[0]
-    out[1][...] = t34[0]
-    out[2][...] = t36[0]
+    return (t31[0], t34[0], t36[0])
 
 
 _ACCURATE_GAINS = Signature(
@@ -309,7 +353,8 @@ _ACCURATE_GAINS = Signature(
     (_ACCURATE_TRACKING_INDEX_DOMAIN,),
     ("alpha", "beta", "gamma"),
     0,
-    _gains_in_double_words,
+    filled_by(_gains_in_double_words),
+    numbers=_gains_in_double_words,
 )
 
 
@@ -359,7 +404,70 @@ def gain_derivatives(
 
     Source: derivation random-jerk
     """
+    if (
+        type(tracking_index) is float
+        and 5e-324 <= tracking_index <= 1.7976931348623157e308
+        and out is None
+        and workers is ONE
+    ):
+        try:
+            return named(GainDerivatives, _gain_derivatives_of_numbers(tracking_index))
+        except (ArithmeticError, ValueError):
+            pass  # arrays say what is wrong
     return GainDerivatives(*evaluate(_GAIN_DERIVATIVES, (tracking_index,), out, workers))
+
+
+def _gain_derivatives_of_numbers(tracking_index: float, form: Form = Double) -> tuple[float, ...]:
+    t1 = form.sqrt(tracking_index)
+    t2 = form.sqrt(t1)
+    t4 = 2.220446049250313e-16 / tracking_index
+    t6 = tracking_index * 3.854941057726238e-19
+    t10 = form.sqrt(t4 + t6) * 67108864.0
+    t14 = (t10 * t2) * 2.0
+    t16 = t1 * 0.4166666666666667
+    t18 = tracking_index * 0.04861111111111111
+    t19 = t1 * t2
+    t25 = (t19 * 1.2504627916220945) + (8.0 / t2)
+    t26 = form.near_cbrt(t25)
+    t30 = form.sqrt((t14 * t26) + t18)
+    t33 = form.sqrt((t30 * 2.0) + t16)
+    t35 = t14 * 0.5
+    t36 = t30 * t33
+    t41 = ((t33 * t36) - (t35 * t26)) / (t36 - t35)
+    t45 = form.sqrt((t14 * t41) + t18)
+    t48 = form.sqrt((t45 * 2.0) + t16)
+    t49 = t45 * t48
+    t54 = ((t48 * t49) - (t35 * t41)) / (t49 - t35)
+    t58 = form.sqrt((t14 * t54) + t18)
+    t61 = form.sqrt((t58 * 2.0) + t16)
+    t62 = t58 * t61
+    t67 = ((t61 * t62) - (t35 * t54)) / (t62 - t35)
+    t71 = form.sqrt((t14 * t67) + t18)
+    t74 = form.sqrt((t71 * 2.0) + t16)
+    t75 = t71 * t74
+    t80 = ((t74 * t75) - (t35 * t67)) / (t75 - t35)
+    t84 = form.sqrt((t14 * t80) + t18)
+    t87 = form.sqrt((t84 * 2.0) + t16)
+    t88 = t84 * t84
+    t91 = t1 * t84
+    t95 = tracking_index * 0.012152777777777778
+    t96 = (t88 * 0.75) + (t91 * 0.20833333333333334)
+    t97 = t96 + t95
+    t102 = (t88 * 0.25) + (t91 * 0.10416666666666667)
+    t104 = t87 * t2
+    t108 = ((t104 / t10) * t1) * 0.006944444444444444
+    t111 = t84 + (t1 * 0.16666666666666666)
+    t114 = t104 * 0.25
+    t119 = (t102 + t95) + (t104 * (t111 * 0.125))
+    t125 = (t104 / t97) * ((t87 * 0.25) * (t87 + (t2 * 0.5)))
+    t127 = (((t111 + t108) / t97) * t114) / tracking_index
+    t132 = ((t119 / t97) * ((t87 / t19) / t10)) * 2.0
+    t139 = (t10 + (t84 * 0.5)) + (t114 + (t1 * 0.125))
+    t140 = t1 * t139
+    t142 = ((t127 * 2.0) / t140) / t140
+    t144 = (t132 / t140) / t140
+    t146 = (((t125 + 1.0) / (t10 * t1)) / t140) / t140
+    return (t142, t144, t146)
 
 
 def _gain_derivatives_block(
@@ -520,6 +628,7 @@ _GAIN_DERIVATIVES = Signature(
     ("alpha", "beta", "gamma"),
     11,
     _gain_derivatives_block,
+    numbers=_gain_derivatives_of_numbers,
 )
 
 
@@ -588,7 +697,76 @@ def gains_with_derivatives(
 
     Source: derivation random-jerk
     """
+    if (
+        type(tracking_index) is float
+        and 5e-324 <= tracking_index <= 1.7976931348623157e308
+        and out is None
+        and workers is ONE
+    ):
+        try:
+            return named(GainsWithDerivatives, _gains_with_derivatives_of_numbers(tracking_index))
+        except (ArithmeticError, ValueError):
+            pass  # arrays say what is wrong
     return GainsWithDerivatives(*evaluate(_GAINS_WITH_DERIVATIVES, (tracking_index,), out, workers))
+
+
+def _gains_with_derivatives_of_numbers(
+    tracking_index: float,
+    form: Form = Double,
+) -> tuple[float, ...]:
+    t1 = form.sqrt(tracking_index)
+    t2 = form.sqrt(t1)
+    t4 = 2.220446049250313e-16 / tracking_index
+    t6 = tracking_index * 3.854941057726238e-19
+    t10 = form.sqrt(t4 + t6) * 67108864.0
+    t14 = (t10 * t2) * 2.0
+    t16 = t1 * 0.4166666666666667
+    t18 = tracking_index * 0.04861111111111111
+    t19 = t1 * t2
+    t25 = (t19 * 1.2504627916220945) + (8.0 / t2)
+    t26 = form.near_cbrt(t25)
+    t30 = form.sqrt((t14 * t26) + t18)
+    t33 = form.sqrt((t30 * 2.0) + t16)
+    t35 = t14 * 0.5
+    t36 = t30 * t33
+    t41 = ((t33 * t36) - (t35 * t26)) / (t36 - t35)
+    t45 = form.sqrt((t14 * t41) + t18)
+    t48 = form.sqrt((t45 * 2.0) + t16)
+    t49 = t45 * t48
+    t54 = ((t48 * t49) - (t35 * t41)) / (t49 - t35)
+    t58 = form.sqrt((t14 * t54) + t18)
+    t61 = form.sqrt((t58 * 2.0) + t16)
+    t62 = t58 * t61
+    t67 = ((t61 * t62) - (t35 * t54)) / (t62 - t35)
+    t71 = form.sqrt((t14 * t67) + t18)
+    t74 = form.sqrt((t71 * 2.0) + t16)
+    t75 = t71 * t74
+    t80 = ((t74 * t75) - (t35 * t67)) / (t75 - t35)
+    t84 = form.sqrt((t14 * t80) + t18)
+    t87 = form.sqrt((t84 * 2.0) + t16)
+    t90 = t87 * t2
+    t92 = t90 * 0.25
+    t95 = (t10 + (t84 * 0.5)) + (t92 + (t1 * 0.125))
+    t101 = t84 * t84
+    t104 = t1 * t84
+    t108 = tracking_index * 0.012152777777777778
+    t109 = (t101 * 0.75) + (t104 * 0.20833333333333334)
+    t110 = t109 + t108
+    t114 = (t101 * 0.25) + (t104 * 0.10416666666666667)
+    t119 = ((t90 / t10) * t1) * 0.006944444444444444
+    t122 = t84 + (t1 * 0.16666666666666666)
+    t129 = (t114 + t108) + (t90 * (t122 * 0.125))
+    t135 = (t90 / t110) * ((t87 * 0.25) * (t87 + (t2 * 0.5)))
+    t137 = (((t122 + t119) / t110) * t92) / tracking_index
+    t142 = ((t129 / t110) * ((t87 / t19) / t10)) * 2.0
+    t145 = t1 * t95
+    t98 = (t84 + (t1 * 0.25)) / t95
+    t99 = t90 / t95
+    t100 = t1 / t95
+    t147 = ((t137 * 2.0) / t145) / t145
+    t149 = (t142 / t145) / t145
+    t151 = (((t135 + 1.0) / (t10 * t1)) / t145) / t145
+    return (t98, t99, t100, t147, t149, t151)
 
 
 def _gains_with_derivatives_block(
@@ -754,6 +932,7 @@ _GAINS_WITH_DERIVATIVES = Signature(
     ("alpha", "beta", "gamma", "d_alpha", "d_beta", "d_gamma"),
     8,
     _gains_with_derivatives_block,
+    numbers=_gains_with_derivatives_of_numbers,
 )
 
 
@@ -803,7 +982,54 @@ def predictor_gains(
 
     Source: derivation random-jerk
     """
+    if (
+        type(tracking_index) is float
+        and 5e-324 <= tracking_index <= 1.7976931348623157e308
+        and out is None
+        and workers is ONE
+    ):
+        try:
+            return named(PredictorGains, _predictor_gains_of_numbers(tracking_index))
+        except (ArithmeticError, ValueError):
+            pass  # arrays say what is wrong
     return PredictorGains(*evaluate(_PREDICTOR_GAINS, (tracking_index,), out, workers))
+
+
+def _predictor_gains_of_numbers(tracking_index: float, form: Form = Double) -> tuple[float, ...]:
+    t1 = form.sqrt(tracking_index)
+    t2 = form.sqrt(t1)
+    t4 = 2.220446049250313e-16 / tracking_index
+    t6 = tracking_index * 3.854941057726238e-19
+    t10 = form.sqrt(t4 + t6) * 67108864.0
+    t13 = (t10 * t2) * 2.0
+    t15 = t1 * 0.4166666666666667
+    t17 = tracking_index * 0.04861111111111111
+    t24 = ((t1 * t2) * 1.2504627916220945) + (8.0 / t2)
+    t25 = form.near_cbrt(t24)
+    t29 = form.sqrt((t13 * t25) + t17)
+    t32 = form.sqrt((t29 * 2.0) + t15)
+    t34 = t13 * 0.5
+    t35 = t29 * t32
+    t40 = ((t32 * t35) - (t34 * t25)) / (t35 - t34)
+    t44 = form.sqrt((t13 * t40) + t17)
+    t47 = form.sqrt((t44 * 2.0) + t15)
+    t48 = t44 * t47
+    t53 = ((t47 * t48) - (t34 * t40)) / (t48 - t34)
+    t57 = form.sqrt((t13 * t53) + t17)
+    t60 = form.sqrt((t57 * 2.0) + t15)
+    t61 = t57 * t60
+    t66 = ((t60 * t61) - (t34 * t53)) / (t61 - t34)
+    t70 = form.sqrt((t13 * t66) + t17)
+    t73 = form.sqrt((t70 * 2.0) + t15)
+    t74 = t70 * t73
+    t79 = ((t73 * t74) - (t34 * t66)) / (t74 - t34)
+    t83 = form.sqrt((t13 * t79) + t17)
+    t89 = form.sqrt((t83 * 2.0) + t15) * t2
+    t94 = (t10 + (t83 * 0.5)) + ((t89 * 0.25) + (t1 * 0.125))
+    t99 = (t83 + (t89 + (t1 * 0.75))) / t94
+    t101 = (t89 + t1) / t94
+    t102 = t1 / t94
+    return (t99, t101, t102)
 
 
 def _predictor_gains_block(
@@ -920,6 +1146,7 @@ _PREDICTOR_GAINS = Signature(
     ("position", "velocity", "acceleration"),
     7,
     _predictor_gains_block,
+    numbers=_predictor_gains_of_numbers,
 )
 
 
@@ -971,9 +1198,79 @@ def predictor_gain_derivatives(
 
     Source: derivation random-jerk
     """
+    if (
+        type(tracking_index) is float
+        and 5e-324 <= tracking_index <= 1.7976931348623157e308
+        and out is None
+        and workers is ONE
+    ):
+        try:
+            return named(
+                PredictorGainDerivatives, _predictor_gain_derivatives_of_numbers(tracking_index)
+            )
+        except (ArithmeticError, ValueError):
+            pass  # arrays say what is wrong
     return PredictorGainDerivatives(
         *evaluate(_PREDICTOR_GAIN_DERIVATIVES, (tracking_index,), out, workers)
     )
+
+
+def _predictor_gain_derivatives_of_numbers(
+    tracking_index: float,
+    form: Form = Double,
+) -> tuple[float, ...]:
+    t1 = form.sqrt(tracking_index)
+    t2 = form.sqrt(t1)
+    t4 = 2.220446049250313e-16 / tracking_index
+    t6 = tracking_index * 3.854941057726238e-19
+    t10 = form.sqrt(t4 + t6) * 67108864.0
+    t14 = (t10 * t2) * 2.0
+    t16 = t1 * 0.4166666666666667
+    t18 = tracking_index * 0.04861111111111111
+    t19 = t1 * t2
+    t25 = (t19 * 1.2504627916220945) + (8.0 / t2)
+    t26 = form.near_cbrt(t25)
+    t30 = form.sqrt((t14 * t26) + t18)
+    t33 = form.sqrt((t30 * 2.0) + t16)
+    t35 = t14 * 0.5
+    t36 = t30 * t33
+    t41 = ((t33 * t36) - (t35 * t26)) / (t36 - t35)
+    t45 = form.sqrt((t14 * t41) + t18)
+    t48 = form.sqrt((t45 * 2.0) + t16)
+    t49 = t45 * t48
+    t54 = ((t48 * t49) - (t35 * t41)) / (t49 - t35)
+    t58 = form.sqrt((t14 * t54) + t18)
+    t61 = form.sqrt((t58 * 2.0) + t16)
+    t62 = t58 * t61
+    t67 = ((t61 * t62) - (t35 * t54)) / (t62 - t35)
+    t71 = form.sqrt((t14 * t67) + t18)
+    t74 = form.sqrt((t71 * 2.0) + t16)
+    t75 = t71 * t74
+    t80 = ((t74 * t75) - (t35 * t67)) / (t75 - t35)
+    t84 = form.sqrt((t14 * t80) + t18)
+    t87 = form.sqrt((t84 * 2.0) + t16)
+    t88 = t84 * t84
+    t91 = t1 * t84
+    t95 = tracking_index * 0.012152777777777778
+    t96 = (t88 * 0.75) + (t91 * 0.20833333333333334)
+    t97 = t96 + t95
+    t102 = (t88 * 0.25) + (t91 * 0.10416666666666667)
+    t104 = t87 * t2
+    t108 = ((t104 / t10) * t1) * 0.006944444444444444
+    t111 = t84 + (t1 * 0.16666666666666666)
+    t114 = t104 * 0.25
+    t119 = (t102 + t95) + (t104 * (t111 * 0.125))
+    t125 = (t104 / t97) * ((t87 * 0.25) * (t87 + (t2 * 0.5)))
+    t127 = (((t111 + t108) / t97) * t114) / tracking_index
+    t132 = ((t119 / t97) * ((t87 / t19) / t10)) * 2.0
+    t134 = (t125 + 1.0) / (t10 * t1)
+    t143 = (t10 + (t84 * 0.5)) + (t114 + (t1 * 0.125))
+    t144 = t1 * t143
+    t145 = ((t127 * 2.0) + (t132 + (t134 * 0.5))) / t144
+    t146 = t145 / t144
+    t148 = ((t132 + t134) / t144) / t144
+    t150 = (t134 / t144) / t144
+    return (t146, t148, t150)
 
 
 def _predictor_gain_derivatives_block(
@@ -1137,6 +1434,7 @@ _PREDICTOR_GAIN_DERIVATIVES = Signature(
     ("position", "velocity", "acceleration"),
     9,
     _predictor_gain_derivatives_block,
+    numbers=_predictor_gain_derivatives_of_numbers,
 )
 
 
@@ -1176,7 +1474,55 @@ def innovation_deviation(
 
     Source: derivation random-jerk
     """
+    if (
+        type(tracking_index) is float
+        and 5e-324 <= tracking_index <= 1.7976931348623157e308
+        and out is None
+        and workers is ONE
+    ):
+        try:
+            return named(InnovationDeviation, _innovation_deviation_of_numbers(tracking_index))
+        except (ArithmeticError, ValueError):
+            pass  # arrays say what is wrong
     return InnovationDeviation(*evaluate(_INNOVATION_DEVIATION, (tracking_index,), out, workers))
+
+
+def _innovation_deviation_of_numbers(
+    tracking_index: float,
+    form: Form = Double,
+) -> tuple[float, ...]:
+    t1 = form.sqrt(tracking_index)
+    t2 = form.sqrt(t1)
+    t4 = 2.220446049250313e-16 / tracking_index
+    t6 = tracking_index * 3.854941057726238e-19
+    t10 = form.sqrt(t4 + t6) * 67108864.0
+    t13 = (t10 * t2) * 2.0
+    t15 = t1 * 0.4166666666666667
+    t17 = tracking_index * 0.04861111111111111
+    t24 = ((t1 * t2) * 1.2504627916220945) + (8.0 / t2)
+    t25 = form.near_cbrt(t24)
+    t29 = form.sqrt((t13 * t25) + t17)
+    t32 = form.sqrt((t29 * 2.0) + t15)
+    t34 = t13 * 0.5
+    t35 = t29 * t32
+    t40 = ((t32 * t35) - (t34 * t25)) / (t35 - t34)
+    t44 = form.sqrt((t13 * t40) + t17)
+    t47 = form.sqrt((t44 * 2.0) + t15)
+    t48 = t44 * t47
+    t53 = ((t47 * t48) - (t34 * t40)) / (t48 - t34)
+    t57 = form.sqrt((t13 * t53) + t17)
+    t60 = form.sqrt((t57 * 2.0) + t15)
+    t61 = t57 * t60
+    t66 = ((t60 * t61) - (t34 * t53)) / (t61 - t34)
+    t70 = form.sqrt((t13 * t66) + t17)
+    t73 = form.sqrt((t70 * 2.0) + t15)
+    t74 = t70 * t73
+    t79 = ((t73 * t74) - (t34 * t66)) / (t74 - t34)
+    t83 = form.sqrt((t13 * t79) + t17)
+    t91 = (form.sqrt((t83 * 2.0) + t15) * t2) * 0.25
+    t94 = (t10 + (t83 * 0.5)) + (t91 + (t1 * 0.125))
+    t95 = t1 * t94
+    return (t95,)
 
 
 def _innovation_deviation_block(
@@ -1286,6 +1632,7 @@ _INNOVATION_DEVIATION = Signature(
     ("innovation_deviation",),
     9,
     _innovation_deviation_block,
+    numbers=_innovation_deviation_of_numbers,
 )
 
 
@@ -1327,7 +1674,53 @@ def pole_product(
 
     Source: derivation random-jerk
     """
+    if (
+        type(tracking_index) is float
+        and 5e-324 <= tracking_index <= 1.7976931348623157e308
+        and out is None
+        and workers is ONE
+    ):
+        try:
+            return named(PoleProduct, _pole_product_of_numbers(tracking_index))
+        except (ArithmeticError, ValueError):
+            pass  # arrays say what is wrong
     return PoleProduct(*evaluate(_POLE_PRODUCT, (tracking_index,), out, workers))
+
+
+def _pole_product_of_numbers(tracking_index: float, form: Form = Double) -> tuple[float, ...]:
+    t1 = form.sqrt(tracking_index)
+    t2 = form.sqrt(t1)
+    t4 = 2.220446049250313e-16 / tracking_index
+    t6 = tracking_index * 3.854941057726238e-19
+    t10 = form.sqrt(t4 + t6) * 67108864.0
+    t14 = (t10 * t2) * 2.0
+    t16 = t1 * 0.4166666666666667
+    t18 = tracking_index * 0.04861111111111111
+    t25 = ((t1 * t2) * 1.2504627916220945) + (8.0 / t2)
+    t26 = form.near_cbrt(t25)
+    t30 = form.sqrt((t14 * t26) + t18)
+    t33 = form.sqrt((t30 * 2.0) + t16)
+    t35 = t14 * 0.5
+    t36 = t30 * t33
+    t41 = ((t33 * t36) - (t35 * t26)) / (t36 - t35)
+    t45 = form.sqrt((t14 * t41) + t18)
+    t48 = form.sqrt((t45 * 2.0) + t16)
+    t49 = t45 * t48
+    t54 = ((t48 * t49) - (t35 * t41)) / (t49 - t35)
+    t58 = form.sqrt((t14 * t54) + t18)
+    t61 = form.sqrt((t58 * 2.0) + t16)
+    t62 = t58 * t61
+    t67 = ((t61 * t62) - (t35 * t54)) / (t62 - t35)
+    t71 = form.sqrt((t14 * t67) + t18)
+    t74 = form.sqrt((t71 * 2.0) + t16)
+    t75 = t71 * t74
+    t80 = ((t74 * t75) - (t35 * t67)) / (t75 - t35)
+    t84 = form.sqrt((t14 * t80) + t18)
+    t92 = (form.sqrt((t84 * 2.0) + t16) * t2) * 0.25
+    t95 = (t10 + (t84 * 0.5)) + (t92 + (t1 * 0.125))
+    t97 = 1.0 / (t1 * t95)
+    t98 = t97 * t97
+    return (t98,)
 
 
 def _pole_product_block(
@@ -1440,6 +1833,7 @@ _POLE_PRODUCT = Signature(
     ("pole_product",),
     9,
     _pole_product_block,
+    numbers=_pole_product_of_numbers,
 )
 
 
@@ -1511,7 +1905,69 @@ def predicted_covariance(
 
     Source: derivation random-jerk
     """
+    if (
+        type(tracking_index) is float
+        and 5e-324 <= tracking_index <= 1.7976931348623157e308
+        and out is None
+        and workers is ONE
+    ):
+        try:
+            return named(PredictedCovariance, _predicted_covariance_of_numbers(tracking_index))
+        except (ArithmeticError, ValueError):
+            pass  # arrays say what is wrong
     return PredictedCovariance(*evaluate(_PREDICTED_COVARIANCE, (tracking_index,), out, workers))
+
+
+def _predicted_covariance_of_numbers(
+    tracking_index: float,
+    form: Form = Double,
+) -> tuple[float, ...]:
+    t1 = form.sqrt(tracking_index)
+    t2 = form.sqrt(t1)
+    t4 = 2.220446049250313e-16 / tracking_index
+    t6 = tracking_index * 3.854941057726238e-19
+    t10 = form.sqrt(t4 + t6) * 67108864.0
+    t13 = (t10 * t2) * 2.0
+    t15 = t1 * 0.4166666666666667
+    t17 = tracking_index * 0.04861111111111111
+    t18 = t1 * t2
+    t24 = (t18 * 1.2504627916220945) + (8.0 / t2)
+    t25 = form.near_cbrt(t24)
+    t29 = form.sqrt((t13 * t25) + t17)
+    t32 = form.sqrt((t29 * 2.0) + t15)
+    t34 = t13 * 0.5
+    t35 = t29 * t32
+    t40 = ((t32 * t35) - (t34 * t25)) / (t35 - t34)
+    t44 = form.sqrt((t13 * t40) + t17)
+    t47 = form.sqrt((t44 * 2.0) + t15)
+    t48 = t44 * t47
+    t53 = ((t47 * t48) - (t34 * t40)) / (t48 - t34)
+    t57 = form.sqrt((t13 * t53) + t17)
+    t60 = form.sqrt((t57 * 2.0) + t15)
+    t61 = t57 * t60
+    t66 = ((t60 * t61) - (t34 * t53)) / (t61 - t34)
+    t70 = form.sqrt((t13 * t66) + t17)
+    t73 = form.sqrt((t70 * 2.0) + t15)
+    t74 = t70 * t73
+    t79 = ((t73 * t74) - (t34 * t66)) / (t74 - t34)
+    t83 = form.sqrt((t13 * t79) + t17)
+    t86 = form.sqrt((t83 * 2.0) + t15)
+    t94 = (t10 + (t83 * 0.5)) + (((t86 * t2) * 0.25) + (t1 * 0.125))
+    t95 = t1 * t94
+    t96 = t18 * t86
+    t97 = t1 * t83
+    t110 = tracking_index * 0.012152777777777778
+    t111 = ((t83 * t83) * 0.75) + (t97 * 0.20833333333333334)
+    t118 = (((t111 + t110) / t86) * (t2 * 2.0)) + (t96 * 0.25)
+    t120 = (t118 + t97) + (tracking_index * 0.20833333333333334)
+    t126 = (t97 + (t96 * 0.5)) + (tracking_index * 0.3333333333333333)
+    t101 = ((t83 + (t1 * 0.25)) * t1) * t95
+    t102 = t96 * t95
+    t103 = tracking_index * t95
+    t121 = tracking_index * t120
+    t127 = tracking_index * t126
+    t130 = tracking_index * (t96 + (tracking_index * 0.5))
+    return (t101, t102, t103, t121, t127, t130)
 
 
 def _predicted_covariance_block(
@@ -1662,6 +2118,7 @@ _PREDICTED_COVARIANCE = Signature(
     ),
     6,
     _predicted_covariance_block,
+    numbers=_predicted_covariance_of_numbers,
 )
 
 
@@ -1734,9 +2191,101 @@ def predicted_covariance_derivatives(
 
     Source: derivation random-jerk
     """
+    if (
+        type(tracking_index) is float
+        and 5e-324 <= tracking_index <= 1.0715086071862673e301
+        and out is None
+        and workers is ONE
+    ):
+        try:
+            return named(
+                PredictedCovarianceDerivatives,
+                _predicted_covariance_derivatives_of_numbers(tracking_index),
+            )
+        except (ArithmeticError, ValueError):
+            pass  # arrays say what is wrong
     return PredictedCovarianceDerivatives(
         *evaluate(_PREDICTED_COVARIANCE_DERIVATIVES, (tracking_index,), out, workers)
     )
+
+
+def _predicted_covariance_derivatives_of_numbers(
+    tracking_index: float,
+    form: Form = Double,
+) -> tuple[float, ...]:
+    t1 = form.sqrt(tracking_index)
+    t2 = form.sqrt(t1)
+    t4 = 2.220446049250313e-16 / tracking_index
+    t6 = tracking_index * 3.854941057726238e-19
+    t10 = form.sqrt(t4 + t6) * 67108864.0
+    t14 = (t10 * t2) * 2.0
+    t16 = t1 * 0.4166666666666667
+    t18 = tracking_index * 0.04861111111111111
+    t19 = t1 * t2
+    t25 = (t19 * 1.2504627916220945) + (8.0 / t2)
+    t26 = form.near_cbrt(t25)
+    t30 = form.sqrt((t14 * t26) + t18)
+    t33 = form.sqrt((t30 * 2.0) + t16)
+    t35 = t14 * 0.5
+    t36 = t30 * t33
+    t41 = ((t33 * t36) - (t35 * t26)) / (t36 - t35)
+    t45 = form.sqrt((t14 * t41) + t18)
+    t48 = form.sqrt((t45 * 2.0) + t16)
+    t49 = t45 * t48
+    t54 = ((t48 * t49) - (t35 * t41)) / (t49 - t35)
+    t58 = form.sqrt((t14 * t54) + t18)
+    t61 = form.sqrt((t58 * 2.0) + t16)
+    t62 = t58 * t61
+    t67 = ((t61 * t62) - (t35 * t54)) / (t62 - t35)
+    t71 = form.sqrt((t14 * t67) + t18)
+    t74 = form.sqrt((t71 * 2.0) + t16)
+    t75 = t71 * t74
+    t80 = ((t74 * t75) - (t35 * t67)) / (t75 - t35)
+    t84 = form.sqrt((t14 * t80) + t18)
+    t87 = form.sqrt((t84 * 2.0) + t16)
+    t88 = t84 * t84
+    t91 = t1 * t84
+    t95 = tracking_index * 0.012152777777777778
+    t96 = (t88 * 0.75) + (t91 * 0.20833333333333334)
+    t97 = t96 + t95
+    t99 = t88 * 0.25
+    t103 = (t99 + (t91 * 0.10416666666666667)) + t95
+    t104 = t87 * t2
+    t105 = t104 / t10
+    t112 = (t84 + (t1 * 0.16666666666666666)) + ((t105 * t1) * 0.006944444444444444)
+    t113 = tracking_index / t97
+    t116 = (t113 * t105) * 0.0008680555555555555
+    t118 = (t103 / t97) * 2.0
+    t120 = t104 * 0.25
+    t121 = (t112 / t97) * t120
+    t122 = t118 + 1.0
+    t127 = (t10 + (t84 * 0.5)) + (t120 + (t1 * 0.125))
+    t128 = t1 * t127
+    t129 = t19 * t87
+    t130 = t87 / t2
+    t131 = t130 * 2.0
+    t133 = t84 * t1
+    t138 = ((t99 + (t91 * 0.078125)) + t95) / t97
+    t144 = (t113 * tracking_index) * 0.005063657407407407
+    t145 = (t133 * (t138 * 4.0)) + t144
+    t161 = (t88 * 0.5625) + (t91 * 0.4166666666666667)
+    t162 = t161 + (tracking_index * 0.13194444444444445)
+    t166 = tracking_index * 0.019241898148148147
+    t173 = ((t84 * (t162 / t97)) * (t84 / t87)) * (t2 * 2.0)
+    t174 = ((t133 * 0.32407407407407407) + t166) / t97
+    t178 = (t174 * (tracking_index / t87)) * (t2 * 0.125)
+    t180 = t129 * 0.5
+    t189 = (t129 * 2.0) * ((t131 * (t131 + 2.0)) + 1.0)
+    t192 = t116 * ((((t10 * t1) * 8.0) + t189) * 0.125)
+    t194 = (t173 + t178) + (t180 * (t122 * 0.5))
+    t201 = t180 * (t122 + (t116 * (t131 + 1.0)))
+    t149 = ((t121 / t1) * t127) * (t128 * 2.0)
+    t153 = (t130 * ((t118 + t121) + t116)) * t128
+    t155 = t128 * (t121 + 1.0)
+    t197 = ((t194 + t145) + t192) + (tracking_index * 0.4166666666666667)
+    t205 = (t201 + t145) + (tracking_index * 0.6666666666666666)
+    t207 = (t129 * (t122 + t116)) + tracking_index
+    return (t149, t153, t155, t197, t205, t207)
 
 
 def _predicted_covariance_derivatives_block(
@@ -1946,6 +2495,7 @@ _PREDICTED_COVARIANCE_DERIVATIVES = Signature(
     ),
     14,
     _predicted_covariance_derivatives_block,
+    numbers=_predicted_covariance_derivatives_of_numbers,
 )
 
 
@@ -2017,7 +2567,74 @@ def updated_covariance(
 
     Source: derivation random-jerk
     """
+    if (
+        type(tracking_index) is float
+        and 5e-324 <= tracking_index <= 1.7976931348623157e308
+        and out is None
+        and workers is ONE
+    ):
+        try:
+            return named(UpdatedCovariance, _updated_covariance_of_numbers(tracking_index))
+        except (ArithmeticError, ValueError):
+            pass  # arrays say what is wrong
     return UpdatedCovariance(*evaluate(_UPDATED_COVARIANCE, (tracking_index,), out, workers))
+
+
+def _updated_covariance_of_numbers(tracking_index: float, form: Form = Double) -> tuple[float, ...]:
+    t1 = form.sqrt(tracking_index)
+    t2 = form.sqrt(t1)
+    t4 = 2.220446049250313e-16 / tracking_index
+    t6 = tracking_index * 3.854941057726238e-19
+    t10 = form.sqrt(t4 + t6) * 67108864.0
+    t13 = (t10 * t2) * 2.0
+    t15 = t1 * 0.4166666666666667
+    t17 = tracking_index * 0.04861111111111111
+    t18 = t1 * t2
+    t24 = (t18 * 1.2504627916220945) + (8.0 / t2)
+    t25 = form.near_cbrt(t24)
+    t29 = form.sqrt((t13 * t25) + t17)
+    t32 = form.sqrt((t29 * 2.0) + t15)
+    t34 = t13 * 0.5
+    t35 = t29 * t32
+    t40 = ((t32 * t35) - (t34 * t25)) / (t35 - t34)
+    t44 = form.sqrt((t13 * t40) + t17)
+    t47 = form.sqrt((t44 * 2.0) + t15)
+    t48 = t44 * t47
+    t53 = ((t47 * t48) - (t34 * t40)) / (t48 - t34)
+    t57 = form.sqrt((t13 * t53) + t17)
+    t60 = form.sqrt((t57 * 2.0) + t15)
+    t61 = t57 * t60
+    t66 = ((t60 * t61) - (t34 * t53)) / (t61 - t34)
+    t70 = form.sqrt((t13 * t66) + t17)
+    t73 = form.sqrt((t70 * 2.0) + t15)
+    t74 = t70 * t73
+    t79 = ((t73 * t74) - (t34 * t66)) / (t74 - t34)
+    t83 = form.sqrt((t13 * t79) + t17)
+    t86 = form.sqrt((t83 * 2.0) + t15)
+    t89 = t86 * t2
+    t94 = (t10 + (t83 * 0.5)) + ((t89 * 0.25) + (t1 * 0.125))
+    t102 = (t2 / t86) * 0.5
+    t108 = (t102 * 0.0011218245269451691) + 0.001041281149712801
+    t120 = (t83 * t86) + ((t86 * t1) * 0.37200846792814624)
+    t121 = t120 + ((t83 * t2) * 1.0773502691896257)
+    t127 = (t86 * 8.0) / (t10 + (t1 * 0.041666666666666664))
+    t128 = t127 / (t121 + (t18 * 0.23411675639654192))
+    t130 = (t128 / tracking_index) * t102
+    t131 = t130 * ((t102 * t108) + 0.016430433772323682)
+    t134 = (t130 * (t131 + 0.02563509461096617)) + 0.004809471616710149
+    t136 = (t86 / t2) * 2.0
+    t137 = tracking_index * t136
+    t138 = t137 * t136
+    t146 = (t130 * 0.02692378864668406) + 0.06217782649107053
+    t149 = t138 * ((t130 * t146) + 0.03589838486224541)
+    t154 = (t130 * 0.2320508075688773) + 0.2679491924311227
+    t97 = (t83 + (t1 * 0.25)) / t94
+    t98 = t89 / t94
+    t99 = t1 / t94
+    t141 = tracking_index * ((t138 * t136) * t134)
+    t150 = tracking_index * t149
+    t156 = tracking_index * (t137 * t154)
+    return (t97, t98, t99, t141, t150, t156)
 
 
 def _updated_covariance_block(
@@ -2187,6 +2804,7 @@ _UPDATED_COVARIANCE = Signature(
     ("updated_11", "updated_12", "updated_13", "updated_22", "updated_23", "updated_33"),
     11,
     _updated_covariance_block,
+    numbers=_updated_covariance_of_numbers,
 )
 
 
@@ -2258,9 +2876,131 @@ def updated_covariance_derivatives(
 
     Source: derivation random-jerk
     """
+    if (
+        type(tracking_index) is float
+        and 5e-324 <= tracking_index <= 1.0715086071862673e301
+        and out is None
+        and workers is ONE
+    ):
+        try:
+            return named(
+                UpdatedCovarianceDerivatives,
+                _updated_covariance_derivatives_of_numbers(tracking_index),
+            )
+        except (ArithmeticError, ValueError):
+            pass  # arrays say what is wrong
     return UpdatedCovarianceDerivatives(
         *evaluate(_UPDATED_COVARIANCE_DERIVATIVES, (tracking_index,), out, workers)
     )
+
+
+def _updated_covariance_derivatives_of_numbers(
+    tracking_index: float,
+    form: Form = Double,
+) -> tuple[float, ...]:
+    t1 = form.sqrt(tracking_index)
+    t2 = form.sqrt(t1)
+    t4 = 2.220446049250313e-16 / tracking_index
+    t6 = tracking_index * 3.854941057726238e-19
+    t10 = form.sqrt(t4 + t6) * 67108864.0
+    t14 = (t10 * t2) * 2.0
+    t16 = t1 * 0.4166666666666667
+    t18 = tracking_index * 0.04861111111111111
+    t19 = t1 * t2
+    t25 = (t19 * 1.2504627916220945) + (8.0 / t2)
+    t26 = form.near_cbrt(t25)
+    t30 = form.sqrt((t14 * t26) + t18)
+    t33 = form.sqrt((t30 * 2.0) + t16)
+    t35 = t14 * 0.5
+    t36 = t30 * t33
+    t41 = ((t33 * t36) - (t35 * t26)) / (t36 - t35)
+    t45 = form.sqrt((t14 * t41) + t18)
+    t48 = form.sqrt((t45 * 2.0) + t16)
+    t49 = t45 * t48
+    t54 = ((t48 * t49) - (t35 * t41)) / (t49 - t35)
+    t58 = form.sqrt((t14 * t54) + t18)
+    t61 = form.sqrt((t58 * 2.0) + t16)
+    t62 = t58 * t61
+    t67 = ((t61 * t62) - (t35 * t54)) / (t62 - t35)
+    t71 = form.sqrt((t14 * t67) + t18)
+    t74 = form.sqrt((t71 * 2.0) + t16)
+    t75 = t71 * t74
+    t80 = ((t74 * t75) - (t35 * t67)) / (t75 - t35)
+    t84 = form.sqrt((t14 * t80) + t18)
+    t87 = form.sqrt((t84 * 2.0) + t16)
+    t88 = t84 * t84
+    t91 = t1 * t84
+    t95 = tracking_index * 0.012152777777777778
+    t96 = (t88 * 0.75) + (t91 * 0.20833333333333334)
+    t97 = t96 + t95
+    t102 = (t88 * 0.25) + (t91 * 0.10416666666666667)
+    t104 = t87 * t2
+    t108 = ((t104 / t10) * t1) * 0.006944444444444444
+    t111 = t84 + (t1 * 0.16666666666666666)
+    t114 = t104 * 0.25
+    t119 = (t102 + t95) + (t104 * (t111 * 0.125))
+    t125 = (t104 / t97) * ((t87 * 0.25) * (t87 + (t2 * 0.5)))
+    t127 = (((t111 + t108) / t97) * t114) / tracking_index
+    t132 = ((t119 / t97) * ((t87 / t19) / t10)) * 2.0
+    t139 = (t10 + (t84 * 0.5)) + (t114 + (t1 * 0.125))
+    t140 = t1 * t139
+    t148 = (t1 * 0.25) / t84
+    t151 = (t148 * 1.6666666666666667) + 2.0
+    t156 = (t148 * 0.7777777777777778) + 3.3333333333333335
+    t160 = (t151 * t151) / ((t148 * t156) + 3.0)
+    t164 = t87 / t2
+    t167 = ((t160 * 2.0) * 0.5) * (((t87 * t87) * t164) / t10)
+    t170 = (t2 / t87) * 0.5
+    t176 = (t170 * 0.0024404347537136284) + 0.001061519763978078
+    t181 = t170 * (t170 * 0.0009137106272220436)
+    t185 = (t170 * (t170 * (t170 * t181))) + 7.555040806092546e-05
+    t187 = (t170 * t185) + 0.0010902514841846192
+    t191 = t170 * (t170 * 0.0007590309108901133)
+    t195 = t170 * (t170 * (t170 * (t170 * t191)))
+    t199 = t170 * (t170 * 5.303818051981195e-05)
+    t204 = (t170 * 7.583607622398835e-05) + 6.31068506037421e-05
+    t206 = (t170 * t204) + 1.571457890053316e-05
+    t218 = (t84 * t87) + ((t87 * t1) * 0.37200846792814624)
+    t219 = t218 + ((t84 * t2) * 1.0773502691896257)
+    t225 = (t87 * 8.0) / (t10 + (t1 * 0.041666666666666664))
+    t226 = t225 / (t219 + (t19 * 0.23411675639654192))
+    t228 = (t226 / tracking_index) * t170
+    t230 = (t228 * (t170 * (t170 * t206))) + t199
+    t233 = (t228 * (t228 * t230)) + (t170 * t195)
+    t236 = t228 * ((t228 * t233) + (t170 * t187))
+    t239 = (t228 * (t236 + t176)) + 0.002556708400253702
+    t241 = (t228 * t239) + 0.0005922088296389958
+    t243 = (t228 * t241) + 0.00018409425612922383
+    t245 = t164 * 2.0
+    t246 = tracking_index * t245
+    t247 = t246 * t245
+    t256 = (t170 * 0.007436542013961722) + 0.00012660577174508625
+    t260 = (t170 * 0.0014773483885637468) + 0.002701399099834149
+    t264 = t170 * (t170 * 0.0007774648251771952)
+    t267 = t170 * (t170 * 1.4877915918498721e-05)
+    t271 = (t170 * 4.025678421421063e-06) + 1.0012317375838624e-06
+    t275 = (t228 * (t170 * (t170 * t271))) + t267
+    t279 = (t228 * ((t228 * t275) + t264)) + (t170 * t260)
+    t283 = (t228 * ((t228 * t279) + t256)) + 0.008329890877424199
+    t286 = t228 * ((t228 * t283) + 0.005794405116318991)
+    t295 = (t170 * 0.06398260050829865) + 0.014362153709367172
+    t299 = (t170 * 0.018928475761209342) + 0.019450029708108933
+    t305 = t170 * (t170 * (t170 * 0.000139505221579648))
+    t307 = (t170 * t305) + 0.0033203596819531118
+    t312 = t170 * (t170 * 2.1841824875665423e-05)
+    t316 = (t170 * 1.3945359121669913e-05) + 3.313477390444821e-06
+    t320 = (t228 * (t170 * (t170 * t316))) + t312
+    t323 = (t228 * (t228 * t320)) + (t170 * (t170 * t307))
+    t326 = t228 * ((t228 * t323) + (t170 * t299))
+    t329 = (t228 * (t326 + t295)) + 0.05350643743905594
+    t332 = ((t228 * t329) + 0.010256408851576889) * t167
+    t142 = ((t127 * 2.0) / t140) / t140
+    t144 = (t132 / t140) / t140
+    t146 = (((t125 + 1.0) / (t10 * t1)) / t140) / t140
+    t249 = (t247 * t245) * (t243 * t167)
+    t289 = t247 * ((t286 + 0.001374098234511723) * t167)
+    t333 = t246 * t332
+    return (t142, t144, t146, t249, t289, t333)
 
 
 def _updated_covariance_derivatives_block(
@@ -2567,6 +3307,7 @@ _UPDATED_COVARIANCE_DERIVATIVES = Signature(
     ("updated_11", "updated_12", "updated_13", "updated_22", "updated_23", "updated_33"),
     26,
     _updated_covariance_derivatives_block,
+    numbers=_updated_covariance_derivatives_of_numbers,
 )
 
 
@@ -2619,9 +3360,111 @@ def gain_second_derivatives(
 
     Source: derivation random-jerk
     """
+    if (
+        type(tracking_index) is float
+        and 5e-324 <= tracking_index <= 1.7976931348623157e308
+        and out is None
+        and workers is ONE
+    ):
+        try:
+            return named(GainSecondDerivatives, _gain_second_derivatives_of_numbers(tracking_index))
+        except (ArithmeticError, ValueError):
+            pass  # arrays say what is wrong
     return GainSecondDerivatives(
         *evaluate(_GAIN_SECOND_DERIVATIVES, (tracking_index,), out, workers)
     )
+
+
+def _gain_second_derivatives_of_numbers(
+    tracking_index: float,
+    form: Form = Double,
+) -> tuple[float, ...]:
+    t1 = form.sqrt(tracking_index)
+    t2 = form.sqrt(t1)
+    t4 = 2.220446049250313e-16 / tracking_index
+    t6 = tracking_index * 3.854941057726238e-19
+    t10 = form.sqrt(t4 + t6) * 67108864.0
+    t14 = (t10 * t2) * 2.0
+    t16 = t1 * 0.4166666666666667
+    t18 = tracking_index * 0.04861111111111111
+    t25 = ((t1 * t2) * 1.2504627916220945) + (8.0 / t2)
+    t26 = form.near_cbrt(t25)
+    t30 = form.sqrt((t14 * t26) + t18)
+    t33 = form.sqrt((t30 * 2.0) + t16)
+    t35 = t14 * 0.5
+    t36 = t30 * t33
+    t41 = ((t33 * t36) - (t35 * t26)) / (t36 - t35)
+    t45 = form.sqrt((t14 * t41) + t18)
+    t48 = form.sqrt((t45 * 2.0) + t16)
+    t49 = t45 * t48
+    t54 = ((t48 * t49) - (t35 * t41)) / (t49 - t35)
+    t58 = form.sqrt((t14 * t54) + t18)
+    t61 = form.sqrt((t58 * 2.0) + t16)
+    t62 = t58 * t61
+    t67 = ((t61 * t62) - (t35 * t54)) / (t62 - t35)
+    t71 = form.sqrt((t14 * t67) + t18)
+    t74 = form.sqrt((t71 * 2.0) + t16)
+    t75 = t71 * t74
+    t80 = ((t74 * t75) - (t35 * t67)) / (t75 - t35)
+    t84 = form.sqrt((t14 * t80) + t18)
+    t87 = form.sqrt((t84 * 2.0) + t16)
+    t90 = t87 * t2
+    t95 = (t10 + (t84 * 0.5)) + ((t90 * 0.25) + (t1 * 0.125))
+    t96 = t1 * t95
+    t97 = t87 / t2
+    t98 = t97 * 2.0
+    t100 = (t1 * 0.25) / t84
+    t103 = (t100 * 0.6666666666666666) + 1.0
+    t106 = t100 * 0.7777777777777778
+    t111 = (t100 * (t106 + 3.3333333333333335)) + 3.0
+    t114 = t1 / t84
+    t119 = ((t114 / t111) * t114) * (t97 * (t1 / t10))
+    t121 = t119 * 0.003472222222222222
+    t122 = (((t103 * t100) / t111) * 2.0) + t121
+    t123 = t122 * t98
+    t129 = (t100 * 1.6666666666666667) + 2.0
+    t132 = ((t100 / t111) * (t129 / t111)) / t111
+    t136 = (t100 * 0.27469135802469136) + 0.6296296296296297
+    t140 = t100 * ((t100 * t136) + 1.2222222222222223)
+    t144 = (t100 * (t140 + 1.6666666666666667)) + 0.75
+    t148 = (t129 * t100) / t111
+    t152 = ((tracking_index / t10) / t10) * 0.001736111111111111
+    t157 = (((t87 / t84) / (t84 * t111)) / t2) / t10
+    t159 = (t157 / t1) * 2.0
+    t164 = t159 + t121
+    t168 = t164 + (((t129 * t129) / t111) * 2.0)
+    t169 = t121 * t168
+    t170 = (t152 + t159) + ((t148 * t148) * 2.6666666666666665)
+    t173 = (t132 * (t144 * 8.0)) + (t121 * (t170 + t169))
+    t176 = t90 / t95
+    t184 = (t100 * 1.382716049382716) + 5.833333333333333
+    t188 = t100 * ((t100 * t184) + 8.833333333333334)
+    t192 = (t100 * (t188 + 5.833333333333333)) + 1.5
+    t198 = ((t100 * ((t100 * 2.0) + 5.0)) + 3.0) / t111
+    t199 = t198 * 2.0
+    t209 = ((t103 / t111) * (t192 / t111)) * 4.0
+    t212 = t159 * (t129 + (((t10 / t84) * 2.0) * t199))
+    t213 = (((t123 * t103) * 2.0) + t209) + t212
+    t216 = (t100 * (t106 + 1.6666666666666667)) + 1.0
+    t218 = (t216 / t111) * 2.0
+    t219 = t218 * t111
+    t222 = (t84 / t1) * 4.0
+    t226 = t121 * ((t219 * t222) + (t103 * t199))
+    t230 = t152 * (((t222 / t98) * (t219 * 0.5)) + t103)
+    t233 = (t159 * (t84 / t95)) * ((t213 + t226) + t230)
+    t234 = ((t176 / tracking_index) * 0.5) * t233
+    t240 = (((t222 * (t111 * 0.5)) / t129) + 1.0) + t98
+    t246 = ((t164 * t100) * (t103 + t129)) / t111
+    t248 = t148 * 2.0
+    t252 = (t246 * 2.0) + ((t248 * t248) * 0.6666666666666666)
+    t255 = (t122 * ((t176 * 0.25) * t240)) + ((t252 + t169) + (t152 * t218))
+    t258 = (t98 * (((t122 * t123) * 2.0) + t173)) * 2.0
+    t261 = ((t258 / tracking_index) / t96) / t96
+    t265 = ((t159 * (t98 * t255)) / t96) / tracking_index
+    t266 = -(t261 / tracking_index)
+    t267 = -(t234 / tracking_index)
+    t268 = -t265
+    return (t266, t267, t268)
 
 
 def _gain_second_derivatives_block(
@@ -2926,6 +3769,7 @@ _GAIN_SECOND_DERIVATIVES = Signature(
     ("alpha", "beta", "gamma"),
     21,
     _gain_second_derivatives_block,
+    numbers=_gain_second_derivatives_of_numbers,
 )
 
 
@@ -2979,9 +3823,116 @@ def predictor_gain_second_derivatives(
 
     Source: derivation random-jerk
     """
+    if (
+        type(tracking_index) is float
+        and 5e-324 <= tracking_index <= 1.7976931348623157e308
+        and out is None
+        and workers is ONE
+    ):
+        try:
+            return named(
+                PredictorGainSecondDerivatives,
+                _predictor_gain_second_derivatives_of_numbers(tracking_index),
+            )
+        except (ArithmeticError, ValueError):
+            pass  # arrays say what is wrong
     return PredictorGainSecondDerivatives(
         *evaluate(_PREDICTOR_GAIN_SECOND_DERIVATIVES, (tracking_index,), out, workers)
     )
+
+
+def _predictor_gain_second_derivatives_of_numbers(
+    tracking_index: float,
+    form: Form = Double,
+) -> tuple[float, ...]:
+    t1 = form.sqrt(tracking_index)
+    t2 = form.sqrt(t1)
+    t4 = 2.220446049250313e-16 / tracking_index
+    t6 = tracking_index * 3.854941057726238e-19
+    t10 = form.sqrt(t4 + t6) * 67108864.0
+    t14 = (t10 * t2) * 2.0
+    t16 = t1 * 0.4166666666666667
+    t18 = tracking_index * 0.04861111111111111
+    t25 = ((t1 * t2) * 1.2504627916220945) + (8.0 / t2)
+    t26 = form.near_cbrt(t25)
+    t30 = form.sqrt((t14 * t26) + t18)
+    t33 = form.sqrt((t30 * 2.0) + t16)
+    t35 = t14 * 0.5
+    t36 = t30 * t33
+    t41 = ((t33 * t36) - (t35 * t26)) / (t36 - t35)
+    t45 = form.sqrt((t14 * t41) + t18)
+    t48 = form.sqrt((t45 * 2.0) + t16)
+    t49 = t45 * t48
+    t54 = ((t48 * t49) - (t35 * t41)) / (t49 - t35)
+    t58 = form.sqrt((t14 * t54) + t18)
+    t61 = form.sqrt((t58 * 2.0) + t16)
+    t62 = t58 * t61
+    t67 = ((t61 * t62) - (t35 * t54)) / (t62 - t35)
+    t71 = form.sqrt((t14 * t67) + t18)
+    t74 = form.sqrt((t71 * 2.0) + t16)
+    t75 = t71 * t74
+    t80 = ((t74 * t75) - (t35 * t67)) / (t75 - t35)
+    t84 = form.sqrt((t14 * t80) + t18)
+    t87 = form.sqrt((t84 * 2.0) + t16)
+    t90 = t87 * t2
+    t95 = (t10 + (t84 * 0.5)) + ((t90 * 0.25) + (t1 * 0.125))
+    t96 = t1 * t95
+    t97 = t87 / t2
+    t98 = t97 * 2.0
+    t100 = (t1 * 0.25) / t84
+    t103 = (t100 * 0.6666666666666666) + 1.0
+    t106 = t100 * 0.7777777777777778
+    t111 = (t100 * (t106 + 3.3333333333333335)) + 3.0
+    t114 = t1 / t84
+    t119 = ((t114 / t111) * t114) * (t97 * (t1 / t10))
+    t121 = t119 * 0.003472222222222222
+    t122 = (((t103 * t100) / t111) * 2.0) + t121
+    t123 = t122 * t98
+    t129 = (t100 * 1.6666666666666667) + 2.0
+    t132 = ((t100 / t111) * (t129 / t111)) / t111
+    t136 = (t100 * 0.27469135802469136) + 0.6296296296296297
+    t140 = t100 * ((t100 * t136) + 1.2222222222222223)
+    t144 = (t100 * (t140 + 1.6666666666666667)) + 0.75
+    t148 = (t129 * t100) / t111
+    t152 = ((tracking_index / t10) / t10) * 0.001736111111111111
+    t157 = (((t87 / t84) / (t84 * t111)) / t2) / t10
+    t159 = (t157 / t1) * 2.0
+    t164 = t159 + t121
+    t168 = t164 + (((t129 * t129) / t111) * 2.0)
+    t169 = t121 * t168
+    t170 = (t152 + t159) + ((t148 * t148) * 2.6666666666666665)
+    t173 = (t132 * (t144 * 8.0)) + (t121 * (t170 + t169))
+    t176 = t90 / t95
+    t184 = (t100 * 1.382716049382716) + 5.833333333333333
+    t188 = t100 * ((t100 * t184) + 8.833333333333334)
+    t192 = (t100 * (t188 + 5.833333333333333)) + 1.5
+    t198 = ((t100 * ((t100 * 2.0) + 5.0)) + 3.0) / t111
+    t199 = t198 * 2.0
+    t209 = ((t103 / t111) * (t192 / t111)) * 4.0
+    t212 = t159 * (t129 + (((t10 / t84) * 2.0) * t199))
+    t213 = (((t123 * t103) * 2.0) + t209) + t212
+    t216 = (t100 * (t106 + 1.6666666666666667)) + 1.0
+    t218 = (t216 / t111) * 2.0
+    t219 = t218 * t111
+    t222 = (t84 / t1) * 4.0
+    t226 = t121 * ((t219 * t222) + (t103 * t199))
+    t230 = t152 * (((t222 / t98) * (t219 * 0.5)) + t103)
+    t233 = (t159 * (t84 / t95)) * ((t213 + t226) + t230)
+    t234 = ((t176 / tracking_index) * 0.5) * t233
+    t240 = (((t222 * (t111 * 0.5)) / t129) + 1.0) + t98
+    t246 = ((t164 * t100) * (t103 + t129)) / t111
+    t248 = t148 * 2.0
+    t252 = (t246 * 2.0) + ((t248 * t248) * 0.6666666666666666)
+    t255 = (t122 * ((t176 * 0.25) * t240)) + ((t252 + t169) + (t152 * t218))
+    t258 = (t98 * (((t122 * t123) * 2.0) + t173)) * 2.0
+    t261 = ((t258 / tracking_index) / t96) / t96
+    t263 = t234 / tracking_index
+    t265 = ((t159 * (t98 * t255)) / t96) / tracking_index
+    t268 = (t261 / tracking_index) + (t263 + (t265 * 0.5))
+    t269 = -t268
+    t271 = -(t263 + t265)
+    t272 = -t265
+    return (t269, t271, t272)
 
 
 def _predictor_gain_second_derivatives_block(
@@ -3290,6 +4241,7 @@ _PREDICTOR_GAIN_SECOND_DERIVATIVES = Signature(
     ("position", "velocity", "acceleration"),
     21,
     _predictor_gain_second_derivatives_block,
+    numbers=_predictor_gain_second_derivatives_of_numbers,
 )
 
 
@@ -3350,9 +4302,113 @@ def predicted_covariance_second_derivatives(
 
     Source: derivation random-jerk
     """
+    if (
+        type(tracking_index) is float
+        and 5e-324 <= tracking_index <= 1.0715086071862673e301
+        and out is None
+        and workers is ONE
+    ):
+        try:
+            return named(
+                PredictedCovarianceSecondDerivatives,
+                _predicted_covariance_second_derivatives_of_numbers(tracking_index),
+            )
+        except (ArithmeticError, ValueError):
+            pass  # arrays say what is wrong
     return PredictedCovarianceSecondDerivatives(
         *evaluate(_PREDICTED_COVARIANCE_SECOND_DERIVATIVES, (tracking_index,), out, workers)
     )
+
+
+def _predicted_covariance_second_derivatives_of_numbers(
+    tracking_index: float,
+    form: Form = Double,
+) -> tuple[float, ...]:
+    t1 = form.sqrt(tracking_index)
+    t2 = form.sqrt(t1)
+    t4 = 2.220446049250313e-16 / tracking_index
+    t6 = tracking_index * 3.854941057726238e-19
+    t10 = form.sqrt(t4 + t6) * 67108864.0
+    t14 = (t10 * t2) * 2.0
+    t16 = t1 * 0.4166666666666667
+    t18 = tracking_index * 0.04861111111111111
+    t25 = ((t1 * t2) * 1.2504627916220945) + (8.0 / t2)
+    t26 = form.near_cbrt(t25)
+    t30 = form.sqrt((t14 * t26) + t18)
+    t33 = form.sqrt((t30 * 2.0) + t16)
+    t35 = t14 * 0.5
+    t36 = t30 * t33
+    t41 = ((t33 * t36) - (t35 * t26)) / (t36 - t35)
+    t45 = form.sqrt((t14 * t41) + t18)
+    t48 = form.sqrt((t45 * 2.0) + t16)
+    t49 = t45 * t48
+    t54 = ((t48 * t49) - (t35 * t41)) / (t49 - t35)
+    t58 = form.sqrt((t14 * t54) + t18)
+    t61 = form.sqrt((t58 * 2.0) + t16)
+    t62 = t58 * t61
+    t67 = ((t61 * t62) - (t35 * t54)) / (t62 - t35)
+    t71 = form.sqrt((t14 * t67) + t18)
+    t74 = form.sqrt((t71 * 2.0) + t16)
+    t75 = t71 * t74
+    t80 = ((t74 * t75) - (t35 * t67)) / (t75 - t35)
+    t84 = form.sqrt((t14 * t80) + t18)
+    t87 = form.sqrt((t84 * 2.0) + t16)
+    t90 = (t1 * 0.25) / t84
+    t93 = (t90 * 0.6666666666666666) + 1.0
+    t96 = t90 * 0.7777777777777778
+    t101 = (t90 * (t96 + 3.3333333333333335)) + 3.0
+    t104 = t1 / t84
+    t107 = t87 / t2
+    t110 = ((t104 / t101) * t104) * (t107 * (t1 / t10))
+    t112 = t110 * 0.003472222222222222
+    t114 = t107 * 2.0
+    t115 = ((((t93 * t90) / t101) * 2.0) + t112) * t114
+    t122 = (((t87 / t84) / (t84 * t101)) / t2) / t10
+    t124 = (t122 / t1) * 2.0
+    t125 = t124 + t112
+    t129 = (t90 * 1.6666666666666667) + 2.0
+    t133 = (((t125 * t90) * (t93 + t129)) / t101) * 2.0
+    t135 = (t129 * t90) / t101
+    t136 = t135 * 2.0
+    t142 = t125 + (((t129 * t129) / t101) * 2.0)
+    t143 = t112 * t142
+    t147 = ((tracking_index / t10) / t10) * 0.001736111111111111
+    t150 = (t90 * (t96 + 1.6666666666666667)) + 1.0
+    t152 = (t150 / t101) * 2.0
+    t154 = t133 + ((t136 * t136) * 0.6666666666666666)
+    t157 = t124 * ((t154 + t143) + (t147 * t152))
+    t159 = (t115 * (t115 + 1.0)) + (t157 * t114)
+    t166 = (t10 + (t84 * 0.5)) + (((t87 * t2) * 0.25) + (t1 * 0.125))
+    t170 = t152 + t112
+    t176 = (t90 * 2.5925925925925926) + 6.222222222222222
+    t179 = ((t90 * t176) + 3.3333333333333335) * t90
+    t183 = ((t179 / t101) * (t129 / t101)) + t147
+    t185 = t124 * (t183 + t143)
+    t187 = t114 * ((t170 * (t170 + 1.0)) + t185)
+    t191 = (t90 * 5.041152263374485) + 20.22222222222222
+    t195 = t90 * ((t90 * t191) + 28.51851851851852)
+    t200 = (t90 * (t195 + 18.0)) + 8.333333333333334
+    t207 = ((((t90 * t200) + 4.0) / t101) / t101) + (t185 * t129)
+    t211 = (t90 * 1.2962962962962963) + 3.111111111111111
+    t217 = ((t90 * ((t90 * t211) + 5.0)) + 4.0) / t101
+    t221 = (t90 * 2.3333333333333335) + 3.3333333333333335
+    t226 = (((t90 * t221) + 1.0) / t101) + (t112 * 2.0)
+    t227 = t84 / t1
+    t232 = ((t217 * 2.0) + (t129 * t226)) + (t90 * 3.3333333333333335)
+    t235 = (t227 * 4.0) * (t207 + (t112 * t232))
+    t239 = (t90 * 3.240740740740741) + 9.074074074074074
+    t243 = t90 * ((t90 * t239) + 7.611111111111111)
+    t247 = (t90 / t101) * ((t243 + 1.6666666666666667) / t101)
+    t251 = (t247 * (t170 * 4.0)) + (t185 * t142)
+    t257 = t170 * ((t135 * 10.0) + (t125 * 6.0))
+    t261 = t112 * ((t257 + (t226 * 4.0)) + t124)
+    t266 = (t227 * (t101 * 4.0)) * (t251 + t261)
+    t270 = (((t84 / t87) * (t266 / t2)) + t187) * 0.125
+    t169 = (t159 * (t1 * t166)) / tracking_index
+    t273 = t270 + ((t235 * 0.25) + 0.4166666666666667)
+    t276 = ((t235 + t187) * 0.25) + 0.6666666666666666
+    t278 = (t187 * 0.5) + 1.0
+    return (t169, t273, t276, t278)
 
 
 def _predicted_covariance_second_derivatives_block(
@@ -3645,6 +4701,7 @@ _PREDICTED_COVARIANCE_SECOND_DERIVATIVES = Signature(
     ("predicted_13", "predicted_22", "predicted_23", "predicted_33"),
     16,
     _predicted_covariance_second_derivatives_block,
+    numbers=_predicted_covariance_second_derivatives_of_numbers,
 )
 
 
@@ -3699,9 +4756,100 @@ def predicted_position_second_derivatives(
 
     Source: derivation random-jerk
     """
+    if (
+        type(tracking_index) is float
+        and 1.688508503057271e-226 <= tracking_index <= 1.0715086071862673e301
+        and out is None
+        and workers is ONE
+    ):
+        try:
+            return named(
+                PredictedPositionSecondDerivatives,
+                _predicted_position_second_derivatives_of_numbers(tracking_index),
+            )
+        except (ArithmeticError, ValueError):
+            pass  # arrays say what is wrong
     return PredictedPositionSecondDerivatives(
         *evaluate(_PREDICTED_POSITION_SECOND_DERIVATIVES, (tracking_index,), out, workers)
     )
+
+
+def _predicted_position_second_derivatives_of_numbers(
+    tracking_index: float,
+    form: Form = Double,
+) -> tuple[float, ...]:
+    t1 = form.sqrt(tracking_index)
+    t2 = form.sqrt(t1)
+    t4 = 2.220446049250313e-16 / tracking_index
+    t6 = tracking_index * 3.854941057726238e-19
+    t10 = form.sqrt(t4 + t6) * 67108864.0
+    t14 = (t10 * t2) * 2.0
+    t16 = t1 * 0.4166666666666667
+    t18 = tracking_index * 0.04861111111111111
+    t25 = ((t1 * t2) * 1.2504627916220945) + (8.0 / t2)
+    t26 = form.near_cbrt(t25)
+    t30 = form.sqrt((t14 * t26) + t18)
+    t33 = form.sqrt((t30 * 2.0) + t16)
+    t35 = t14 * 0.5
+    t36 = t30 * t33
+    t41 = ((t33 * t36) - (t35 * t26)) / (t36 - t35)
+    t45 = form.sqrt((t14 * t41) + t18)
+    t48 = form.sqrt((t45 * 2.0) + t16)
+    t49 = t45 * t48
+    t54 = ((t48 * t49) - (t35 * t41)) / (t49 - t35)
+    t58 = form.sqrt((t14 * t54) + t18)
+    t61 = form.sqrt((t58 * 2.0) + t16)
+    t62 = t58 * t61
+    t67 = ((t61 * t62) - (t35 * t54)) / (t62 - t35)
+    t71 = form.sqrt((t14 * t67) + t18)
+    t74 = form.sqrt((t71 * 2.0) + t16)
+    t75 = t71 * t74
+    t80 = ((t74 * t75) - (t35 * t67)) / (t75 - t35)
+    t84 = form.sqrt((t14 * t80) + t18)
+    t87 = form.sqrt((t84 * 2.0) + t16)
+    t95 = (t10 + (t84 * 0.5)) + (((t87 * t2) * 0.25) + (t1 * 0.125))
+    t97 = (t1 * t95) / tracking_index
+    t98 = t87 / t2
+    t99 = t98 * t97
+    t102 = (t1 * 0.25) / t84
+    t104 = t102 * 0.7777777777777778
+    t109 = (t102 * (t104 + 3.3333333333333335)) + 3.0
+    t113 = (((t87 / t84) / (t84 * t109)) / t2) / t10
+    t115 = (t113 / t1) * 2.0
+    t116 = t1 / t84
+    t121 = ((t116 / t109) * t116) * (t98 * (t1 / t10))
+    t123 = t121 * 0.003472222222222222
+    t124 = t115 + t123
+    t128 = (t102 * 0.6666666666666666) + 1.0
+    t131 = (t102 * 1.6666666666666667) + 2.0
+    t134 = ((t124 * t102) * (t128 + t131)) / t109
+    t137 = (t131 * t102) / t109
+    t138 = t137 * 2.0
+    t144 = t124 + (((t131 * t131) / t109) * 2.0)
+    t145 = t123 * t144
+    t149 = ((tracking_index / t10) / t10) * 0.001736111111111111
+    t152 = (t102 * (t104 + 1.6666666666666667)) + 1.0
+    t154 = (t152 / t109) * 2.0
+    t156 = (t134 * 2.0) + ((t138 * t138) * 0.6666666666666666)
+    t159 = t115 * ((t156 + t145) + (t149 * t154))
+    t160 = t98 * 2.0
+    t166 = (((t128 * t102) / t109) * 2.0) + t123
+    t167 = t166 * t160
+    t168 = (t154 + t123) + t167
+    t175 = t131 / t109
+    t181 = (t102 * 0.27469135802469136) + 0.6296296296296297
+    t185 = t102 * ((t102 * t181) + 1.2222222222222223)
+    t189 = (t102 * (t185 + 1.6666666666666667)) + 0.75
+    t191 = (((t102 / t109) * t175) / t109) * (t189 * 8.0)
+    t196 = (t149 + t115) + ((t137 * t137) * 2.6666666666666665)
+    t200 = (t191 + (t123 * (t196 + t145))) * t160
+    t210 = (t102 * 2.5925925925925926) + 6.222222222222222
+    t213 = ((t102 * t210) + 3.3333333333333335) * t102
+    t217 = (((t213 / t109) * t175) + t149) + t145
+    t220 = ((t168 * t167) + (t159 * t160)) + (t115 * t217)
+    t204 = (((t167 * t167) * t97) * (t97 * 4.0)) - ((t200 * t97) * (t97 * 2.0))
+    t224 = (t99 * t220) - (t99 * (t168 * t115))
+    return (t204, t224)
 
 
 def _predicted_position_second_derivatives_block(
@@ -3939,6 +5087,7 @@ _PREDICTED_POSITION_SECOND_DERIVATIVES = Signature(
     ("predicted_11", "predicted_12"),
     17,
     _predicted_position_second_derivatives_block,
+    numbers=_predicted_position_second_derivatives_of_numbers,
 )
 
 
@@ -4000,9 +5149,104 @@ def updated_covariance_second_derivatives(
 
     Source: derivation random-jerk
     """
+    if (
+        type(tracking_index) is float
+        and 5e-324 <= tracking_index <= 1.7976931348623157e308
+        and out is None
+        and workers is ONE
+    ):
+        try:
+            return named(
+                UpdatedCovarianceSecondDerivatives,
+                _updated_covariance_second_derivatives_of_numbers(tracking_index),
+            )
+        except (ArithmeticError, ValueError):
+            pass  # arrays say what is wrong
     return UpdatedCovarianceSecondDerivatives(
         *evaluate(_UPDATED_COVARIANCE_SECOND_DERIVATIVES, (tracking_index,), out, workers)
     )
+
+
+def _updated_covariance_second_derivatives_of_numbers(
+    tracking_index: float,
+    form: Form = Double,
+) -> tuple[float, ...]:
+    t1 = form.sqrt(tracking_index)
+    t2 = form.sqrt(t1)
+    t4 = 2.220446049250313e-16 / tracking_index
+    t6 = tracking_index * 3.854941057726238e-19
+    t10 = form.sqrt(t4 + t6) * 67108864.0
+    t14 = (t10 * t2) * 2.0
+    t16 = t1 * 0.4166666666666667
+    t18 = tracking_index * 0.04861111111111111
+    t25 = ((t1 * t2) * 1.2504627916220945) + (8.0 / t2)
+    t26 = form.near_cbrt(t25)
+    t30 = form.sqrt((t14 * t26) + t18)
+    t33 = form.sqrt((t30 * 2.0) + t16)
+    t35 = t14 * 0.5
+    t36 = t30 * t33
+    t41 = ((t33 * t36) - (t35 * t26)) / (t36 - t35)
+    t45 = form.sqrt((t14 * t41) + t18)
+    t48 = form.sqrt((t45 * 2.0) + t16)
+    t49 = t45 * t48
+    t54 = ((t48 * t49) - (t35 * t41)) / (t49 - t35)
+    t58 = form.sqrt((t14 * t54) + t18)
+    t61 = form.sqrt((t58 * 2.0) + t16)
+    t62 = t58 * t61
+    t67 = ((t61 * t62) - (t35 * t54)) / (t62 - t35)
+    t71 = form.sqrt((t14 * t67) + t18)
+    t74 = form.sqrt((t71 * 2.0) + t16)
+    t75 = t71 * t74
+    t80 = ((t74 * t75) - (t35 * t67)) / (t75 - t35)
+    t84 = form.sqrt((t14 * t80) + t18)
+    t87 = form.sqrt((t84 * 2.0) + t16)
+    t88 = t87 / t2
+    t89 = t88 * 2.0
+    t92 = (t1 * 0.25) / t84
+    t94 = t92 * 0.7777777777777778
+    t98 = (t92 * (t94 + 1.6666666666666667)) + 1.0
+    t103 = (t92 * (t94 + 3.3333333333333335)) + 3.0
+    t106 = t1 / t84
+    t111 = ((t106 / t103) * t106) * (t88 * (t1 / t10))
+    t113 = t111 * 0.003472222222222222
+    t114 = ((t98 / t103) * 2.0) + t113
+    t121 = (((t87 / t84) / (t84 * t103)) / t2) / t10
+    t123 = (t121 / t1) * 2.0
+    t127 = (t92 * 2.5925925925925926) + 6.222222222222222
+    t130 = ((t92 * t127) + 3.3333333333333335) * t92
+    t133 = (t92 * 1.6666666666666667) + 2.0
+    t139 = ((tracking_index / t10) / t10) * 0.001736111111111111
+    t140 = t123 + t113
+    t144 = t140 + (((t133 * t133) / t103) * 2.0)
+    t146 = ((t130 / t103) * (t133 / t103)) + t139
+    t148 = t123 * (t146 + (t113 * t144))
+    t150 = t89 * ((t114 * (t114 + 1.0)) + t148)
+    t154 = (t92 * 5.041152263374485) + 20.22222222222222
+    t158 = t92 * ((t92 * t154) + 28.51851851851852)
+    t163 = (t92 * (t158 + 18.0)) + 8.333333333333334
+    t170 = ((((t92 * t163) + 4.0) / t103) / t103) + (t148 * t133)
+    t174 = (t92 * 1.2962962962962963) + 3.111111111111111
+    t180 = ((t92 * ((t92 * t174) + 5.0)) + 4.0) / t103
+    t184 = (t92 * 2.3333333333333335) + 3.3333333333333335
+    t189 = (((t92 * t184) + 1.0) / t103) + (t113 * 2.0)
+    t190 = t84 / t1
+    t195 = ((t180 * 2.0) + (t133 * t189)) + (t92 * 3.3333333333333335)
+    t198 = (t190 * 4.0) * (t170 + (t113 * t195))
+    t202 = (t92 * 3.240740740740741) + 9.074074074074074
+    t206 = t92 * ((t92 * t202) + 7.611111111111111)
+    t210 = (t92 / t103) * ((t206 + 1.6666666666666667) / t103)
+    t214 = (t210 * (t114 * 4.0)) + (t148 * t144)
+    t221 = (((t133 * t92) / t103) * 10.0) + (t140 * 6.0)
+    t225 = ((t114 * t221) + (t189 * 4.0)) + t123
+    t231 = (t190 * (t103 * 4.0)) * (t214 + (t113 * t225))
+    t235 = (((t84 / t87) * (t231 / t2)) + t150) * 0.125
+    t238 = t235 + ((t198 * 0.25) + 0.4166666666666667)
+    t242 = ((t198 + t150) * 0.25) + 0.6666666666666666
+    t243 = t150 * 0.5
+    t252 = t238 - ((t198 * 0.5) + 0.8333333333333334)
+    t254 = t242 - t243
+    t256 = (t243 + 1.0) - (t89 * (((t2 / t87) * 0.5) * 2.0))
+    return (t252, t254, t256)
 
 
 def _updated_covariance_second_derivatives_block(
@@ -4271,6 +5515,7 @@ _UPDATED_COVARIANCE_SECOND_DERIVATIVES = Signature(
     ("updated_22", "updated_23", "updated_33"),
     14,
     _updated_covariance_second_derivatives_block,
+    numbers=_updated_covariance_second_derivatives_of_numbers,
 )
 
 
@@ -4329,7 +5574,90 @@ def closed_loop_poles(
 
     Source: derivation random-jerk
     """
+    if (
+        type(tracking_index) is float
+        and 5e-324 <= tracking_index <= 1.7976931348623157e308
+        and out is None
+        and workers is ONE
+    ):
+        try:
+            return named(ClosedLoopPoles, _closed_loop_poles_of_numbers(tracking_index))
+        except (ArithmeticError, ValueError):
+            pass  # arrays say what is wrong
     return ClosedLoopPoles(*evaluate(_CLOSED_LOOP_POLES, (tracking_index,), out, workers))
+
+
+def _closed_loop_poles_of_numbers(tracking_index: float, form: Form = Double) -> tuple[float, ...]:
+    t1 = form.sqrt(tracking_index)
+    t4 = 1.0 / form.sqrt(t1)
+    t8 = 1.0 / (t4 + (tracking_index * 0.015625))
+    t9 = t8 * t4
+    t13 = (t9 * t9) * ((t9 * t4) * 0.015625)
+    t14 = t8 * t8
+    t17 = (tracking_index * t8) * 0.0023148148148148147
+    t19 = t14 * 0.020833333333333332
+    t20 = t17 * t17
+    t21 = t20 * t17
+    t26 = t13 + ((t17 * t19) + (t21 * 2.0))
+    t29 = (t20 * 3.0) + t19
+    t33 = t13 + ((t14 * t8) * 0.003608439117670059)
+    t39 = t33 + ((t17 * (t19 * 2.0)) + (t21 * 8.0))
+    t40 = form.near_cbrt(t39)
+    t42 = t29 * t40
+    t43 = t42 + t26
+    t45 = form.sqrt(t40 * t43)
+    t46 = form.sqrt(t45)
+    t50 = (t43 * 0.25) + (t42 * 0.25)
+    t51 = t45 * t46
+    t56 = ((t46 * t51) - (t50 * t40)) / (t51 - t50)
+    t58 = t29 * t56
+    t59 = t58 + t26
+    t61 = form.sqrt(t56 * t59)
+    t62 = form.sqrt(t61)
+    t65 = (t59 * 0.25) + (t58 * 0.25)
+    t66 = t61 * t62
+    t71 = ((t62 * t66) - (t65 * t56)) / (t66 - t65)
+    t73 = t29 * t71
+    t74 = t73 + t26
+    t76 = form.sqrt(t71 * t74)
+    t77 = form.sqrt(t76)
+    t80 = (t74 * 0.25) + (t73 * 0.25)
+    t81 = t76 * t77
+    t86 = ((t77 * t81) - (t80 * t71)) / (t81 - t80)
+    t88 = t29 * t86
+    t89 = t88 + t26
+    t91 = form.sqrt(t86 * t89)
+    t92 = form.sqrt(t91)
+    t95 = (t89 * 0.25) + (t88 * 0.25)
+    t96 = t91 * t92
+    t101 = ((t92 * t96) - (t95 * t86)) / (t96 - t95)
+    t106 = form.sqrt(t101 * ((t29 * t101) + t26))
+    t108 = form.sqrt(t106) + t17
+    t109 = t108 / t8
+    t110 = t8 / t108
+    t112 = t110 / tracking_index
+    t114 = form.sqrt(t112 + 1.0)
+    t116 = 2.220446049250313e-16 / tracking_index
+    t118 = tracking_index * 3.854941057726238e-19
+    t123 = (form.sqrt(t116 + t118) * 67108864.0) * 8.0
+    t125 = (t123 / t114) / t1
+    t129 = (t112 * 0.3333333333333333) + 0.1111111111111111
+    t134 = (t125 + 0.6666666666666666) + (t129 / (t112 + t125))
+    t137 = (form.sqrt(t134) + 1.0) + t125
+    t138 = t114 + 1.0
+    t144 = tracking_index * 0.026244520780915007
+    t146 = t109 + ((t110 * 0.012355631892026117) + t144)
+    t147 = (6.172778260761257 - tracking_index) + (
+        1.3118362574005005e-07 if form.single else 2.6682135546293653e-16
+    )
+    t151 = ((t147 / t146) / tracking_index) * (6.172778260761257 + tracking_index)
+    t162 = (t112 + 1.1240937744230048) / (t125 + 1.0)
+    t167 = t112 * ((t112 + 0.8888888888888888) / t134)
+    t155 = (t112 / t138) / t138
+    t158 = ((form.sqrt(t109) / t1) * 8.0) / t137
+    t164 = ((t151 * 0.026244520780915007) * t162) / t137
+    t171 = ((t167 / t137) / t137) * -3.0
+    return (t155, t158, t164, t171)
 
 
 def _closed_loop_poles_block(
@@ -4518,4 +5846,5 @@ _CLOSED_LOOP_POLES = Signature(
     ("real_pole", "modulus", "half_sum", "quarter_discriminant"),
     6,
     _closed_loop_poles_block,
+    numbers=_closed_loop_poles_of_numbers,
 )

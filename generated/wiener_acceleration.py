@@ -6,19 +6,19 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-import numpy as np
 from numpy import add, divide, multiply, negative, sqrt, square, subtract
 
 from gainproof.generated._bits import near_cbrt
+from gainproof.generated._numbers import ONE, Double, filled_by, named
 from gainproof.generated._runtime import evaluate
 from gainproof.generated._signature import Domain, Signature
 
 if TYPE_CHECKING:
     from typing import NamedTuple
 
-    from numpy.typing import ArrayLike
-
-    from gainproof.generated._signature import Arrays, Real
+    from gainproof.generated._double_word import Part
+    from gainproof.generated._numbers import Form
+    from gainproof.generated._signature import ArrayLike, Arrays, Real
 else:
     from gainproof.generated._result import NamedTuple
 
@@ -150,8 +150,53 @@ def gains(
 
     Source: derivation wiener-acceleration
     """
+    if (
+        type(tracking_index) is float
+        and 5e-324 <= tracking_index <= 1.7976931348623157e308
+        and out is None
+        and workers is ONE
+        and not accurate
+    ):
+        try:
+            return named(Gains, _gains_of_numbers(tracking_index))
+        except (ArithmeticError, ValueError):
+            pass  # arrays say what is wrong
     kernel = _ACCURATE_GAINS if accurate else _GAINS
     return Gains(*evaluate(kernel, (tracking_index,), out, workers))
+
+
+def _gains_of_numbers(tracking_index: float, form: Form = Double) -> tuple[float, ...]:
+    t1 = form.sqrt(tracking_index)
+    t2 = form.sqrt(t1)
+    t4 = 1.0 / t1
+    t7 = (t4 * t2) * 2.0
+    t9 = t1 * 0.5
+    t11 = tracking_index * 0.0625
+    t17 = form.near_cbrt(((t1 * t2) * 1.0) + (8.0 / t2))
+    t22 = form.sqrt((t7 * t17) + t11)
+    t25 = form.sqrt((t22 * 2.0) + t9)
+    t26 = t7 * 0.5
+    t27 = t22 * t25
+    t32 = ((t25 * t27) - (t26 * t17)) / (t27 - t26)
+    t36 = form.sqrt((t7 * t32) + t11)
+    t39 = form.sqrt((t36 * 2.0) + t9)
+    t40 = t36 * t39
+    t45 = ((t39 * t40) - (t26 * t32)) / (t40 - t26)
+    t49 = form.sqrt((t7 * t45) + t11)
+    t52 = form.sqrt((t49 * 2.0) + t9)
+    t53 = t49 * t52
+    t58 = ((t52 * t53) - (t26 * t45)) / (t53 - t26)
+    t62 = form.sqrt((t7 * t58) + t11)
+    t65 = form.sqrt((t62 * 2.0) + t9)
+    t66 = t62 * t65
+    t71 = ((t65 * t66) - (t26 * t58)) / (t66 - t26)
+    t75 = form.sqrt((t7 * t71) + t11)
+    t81 = form.sqrt((t75 * 2.0) + t9) * t2
+    t86 = (t4 + (t75 * 0.5)) + ((t81 * 0.25) + (t1 * 0.125))
+    t89 = (t75 + (t1 * 0.25)) / t86
+    t90 = t81 / t86
+    t91 = t1 / t86
+    return (t89, t90, t91)
 
 
 def _gains_block(
@@ -257,23 +302,21 @@ _GAINS = Signature(
     ("alpha", "beta", "gamma"),
     7,
     _gains_block,
+    numbers=_gains_of_numbers,
 )
 
 
-def _gains_in_double_words(given: Arrays, out: Arrays, _work: Arrays, single: bool) -> None:
-    if single:
-        # float64 keeps 29 bits more than come out
-        found = evaluate(_GAINS, (given[0].astype(np.float64),), None, 1)
-        for result, value in zip(out, found, strict=True):
-            result[...] = value
-        return
+def _gains_in_double_words(given: Part, form: Form = Double) -> tuple[Part, ...]:
     # loaded when it is asked for
     from gainproof.generated._double_word import add, divide, exact, multiply, refined, root, scale
 
-    tracking_index = exact(given[0])
+    if form.single:
+        # float64 keeps 29 bits more than come out
+        return evaluate(_GAINS, exact(given)[:1], None, 1)
+    tracking_index = exact(given)
     delta = divide((8.0, 0.0), tracking_index)
     # what the plain kernel gives is near the root
-    near = evaluate(_GAINS, (given[0].astype(np.float64),), None, 1)
+    near = evaluate(_GAINS, exact(given)[:1], None, 1)
     near_xi = exact(2.0 * near[1] / near[2])
     t4 = multiply(delta, near_xi)
     t6 = scale(t4, 2.0)
@@ -298,9 +341,7 @@ def _gains_in_double_words(given: Arrays, out: Arrays, _work: Arrays, single: bo
     t27 = scale(xi, 4.0)
     t28 = divide(t27, nu)
     t29 = divide((8.0, 0.0), nu)
-    out[0][...] = t25[0]
-    out[1][...] = t28[0]
-    out[2][...] = t29[0]
+    return (t25[0], t28[0], t29[0])
 
 
 _ACCURATE_GAINS = Signature(
@@ -308,7 +349,8 @@ _ACCURATE_GAINS = Signature(
     (_ACCURATE_TRACKING_INDEX_DOMAIN,),
     ("alpha", "beta", "gamma"),
     0,
-    _gains_in_double_words,
+    filled_by(_gains_in_double_words),
+    numbers=_gains_in_double_words,
 )
 
 
@@ -358,7 +400,64 @@ def gain_derivatives(
 
     Source: derivation wiener-acceleration
     """
+    if (
+        type(tracking_index) is float
+        and 5e-324 <= tracking_index <= 1.7976931348623157e308
+        and out is None
+        and workers is ONE
+    ):
+        try:
+            return named(GainDerivatives, _gain_derivatives_of_numbers(tracking_index))
+        except (ArithmeticError, ValueError):
+            pass  # arrays say what is wrong
     return GainDerivatives(*evaluate(_GAIN_DERIVATIVES, (tracking_index,), out, workers))
+
+
+def _gain_derivatives_of_numbers(tracking_index: float, form: Form = Double) -> tuple[float, ...]:
+    t1 = form.sqrt(tracking_index)
+    t2 = form.sqrt(t1)
+    t4 = 1.0 / t1
+    t7 = (t4 * t2) * 2.0
+    t9 = t1 * 0.5
+    t11 = tracking_index * 0.0625
+    t12 = t1 * t2
+    t17 = form.near_cbrt((t12 * 1.0) + (8.0 / t2))
+    t22 = form.sqrt((t7 * t17) + t11)
+    t25 = form.sqrt((t22 * 2.0) + t9)
+    t26 = t7 * 0.5
+    t27 = t22 * t25
+    t32 = ((t25 * t27) - (t26 * t17)) / (t27 - t26)
+    t36 = form.sqrt((t7 * t32) + t11)
+    t39 = form.sqrt((t36 * 2.0) + t9)
+    t40 = t36 * t39
+    t45 = ((t39 * t40) - (t26 * t32)) / (t40 - t26)
+    t49 = form.sqrt((t7 * t45) + t11)
+    t52 = form.sqrt((t49 * 2.0) + t9)
+    t53 = t49 * t52
+    t58 = ((t52 * t53) - (t26 * t45)) / (t53 - t26)
+    t62 = form.sqrt((t7 * t58) + t11)
+    t65 = form.sqrt((t62 * 2.0) + t9)
+    t66 = t62 * t65
+    t71 = ((t65 * t66) - (t26 * t58)) / (t66 - t26)
+    t75 = form.sqrt((t7 * t71) + t11)
+    t78 = form.sqrt((t75 * 2.0) + t9)
+    t79 = t75 * t75
+    t82 = t1 * t75
+    t86 = tracking_index * 0.015625
+    t88 = ((t79 * 0.75) + (t82 * 0.25)) + t86
+    t93 = t78 * t2
+    t95 = t75 + (t1 * 0.25)
+    t97 = t93 * 0.25
+    t102 = (((t79 * 0.25) + (t82 * 0.125)) + t86) + (t93 * (t95 * 0.125))
+    t108 = (t93 / t88) * ((t78 * 0.25) * (t78 + (t2 * 0.5)))
+    t111 = (((t95 / t88) * t97) / tracking_index) * 2.0
+    t115 = ((t102 / t88) * ((t78 / t12) / t4)) * 2.0
+    t120 = (t4 + (t75 * 0.5)) + (t97 + (t1 * 0.125))
+    t121 = t1 * t120
+    t123 = (t111 / t121) / t121
+    t125 = (t115 / t121) / t121
+    t127 = ((t108 + 1.0) / t121) / t121
+    return (t123, t125, t127)
 
 
 def _gain_derivatives_block(
@@ -497,6 +596,7 @@ _GAIN_DERIVATIVES = Signature(
     ("alpha", "beta", "gamma"),
     10,
     _gain_derivatives_block,
+    numbers=_gain_derivatives_of_numbers,
 )
 
 
@@ -565,7 +665,70 @@ def gains_with_derivatives(
 
     Source: derivation wiener-acceleration
     """
+    if (
+        type(tracking_index) is float
+        and 5e-324 <= tracking_index <= 1.7976931348623157e308
+        and out is None
+        and workers is ONE
+    ):
+        try:
+            return named(GainsWithDerivatives, _gains_with_derivatives_of_numbers(tracking_index))
+        except (ArithmeticError, ValueError):
+            pass  # arrays say what is wrong
     return GainsWithDerivatives(*evaluate(_GAINS_WITH_DERIVATIVES, (tracking_index,), out, workers))
+
+
+def _gains_with_derivatives_of_numbers(
+    tracking_index: float,
+    form: Form = Double,
+) -> tuple[float, ...]:
+    t1 = form.sqrt(tracking_index)
+    t2 = form.sqrt(t1)
+    t4 = 1.0 / t1
+    t7 = (t4 * t2) * 2.0
+    t9 = t1 * 0.5
+    t11 = tracking_index * 0.0625
+    t12 = t1 * t2
+    t17 = form.near_cbrt((t12 * 1.0) + (8.0 / t2))
+    t22 = form.sqrt((t7 * t17) + t11)
+    t25 = form.sqrt((t22 * 2.0) + t9)
+    t26 = t7 * 0.5
+    t27 = t22 * t25
+    t32 = ((t25 * t27) - (t26 * t17)) / (t27 - t26)
+    t36 = form.sqrt((t7 * t32) + t11)
+    t39 = form.sqrt((t36 * 2.0) + t9)
+    t40 = t36 * t39
+    t45 = ((t39 * t40) - (t26 * t32)) / (t40 - t26)
+    t49 = form.sqrt((t7 * t45) + t11)
+    t52 = form.sqrt((t49 * 2.0) + t9)
+    t53 = t49 * t52
+    t58 = ((t52 * t53) - (t26 * t45)) / (t53 - t26)
+    t62 = form.sqrt((t7 * t58) + t11)
+    t65 = form.sqrt((t62 * 2.0) + t9)
+    t66 = t62 * t65
+    t71 = ((t65 * t66) - (t26 * t58)) / (t66 - t26)
+    t75 = form.sqrt((t7 * t71) + t11)
+    t78 = form.sqrt((t75 * 2.0) + t9)
+    t81 = t78 * t2
+    t83 = t81 * 0.25
+    t86 = (t4 + (t75 * 0.5)) + (t83 + (t1 * 0.125))
+    t88 = t75 + (t1 * 0.25)
+    t92 = t75 * t75
+    t95 = t1 * t75
+    t98 = tracking_index * 0.015625
+    t100 = ((t92 * 0.75) + (t95 * 0.25)) + t98
+    t110 = (((t92 * 0.25) + (t95 * 0.125)) + t98) + (t81 * (t88 * 0.125))
+    t116 = (t81 / t100) * ((t78 * 0.25) * (t78 + (t2 * 0.5)))
+    t118 = ((t88 / t100) * t83) / tracking_index
+    t123 = ((t110 / t100) * ((t78 / t12) / t4)) * 2.0
+    t124 = t1 * t86
+    t89 = t88 / t86
+    t90 = t81 / t86
+    t91 = t1 / t86
+    t126 = ((t118 * 2.0) / t124) / t124
+    t128 = (t123 / t124) / t124
+    t130 = ((t116 + 1.0) / t124) / t124
+    return (t89, t90, t91, t126, t128, t130)
 
 
 def _gains_with_derivatives_block(
@@ -707,6 +870,7 @@ _GAINS_WITH_DERIVATIVES = Signature(
     ("alpha", "beta", "gamma", "d_alpha", "d_beta", "d_gamma"),
     7,
     _gains_with_derivatives_block,
+    numbers=_gains_with_derivatives_of_numbers,
 )
 
 
@@ -756,7 +920,51 @@ def predictor_gains(
 
     Source: derivation wiener-acceleration
     """
+    if (
+        type(tracking_index) is float
+        and 5e-324 <= tracking_index <= 1.7976931348623157e308
+        and out is None
+        and workers is ONE
+    ):
+        try:
+            return named(PredictorGains, _predictor_gains_of_numbers(tracking_index))
+        except (ArithmeticError, ValueError):
+            pass  # arrays say what is wrong
     return PredictorGains(*evaluate(_PREDICTOR_GAINS, (tracking_index,), out, workers))
+
+
+def _predictor_gains_of_numbers(tracking_index: float, form: Form = Double) -> tuple[float, ...]:
+    t1 = form.sqrt(tracking_index)
+    t2 = form.sqrt(t1)
+    t4 = 1.0 / t1
+    t7 = (t4 * t2) * 2.0
+    t9 = t1 * 0.5
+    t11 = tracking_index * 0.0625
+    t17 = form.near_cbrt(((t1 * t2) * 1.0) + (8.0 / t2))
+    t22 = form.sqrt((t7 * t17) + t11)
+    t25 = form.sqrt((t22 * 2.0) + t9)
+    t26 = t7 * 0.5
+    t27 = t22 * t25
+    t32 = ((t25 * t27) - (t26 * t17)) / (t27 - t26)
+    t36 = form.sqrt((t7 * t32) + t11)
+    t39 = form.sqrt((t36 * 2.0) + t9)
+    t40 = t36 * t39
+    t45 = ((t39 * t40) - (t26 * t32)) / (t40 - t26)
+    t49 = form.sqrt((t7 * t45) + t11)
+    t52 = form.sqrt((t49 * 2.0) + t9)
+    t53 = t49 * t52
+    t58 = ((t52 * t53) - (t26 * t45)) / (t53 - t26)
+    t62 = form.sqrt((t7 * t58) + t11)
+    t65 = form.sqrt((t62 * 2.0) + t9)
+    t66 = t62 * t65
+    t71 = ((t65 * t66) - (t26 * t58)) / (t66 - t26)
+    t75 = form.sqrt((t7 * t71) + t11)
+    t81 = form.sqrt((t75 * 2.0) + t9) * t2
+    t86 = (t4 + (t75 * 0.5)) + ((t81 * 0.25) + (t1 * 0.125))
+    t91 = (t75 + (t81 + (t1 * 0.75))) / t86
+    t93 = (t81 + t1) / t86
+    t94 = t1 / t86
+    return (t91, t93, t94)
 
 
 def _predictor_gains_block(
@@ -865,6 +1073,7 @@ _PREDICTOR_GAINS = Signature(
     ("position", "velocity", "acceleration"),
     7,
     _predictor_gains_block,
+    numbers=_predictor_gains_of_numbers,
 )
 
 
@@ -916,9 +1125,73 @@ def predictor_gain_derivatives(
 
     Source: derivation wiener-acceleration
     """
+    if (
+        type(tracking_index) is float
+        and 5e-324 <= tracking_index <= 1.7976931348623157e308
+        and out is None
+        and workers is ONE
+    ):
+        try:
+            return named(
+                PredictorGainDerivatives, _predictor_gain_derivatives_of_numbers(tracking_index)
+            )
+        except (ArithmeticError, ValueError):
+            pass  # arrays say what is wrong
     return PredictorGainDerivatives(
         *evaluate(_PREDICTOR_GAIN_DERIVATIVES, (tracking_index,), out, workers)
     )
+
+
+def _predictor_gain_derivatives_of_numbers(
+    tracking_index: float,
+    form: Form = Double,
+) -> tuple[float, ...]:
+    t1 = form.sqrt(tracking_index)
+    t2 = form.sqrt(t1)
+    t4 = 1.0 / t1
+    t7 = (t4 * t2) * 2.0
+    t9 = t1 * 0.5
+    t11 = tracking_index * 0.0625
+    t12 = t1 * t2
+    t17 = form.near_cbrt((t12 * 1.0) + (8.0 / t2))
+    t22 = form.sqrt((t7 * t17) + t11)
+    t25 = form.sqrt((t22 * 2.0) + t9)
+    t26 = t7 * 0.5
+    t27 = t22 * t25
+    t32 = ((t25 * t27) - (t26 * t17)) / (t27 - t26)
+    t36 = form.sqrt((t7 * t32) + t11)
+    t39 = form.sqrt((t36 * 2.0) + t9)
+    t40 = t36 * t39
+    t45 = ((t39 * t40) - (t26 * t32)) / (t40 - t26)
+    t49 = form.sqrt((t7 * t45) + t11)
+    t52 = form.sqrt((t49 * 2.0) + t9)
+    t53 = t49 * t52
+    t58 = ((t52 * t53) - (t26 * t45)) / (t53 - t26)
+    t62 = form.sqrt((t7 * t58) + t11)
+    t65 = form.sqrt((t62 * 2.0) + t9)
+    t66 = t62 * t65
+    t71 = ((t65 * t66) - (t26 * t58)) / (t66 - t26)
+    t75 = form.sqrt((t7 * t71) + t11)
+    t78 = form.sqrt((t75 * 2.0) + t9)
+    t79 = t75 * t75
+    t82 = t1 * t75
+    t86 = tracking_index * 0.015625
+    t88 = ((t79 * 0.75) + (t82 * 0.25)) + t86
+    t93 = t78 * t2
+    t95 = t75 + (t1 * 0.25)
+    t97 = t93 * 0.25
+    t102 = (((t79 * 0.25) + (t82 * 0.125)) + t86) + (t93 * (t95 * 0.125))
+    t108 = (t93 / t88) * ((t78 * 0.25) * (t78 + (t2 * 0.5)))
+    t109 = t108 + 1.0
+    t111 = (((t95 / t88) * t97) / tracking_index) * 2.0
+    t115 = ((t102 / t88) * ((t78 / t12) / t4)) * 2.0
+    t124 = (t4 + (t75 * 0.5)) + (t97 + (t1 * 0.125))
+    t125 = t1 * t124
+    t126 = (t111 + (t115 + (t109 * 0.5))) / t125
+    t127 = t126 / t125
+    t129 = ((t115 + t109) / t125) / t125
+    t131 = (t109 / t125) / t125
+    return (t127, t129, t131)
 
 
 def _predictor_gain_derivatives_block(
@@ -1054,6 +1327,7 @@ _PREDICTOR_GAIN_DERIVATIVES = Signature(
     ("position", "velocity", "acceleration"),
     7,
     _predictor_gain_derivatives_block,
+    numbers=_predictor_gain_derivatives_of_numbers,
 )
 
 
@@ -1093,7 +1367,52 @@ def innovation_deviation(
 
     Source: derivation wiener-acceleration
     """
+    if (
+        type(tracking_index) is float
+        and 5e-324 <= tracking_index <= 1.7976931348623157e308
+        and out is None
+        and workers is ONE
+    ):
+        try:
+            return named(InnovationDeviation, _innovation_deviation_of_numbers(tracking_index))
+        except (ArithmeticError, ValueError):
+            pass  # arrays say what is wrong
     return InnovationDeviation(*evaluate(_INNOVATION_DEVIATION, (tracking_index,), out, workers))
+
+
+def _innovation_deviation_of_numbers(
+    tracking_index: float,
+    form: Form = Double,
+) -> tuple[float, ...]:
+    t1 = form.sqrt(tracking_index)
+    t2 = form.sqrt(t1)
+    t4 = 1.0 / t1
+    t7 = (t4 * t2) * 2.0
+    t9 = t1 * 0.5
+    t11 = tracking_index * 0.0625
+    t17 = form.near_cbrt(((t1 * t2) * 1.0) + (8.0 / t2))
+    t22 = form.sqrt((t7 * t17) + t11)
+    t25 = form.sqrt((t22 * 2.0) + t9)
+    t26 = t7 * 0.5
+    t27 = t22 * t25
+    t32 = ((t25 * t27) - (t26 * t17)) / (t27 - t26)
+    t36 = form.sqrt((t7 * t32) + t11)
+    t39 = form.sqrt((t36 * 2.0) + t9)
+    t40 = t36 * t39
+    t45 = ((t39 * t40) - (t26 * t32)) / (t40 - t26)
+    t49 = form.sqrt((t7 * t45) + t11)
+    t52 = form.sqrt((t49 * 2.0) + t9)
+    t53 = t49 * t52
+    t58 = ((t52 * t53) - (t26 * t45)) / (t53 - t26)
+    t62 = form.sqrt((t7 * t58) + t11)
+    t65 = form.sqrt((t62 * 2.0) + t9)
+    t66 = t62 * t65
+    t71 = ((t65 * t66) - (t26 * t58)) / (t66 - t26)
+    t75 = form.sqrt((t7 * t71) + t11)
+    t83 = (form.sqrt((t75 * 2.0) + t9) * t2) * 0.25
+    t86 = (t4 + (t75 * 0.5)) + (t83 + (t1 * 0.125))
+    t87 = t1 * t86
+    return (t87,)
 
 
 def _innovation_deviation_block(
@@ -1195,6 +1514,7 @@ _INNOVATION_DEVIATION = Signature(
     ("innovation_deviation",),
     9,
     _innovation_deviation_block,
+    numbers=_innovation_deviation_of_numbers,
 )
 
 
@@ -1236,7 +1556,50 @@ def pole_product(
 
     Source: derivation wiener-acceleration
     """
+    if (
+        type(tracking_index) is float
+        and 5e-324 <= tracking_index <= 1.7976931348623157e308
+        and out is None
+        and workers is ONE
+    ):
+        try:
+            return named(PoleProduct, _pole_product_of_numbers(tracking_index))
+        except (ArithmeticError, ValueError):
+            pass  # arrays say what is wrong
     return PoleProduct(*evaluate(_POLE_PRODUCT, (tracking_index,), out, workers))
+
+
+def _pole_product_of_numbers(tracking_index: float, form: Form = Double) -> tuple[float, ...]:
+    t1 = form.sqrt(tracking_index)
+    t2 = form.sqrt(t1)
+    t4 = 1.0 / t1
+    t7 = (t4 * t2) * 2.0
+    t9 = t1 * 0.5
+    t11 = tracking_index * 0.0625
+    t17 = form.near_cbrt(((t1 * t2) * 1.0) + (8.0 / t2))
+    t22 = form.sqrt((t7 * t17) + t11)
+    t25 = form.sqrt((t22 * 2.0) + t9)
+    t26 = t7 * 0.5
+    t27 = t22 * t25
+    t32 = ((t25 * t27) - (t26 * t17)) / (t27 - t26)
+    t36 = form.sqrt((t7 * t32) + t11)
+    t39 = form.sqrt((t36 * 2.0) + t9)
+    t40 = t36 * t39
+    t45 = ((t39 * t40) - (t26 * t32)) / (t40 - t26)
+    t49 = form.sqrt((t7 * t45) + t11)
+    t52 = form.sqrt((t49 * 2.0) + t9)
+    t53 = t49 * t52
+    t58 = ((t52 * t53) - (t26 * t45)) / (t53 - t26)
+    t62 = form.sqrt((t7 * t58) + t11)
+    t65 = form.sqrt((t62 * 2.0) + t9)
+    t66 = t62 * t65
+    t71 = ((t65 * t66) - (t26 * t58)) / (t66 - t26)
+    t75 = form.sqrt((t7 * t71) + t11)
+    t83 = (form.sqrt((t75 * 2.0) + t9) * t2) * 0.25
+    t86 = (t4 + (t75 * 0.5)) + (t83 + (t1 * 0.125))
+    t88 = 1.0 / (t1 * t86)
+    t89 = t88 * t88
+    return (t89,)
 
 
 def _pole_product_block(
@@ -1340,6 +1703,7 @@ _POLE_PRODUCT = Signature(
     ("pole_product",),
     9,
     _pole_product_block,
+    numbers=_pole_product_of_numbers,
 )
 
 
@@ -1411,7 +1775,64 @@ def predicted_covariance(
 
     Source: derivation wiener-acceleration
     """
+    if (
+        type(tracking_index) is float
+        and 5e-324 <= tracking_index <= 1.7976931348623157e308
+        and out is None
+        and workers is ONE
+    ):
+        try:
+            return named(PredictedCovariance, _predicted_covariance_of_numbers(tracking_index))
+        except (ArithmeticError, ValueError):
+            pass  # arrays say what is wrong
     return PredictedCovariance(*evaluate(_PREDICTED_COVARIANCE, (tracking_index,), out, workers))
+
+
+def _predicted_covariance_of_numbers(
+    tracking_index: float,
+    form: Form = Double,
+) -> tuple[float, ...]:
+    t1 = form.sqrt(tracking_index)
+    t2 = form.sqrt(t1)
+    t4 = 1.0 / t1
+    t7 = (t4 * t2) * 2.0
+    t9 = t1 * 0.5
+    t11 = tracking_index * 0.0625
+    t12 = t1 * t2
+    t17 = form.near_cbrt((t12 * 1.0) + (8.0 / t2))
+    t22 = form.sqrt((t7 * t17) + t11)
+    t25 = form.sqrt((t22 * 2.0) + t9)
+    t26 = t7 * 0.5
+    t27 = t22 * t25
+    t32 = ((t25 * t27) - (t26 * t17)) / (t27 - t26)
+    t36 = form.sqrt((t7 * t32) + t11)
+    t39 = form.sqrt((t36 * 2.0) + t9)
+    t40 = t36 * t39
+    t45 = ((t39 * t40) - (t26 * t32)) / (t40 - t26)
+    t49 = form.sqrt((t7 * t45) + t11)
+    t52 = form.sqrt((t49 * 2.0) + t9)
+    t53 = t49 * t52
+    t58 = ((t52 * t53) - (t26 * t45)) / (t53 - t26)
+    t62 = form.sqrt((t7 * t58) + t11)
+    t65 = form.sqrt((t62 * 2.0) + t9)
+    t66 = t62 * t65
+    t71 = ((t65 * t66) - (t26 * t58)) / (t66 - t26)
+    t75 = form.sqrt((t7 * t71) + t11)
+    t78 = form.sqrt((t75 * 2.0) + t9)
+    t86 = (t4 + (t75 * 0.5)) + (((t78 * t2) * 0.25) + (t1 * 0.125))
+    t87 = t1 * t86
+    t88 = t12 * t78
+    t89 = t1 * t75
+    t103 = (((t75 * t75) * 0.75) + (t89 * 0.25)) + (tracking_index * 0.015625)
+    t108 = tracking_index * 0.25
+    t109 = ((t103 / t78) * (t2 * 2.0)) + (t88 * 0.25)
+    t93 = ((t75 + (t1 * 0.25)) * t1) * t87
+    t94 = t88 * t87
+    t95 = tracking_index * t87
+    t112 = tracking_index * ((t109 + t89) + t108)
+    t116 = tracking_index * ((t89 + (t88 * 0.5)) + t108)
+    t117 = tracking_index * t88
+    return (t93, t94, t95, t112, t116, t117)
 
 
 def _predicted_covariance_block(
@@ -1545,6 +1966,7 @@ _PREDICTED_COVARIANCE = Signature(
     ),
     6,
     _predicted_covariance_block,
+    numbers=_predicted_covariance_of_numbers,
 )
 
 
@@ -1617,9 +2039,85 @@ def predicted_covariance_derivatives(
 
     Source: derivation wiener-acceleration
     """
+    if (
+        type(tracking_index) is float
+        and 5e-324 <= tracking_index <= 1.0715086071862673e301
+        and out is None
+        and workers is ONE
+    ):
+        try:
+            return named(
+                PredictedCovarianceDerivatives,
+                _predicted_covariance_derivatives_of_numbers(tracking_index),
+            )
+        except (ArithmeticError, ValueError):
+            pass  # arrays say what is wrong
     return PredictedCovarianceDerivatives(
         *evaluate(_PREDICTED_COVARIANCE_DERIVATIVES, (tracking_index,), out, workers)
     )
+
+
+def _predicted_covariance_derivatives_of_numbers(
+    tracking_index: float,
+    form: Form = Double,
+) -> tuple[float, ...]:
+    t1 = form.sqrt(tracking_index)
+    t2 = form.sqrt(t1)
+    t4 = 1.0 / t1
+    t7 = (t4 * t2) * 2.0
+    t9 = t1 * 0.5
+    t11 = tracking_index * 0.0625
+    t12 = t1 * t2
+    t17 = form.near_cbrt((t12 * 1.0) + (8.0 / t2))
+    t22 = form.sqrt((t7 * t17) + t11)
+    t25 = form.sqrt((t22 * 2.0) + t9)
+    t26 = t7 * 0.5
+    t27 = t22 * t25
+    t32 = ((t25 * t27) - (t26 * t17)) / (t27 - t26)
+    t36 = form.sqrt((t7 * t32) + t11)
+    t39 = form.sqrt((t36 * 2.0) + t9)
+    t40 = t36 * t39
+    t45 = ((t39 * t40) - (t26 * t32)) / (t40 - t26)
+    t49 = form.sqrt((t7 * t45) + t11)
+    t52 = form.sqrt((t49 * 2.0) + t9)
+    t53 = t49 * t52
+    t58 = ((t52 * t53) - (t26 * t45)) / (t53 - t26)
+    t62 = form.sqrt((t7 * t58) + t11)
+    t65 = form.sqrt((t62 * 2.0) + t9)
+    t66 = t62 * t65
+    t71 = ((t65 * t66) - (t26 * t58)) / (t66 - t26)
+    t75 = form.sqrt((t7 * t71) + t11)
+    t78 = form.sqrt((t75 * 2.0) + t9)
+    t79 = t75 * t75
+    t82 = t1 * t75
+    t86 = tracking_index * 0.015625
+    t88 = ((t79 * 0.75) + (t82 * 0.25)) + t86
+    t89 = t79 * 0.25
+    t97 = (((t89 + (t82 * 0.125)) + t86) / t88) * 2.0
+    t99 = (t78 * t2) * 0.25
+    t100 = ((t75 + (t1 * 0.25)) / t88) * t99
+    t101 = t97 + 1.0
+    t106 = (t4 + (t75 * 0.5)) + (t99 + (t1 * 0.125))
+    t107 = t1 * t106
+    t108 = t12 * t78
+    t110 = t75 * t1
+    t115 = ((t89 + (t82 * 0.09375)) + t86) / t88
+    t120 = (tracking_index / t88) * tracking_index
+    t123 = (t110 * (t115 * 4.0)) + (t120 * 0.0078125)
+    t139 = ((t79 * 0.5625) + (t82 * 0.5)) + (tracking_index * 0.1796875)
+    t143 = (t110 * 0.5) + (tracking_index * 0.03515625)
+    t149 = ((t75 * (t139 / t88)) * (t75 / t78)) * (t2 * 2.0)
+    t152 = (t143 / t88) * (tracking_index / t78)
+    t156 = t108 * 0.5
+    t159 = tracking_index * 0.5
+    t160 = (t149 + (t152 * (t2 * 0.125))) + (t156 * (t101 * 0.5))
+    t127 = ((t100 / t1) * t106) * (t107 * 2.0)
+    t130 = ((t78 / t2) * (t97 + t100)) * t107
+    t132 = t107 * (t100 + 1.0)
+    t162 = (t160 + t123) + t159
+    t165 = ((t156 * t101) + t123) + t159
+    t166 = t108 * t101
+    return (t127, t130, t132, t162, t165, t166)
 
 
 def _predicted_covariance_derivatives_block(
@@ -1791,6 +2289,7 @@ _PREDICTED_COVARIANCE_DERIVATIVES = Signature(
     ),
     12,
     _predicted_covariance_derivatives_block,
+    numbers=_predicted_covariance_derivatives_of_numbers,
 )
 
 
@@ -1862,7 +2361,58 @@ def updated_covariance(
 
     Source: derivation wiener-acceleration
     """
+    if (
+        type(tracking_index) is float
+        and 5e-324 <= tracking_index <= 1.7976931348623157e308
+        and out is None
+        and workers is ONE
+    ):
+        try:
+            return named(UpdatedCovariance, _updated_covariance_of_numbers(tracking_index))
+        except (ArithmeticError, ValueError):
+            pass  # arrays say what is wrong
     return UpdatedCovariance(*evaluate(_UPDATED_COVARIANCE, (tracking_index,), out, workers))
+
+
+def _updated_covariance_of_numbers(tracking_index: float, form: Form = Double) -> tuple[float, ...]:
+    t1 = form.sqrt(tracking_index)
+    t2 = form.sqrt(t1)
+    t4 = 1.0 / t1
+    t7 = (t4 * t2) * 2.0
+    t9 = t1 * 0.5
+    t11 = tracking_index * 0.0625
+    t17 = form.near_cbrt(((t1 * t2) * 1.0) + (8.0 / t2))
+    t22 = form.sqrt((t7 * t17) + t11)
+    t25 = form.sqrt((t22 * 2.0) + t9)
+    t26 = t7 * 0.5
+    t27 = t22 * t25
+    t32 = ((t25 * t27) - (t26 * t17)) / (t27 - t26)
+    t36 = form.sqrt((t7 * t32) + t11)
+    t39 = form.sqrt((t36 * 2.0) + t9)
+    t40 = t36 * t39
+    t45 = ((t39 * t40) - (t26 * t32)) / (t40 - t26)
+    t49 = form.sqrt((t7 * t45) + t11)
+    t52 = form.sqrt((t49 * 2.0) + t9)
+    t53 = t49 * t52
+    t58 = ((t52 * t53) - (t26 * t45)) / (t53 - t26)
+    t62 = form.sqrt((t7 * t58) + t11)
+    t65 = form.sqrt((t62 * 2.0) + t9)
+    t66 = t62 * t65
+    t71 = ((t65 * t66) - (t26 * t58)) / (t66 - t26)
+    t75 = form.sqrt((t7 * t71) + t11)
+    t78 = form.sqrt((t75 * 2.0) + t9)
+    t81 = t78 * t2
+    t86 = (t4 + (t75 * 0.5)) + ((t81 * 0.25) + (t1 * 0.125))
+    t92 = t78 + t2
+    t95 = (t2 / t92) * 4.0
+    t105 = ((((8.0 / t92) / t78) / t81) + 2.0) * (t78 / t92)
+    t89 = (t75 + (t1 * 0.25)) / t86
+    t90 = t81 / t86
+    t91 = t1 / t86
+    t99 = tracking_index * (t95 * ((t2 / t78) * 2.0))
+    t106 = tracking_index * t105
+    t107 = tracking_index * t95
+    return (t89, t90, t91, t106, t107, t99)
 
 
 def _updated_covariance_block(
@@ -1984,6 +2534,7 @@ _UPDATED_COVARIANCE = Signature(
     ("updated_11", "updated_12", "updated_13", "updated_22", "updated_23", "updated_33"),
     4,
     _updated_covariance_block,
+    numbers=_updated_covariance_of_numbers,
 )
 
 
@@ -2055,9 +2606,84 @@ def updated_covariance_derivatives(
 
     Source: derivation wiener-acceleration
     """
+    if (
+        type(tracking_index) is float
+        and 5e-324 <= tracking_index <= 1.0715086071862673e301
+        and out is None
+        and workers is ONE
+    ):
+        try:
+            return named(
+                UpdatedCovarianceDerivatives,
+                _updated_covariance_derivatives_of_numbers(tracking_index),
+            )
+        except (ArithmeticError, ValueError):
+            pass  # arrays say what is wrong
     return UpdatedCovarianceDerivatives(
         *evaluate(_UPDATED_COVARIANCE_DERIVATIVES, (tracking_index,), out, workers)
     )
+
+
+def _updated_covariance_derivatives_of_numbers(
+    tracking_index: float,
+    form: Form = Double,
+) -> tuple[float, ...]:
+    t1 = form.sqrt(tracking_index)
+    t2 = form.sqrt(t1)
+    t4 = 1.0 / t1
+    t7 = (t4 * t2) * 2.0
+    t9 = t1 * 0.5
+    t11 = tracking_index * 0.0625
+    t12 = t1 * t2
+    t17 = form.near_cbrt((t12 * 1.0) + (8.0 / t2))
+    t22 = form.sqrt((t7 * t17) + t11)
+    t25 = form.sqrt((t22 * 2.0) + t9)
+    t26 = t7 * 0.5
+    t27 = t22 * t25
+    t32 = ((t25 * t27) - (t26 * t17)) / (t27 - t26)
+    t36 = form.sqrt((t7 * t32) + t11)
+    t39 = form.sqrt((t36 * 2.0) + t9)
+    t40 = t36 * t39
+    t45 = ((t39 * t40) - (t26 * t32)) / (t40 - t26)
+    t49 = form.sqrt((t7 * t45) + t11)
+    t52 = form.sqrt((t49 * 2.0) + t9)
+    t53 = t49 * t52
+    t58 = ((t52 * t53) - (t26 * t45)) / (t53 - t26)
+    t62 = form.sqrt((t7 * t58) + t11)
+    t65 = form.sqrt((t62 * 2.0) + t9)
+    t66 = t62 * t65
+    t71 = ((t65 * t66) - (t26 * t58)) / (t66 - t26)
+    t75 = form.sqrt((t7 * t71) + t11)
+    t78 = form.sqrt((t75 * 2.0) + t9)
+    t79 = t75 * t75
+    t82 = t1 * t75
+    t86 = tracking_index * 0.015625
+    t88 = ((t79 * 0.75) + (t82 * 0.25)) + t86
+    t93 = t78 * t2
+    t95 = t75 + (t1 * 0.25)
+    t97 = t93 * 0.25
+    t102 = (((t79 * 0.25) + (t82 * 0.125)) + t86) + (t93 * (t95 * 0.125))
+    t108 = (t93 / t88) * ((t78 * 0.25) * (t78 + (t2 * 0.5)))
+    t111 = (((t95 / t88) * t97) / tracking_index) * 2.0
+    t115 = ((t102 / t88) * ((t78 / t12) / t4)) * 2.0
+    t120 = (t4 + (t75 * 0.5)) + (t97 + (t1 * 0.125))
+    t121 = t1 * t120
+    t128 = t2 / t78
+    t129 = t128 * 0.5
+    t135 = t78 + t2
+    t138 = ((8.0 / t135) / t78) / t93
+    t142 = ((t129 * t129) * ((t129 * 8.0) + 4.0)) + ((t138 * 7.0) + 2.0)
+    t144 = (t2 / t135) * 4.0
+    t155 = (t138 * ((t129 * 2.0) + 1.0)) + 2.0
+    t156 = ((t138 * ((t129 * 4.0) + 3.0)) + 2.0) / t155
+    t165 = (((t138 * (t129 + 1.0)) + 1.0) / t155) * 2.0
+    t123 = (t111 / t121) / t121
+    t125 = (t115 / t121) / t121
+    t127 = ((t108 + 1.0) / t121) / t121
+    t157 = (t144 * (t128 * 2.0)) * t156
+    t160 = (t142 / t155) * (t78 / t135)
+    t166 = t165 * t144
+    return (t123, t125, t127, t160, t166, t157)
 
 
 def _updated_covariance_derivatives_block(
@@ -2242,6 +2868,7 @@ _UPDATED_COVARIANCE_DERIVATIVES = Signature(
     ("updated_11", "updated_12", "updated_13", "updated_22", "updated_23", "updated_33"),
     8,
     _updated_covariance_derivatives_block,
+    numbers=_updated_covariance_derivatives_of_numbers,
 )
 
 
@@ -2294,9 +2921,84 @@ def gain_second_derivatives(
 
     Source: derivation wiener-acceleration
     """
+    if (
+        type(tracking_index) is float
+        and 5e-324 <= tracking_index <= 1.7976931348623157e308
+        and out is None
+        and workers is ONE
+    ):
+        try:
+            return named(GainSecondDerivatives, _gain_second_derivatives_of_numbers(tracking_index))
+        except (ArithmeticError, ValueError):
+            pass  # arrays say what is wrong
     return GainSecondDerivatives(
         *evaluate(_GAIN_SECOND_DERIVATIVES, (tracking_index,), out, workers)
     )
+
+
+def _gain_second_derivatives_of_numbers(
+    tracking_index: float,
+    form: Form = Double,
+) -> tuple[float, ...]:
+    t1 = form.sqrt(tracking_index)
+    t2 = form.sqrt(t1)
+    t4 = 1.0 / t1
+    t7 = (t4 * t2) * 2.0
+    t9 = t1 * 0.5
+    t11 = tracking_index * 0.0625
+    t17 = form.near_cbrt(((t1 * t2) * 1.0) + (8.0 / t2))
+    t22 = form.sqrt((t7 * t17) + t11)
+    t25 = form.sqrt((t22 * 2.0) + t9)
+    t26 = t7 * 0.5
+    t27 = t22 * t25
+    t32 = ((t25 * t27) - (t26 * t17)) / (t27 - t26)
+    t36 = form.sqrt((t7 * t32) + t11)
+    t39 = form.sqrt((t36 * 2.0) + t9)
+    t40 = t36 * t39
+    t45 = ((t39 * t40) - (t26 * t32)) / (t40 - t26)
+    t49 = form.sqrt((t7 * t45) + t11)
+    t52 = form.sqrt((t49 * 2.0) + t9)
+    t53 = t49 * t52
+    t58 = ((t52 * t53) - (t26 * t45)) / (t53 - t26)
+    t62 = form.sqrt((t7 * t58) + t11)
+    t65 = form.sqrt((t62 * 2.0) + t9)
+    t66 = t62 * t65
+    t71 = ((t65 * t66) - (t26 * t58)) / (t66 - t26)
+    t75 = form.sqrt((t7 * t71) + t11)
+    t78 = form.sqrt((t75 * 2.0) + t9)
+    t81 = t78 * t2
+    t86 = (t4 + (t75 * 0.5)) + ((t81 * 0.25) + (t1 * 0.125))
+    t87 = t1 * t86
+    t89 = (t78 / t2) * 2.0
+    t91 = (t1 * 0.25) / t75
+    t92 = t91 * 1.0
+    t93 = t92 + 1.0
+    t99 = (t91 * (t92 + 4.0)) + 3.0
+    t101 = ((t93 * t91) / t99) * 2.0
+    t102 = t101 * t89
+    t107 = (t91 * 2.0) + 2.0
+    t117 = t91 * ((t91 * ((t91 * 0.75) + 2.0)) + 2.5)
+    t122 = (((t91 / t99) * (t107 / t99)) / t99) * (((t91 * (t117 + 2.0)) + 0.75) * 8.0)
+    t125 = t81 / t86
+    t132 = (((t78 / t75) / (t75 * t99)) / t2) * 2.0
+    t141 = t91 * ((t91 * ((t91 * 2.5) + 9.0)) + 12.0)
+    t152 = ((t91 * ((t91 * 3.0) + 6.0)) + 3.0) / t99
+    t161 = (t93 / t99) * (((t91 * (t141 + 7.0)) + 1.5) / t99)
+    t164 = t107 + (((t4 / t75) * 2.0) * (t152 * 2.0))
+    t166 = (((t102 * t93) * 2.0) + (t161 * 4.0)) + (t132 * t164)
+    t168 = ((t125 / tracking_index) * 0.5) * ((t132 * (t75 / t86)) * t166)
+    t173 = (((t75 / t1) * 4.0) * (t99 * 0.5)) / t107
+    t178 = t101 * ((t125 * 0.25) * ((t173 + 1.0) + t89))
+    t183 = (((t132 * t91) * (t93 + t107)) / t99) * 2.0
+    t186 = ((t107 * t91) / t99) * 2.0
+    t190 = t89 * (t178 + (t183 + (t186 * t186)))
+    t192 = (t89 * (((t101 * t102) * 2.0) + t122)) * 2.0
+    t195 = ((t192 / tracking_index) / t87) / t87
+    t199 = ((t132 * t190) / t87) / tracking_index
+    t200 = -(t195 / tracking_index)
+    t201 = -(t168 / tracking_index)
+    t202 = -t199
+    return (t200, t201, t202)
 
 
 def _gain_second_derivatives_block(
@@ -2512,6 +3214,7 @@ _GAIN_SECOND_DERIVATIVES = Signature(
     ("alpha", "beta", "gamma"),
     16,
     _gain_second_derivatives_block,
+    numbers=_gain_second_derivatives_of_numbers,
 )
 
 
@@ -2565,9 +3268,89 @@ def predictor_gain_second_derivatives(
 
     Source: derivation wiener-acceleration
     """
+    if (
+        type(tracking_index) is float
+        and 5e-324 <= tracking_index <= 1.7976931348623157e308
+        and out is None
+        and workers is ONE
+    ):
+        try:
+            return named(
+                PredictorGainSecondDerivatives,
+                _predictor_gain_second_derivatives_of_numbers(tracking_index),
+            )
+        except (ArithmeticError, ValueError):
+            pass  # arrays say what is wrong
     return PredictorGainSecondDerivatives(
         *evaluate(_PREDICTOR_GAIN_SECOND_DERIVATIVES, (tracking_index,), out, workers)
     )
+
+
+def _predictor_gain_second_derivatives_of_numbers(
+    tracking_index: float,
+    form: Form = Double,
+) -> tuple[float, ...]:
+    t1 = form.sqrt(tracking_index)
+    t2 = form.sqrt(t1)
+    t4 = 1.0 / t1
+    t7 = (t4 * t2) * 2.0
+    t9 = t1 * 0.5
+    t11 = tracking_index * 0.0625
+    t17 = form.near_cbrt(((t1 * t2) * 1.0) + (8.0 / t2))
+    t22 = form.sqrt((t7 * t17) + t11)
+    t25 = form.sqrt((t22 * 2.0) + t9)
+    t26 = t7 * 0.5
+    t27 = t22 * t25
+    t32 = ((t25 * t27) - (t26 * t17)) / (t27 - t26)
+    t36 = form.sqrt((t7 * t32) + t11)
+    t39 = form.sqrt((t36 * 2.0) + t9)
+    t40 = t36 * t39
+    t45 = ((t39 * t40) - (t26 * t32)) / (t40 - t26)
+    t49 = form.sqrt((t7 * t45) + t11)
+    t52 = form.sqrt((t49 * 2.0) + t9)
+    t53 = t49 * t52
+    t58 = ((t52 * t53) - (t26 * t45)) / (t53 - t26)
+    t62 = form.sqrt((t7 * t58) + t11)
+    t65 = form.sqrt((t62 * 2.0) + t9)
+    t66 = t62 * t65
+    t71 = ((t65 * t66) - (t26 * t58)) / (t66 - t26)
+    t75 = form.sqrt((t7 * t71) + t11)
+    t78 = form.sqrt((t75 * 2.0) + t9)
+    t81 = t78 * t2
+    t86 = (t4 + (t75 * 0.5)) + ((t81 * 0.25) + (t1 * 0.125))
+    t87 = t1 * t86
+    t89 = (t78 / t2) * 2.0
+    t91 = (t1 * 0.25) / t75
+    t92 = t91 * 1.0
+    t93 = t92 + 1.0
+    t99 = (t91 * (t92 + 4.0)) + 3.0
+    t101 = ((t93 * t91) / t99) * 2.0
+    t102 = t101 * t89
+    t107 = (t91 * 2.0) + 2.0
+    t117 = t91 * ((t91 * ((t91 * 0.75) + 2.0)) + 2.5)
+    t122 = (((t91 / t99) * (t107 / t99)) / t99) * (((t91 * (t117 + 2.0)) + 0.75) * 8.0)
+    t125 = t81 / t86
+    t132 = (((t78 / t75) / (t75 * t99)) / t2) * 2.0
+    t141 = t91 * ((t91 * ((t91 * 2.5) + 9.0)) + 12.0)
+    t152 = ((t91 * ((t91 * 3.0) + 6.0)) + 3.0) / t99
+    t161 = (t93 / t99) * (((t91 * (t141 + 7.0)) + 1.5) / t99)
+    t164 = t107 + (((t4 / t75) * 2.0) * (t152 * 2.0))
+    t166 = (((t102 * t93) * 2.0) + (t161 * 4.0)) + (t132 * t164)
+    t168 = ((t125 / tracking_index) * 0.5) * ((t132 * (t75 / t86)) * t166)
+    t173 = (((t75 / t1) * 4.0) * (t99 * 0.5)) / t107
+    t178 = t101 * ((t125 * 0.25) * ((t173 + 1.0) + t89))
+    t183 = (((t132 * t91) * (t93 + t107)) / t99) * 2.0
+    t186 = ((t107 * t91) / t99) * 2.0
+    t190 = t89 * (t178 + (t183 + (t186 * t186)))
+    t192 = (t89 * (((t101 * t102) * 2.0) + t122)) * 2.0
+    t195 = ((t192 / tracking_index) / t87) / t87
+    t197 = t168 / tracking_index
+    t199 = ((t132 * t190) / t87) / tracking_index
+    t202 = (t195 / tracking_index) + (t197 + (t199 * 0.5))
+    t203 = -t202
+    t205 = -(t197 + t199)
+    t206 = -t199
+    return (t203, t205, t206)
 
 
 def _predictor_gain_second_derivatives_block(
@@ -2787,6 +3570,7 @@ _PREDICTOR_GAIN_SECOND_DERIVATIVES = Signature(
     ("position", "velocity", "acceleration"),
     16,
     _predictor_gain_second_derivatives_block,
+    numbers=_predictor_gain_second_derivatives_of_numbers,
 )
 
 
@@ -2847,9 +3631,85 @@ def predicted_covariance_second_derivatives(
 
     Source: derivation wiener-acceleration
     """
+    if (
+        type(tracking_index) is float
+        and 5e-324 <= tracking_index <= 1.0715086071862673e301
+        and out is None
+        and workers is ONE
+    ):
+        try:
+            return named(
+                PredictedCovarianceSecondDerivatives,
+                _predicted_covariance_second_derivatives_of_numbers(tracking_index),
+            )
+        except (ArithmeticError, ValueError):
+            pass  # arrays say what is wrong
     return PredictedCovarianceSecondDerivatives(
         *evaluate(_PREDICTED_COVARIANCE_SECOND_DERIVATIVES, (tracking_index,), out, workers)
     )
+
+
+def _predicted_covariance_second_derivatives_of_numbers(
+    tracking_index: float,
+    form: Form = Double,
+) -> tuple[float, ...]:
+    t1 = form.sqrt(tracking_index)
+    t2 = form.sqrt(t1)
+    t4 = 1.0 / t1
+    t7 = (t4 * t2) * 2.0
+    t9 = t1 * 0.5
+    t11 = tracking_index * 0.0625
+    t17 = form.near_cbrt(((t1 * t2) * 1.0) + (8.0 / t2))
+    t22 = form.sqrt((t7 * t17) + t11)
+    t25 = form.sqrt((t22 * 2.0) + t9)
+    t26 = t7 * 0.5
+    t27 = t22 * t25
+    t32 = ((t25 * t27) - (t26 * t17)) / (t27 - t26)
+    t36 = form.sqrt((t7 * t32) + t11)
+    t39 = form.sqrt((t36 * 2.0) + t9)
+    t40 = t36 * t39
+    t45 = ((t39 * t40) - (t26 * t32)) / (t40 - t26)
+    t49 = form.sqrt((t7 * t45) + t11)
+    t52 = form.sqrt((t49 * 2.0) + t9)
+    t53 = t49 * t52
+    t58 = ((t52 * t53) - (t26 * t45)) / (t53 - t26)
+    t62 = form.sqrt((t7 * t58) + t11)
+    t65 = form.sqrt((t62 * 2.0) + t9)
+    t66 = t62 * t65
+    t71 = ((t65 * t66) - (t26 * t58)) / (t66 - t26)
+    t75 = form.sqrt((t7 * t71) + t11)
+    t78 = form.sqrt((t75 * 2.0) + t9)
+    t81 = (t1 * 0.25) / t75
+    t82 = t81 * 1.0
+    t83 = t82 + 1.0
+    t89 = (t81 * (t82 + 4.0)) + 3.0
+    t93 = (t78 / t2) * 2.0
+    t94 = (((t83 * t81) / t89) * 2.0) * t93
+    t101 = (((t78 / t75) / (t75 * t89)) / t2) * 2.0
+    t104 = (t81 * 2.0) + 2.0
+    t108 = (((t101 * t81) * (t83 + t104)) / t89) * 2.0
+    t111 = ((t104 * t81) / t89) * 2.0
+    t121 = (((t81 * (t82 + 2.0)) + 1.0) / t89) * 2.0
+    t124 = (t101 * (t108 + (t111 * t111))) * t93
+    t132 = (t4 + (t75 * 0.5)) + (((t78 * t2) * 0.25) + (t1 * 0.125))
+    t134 = ((t94 * (t94 + 1.0)) + t124) * (t1 * t132)
+    t142 = ((t81 * ((t81 * 4.0) + 8.0)) + 4.0) * t81
+    t146 = t101 * ((t142 / t89) * (t104 / t89))
+    t148 = t93 * ((t121 * (t121 + 1.0)) + t146)
+    t156 = t81 * ((t81 * ((t81 * 10.0) + 36.0)) + 44.0)
+    t162 = (t81 * ((t81 * (t156 + 24.0)) + 10.0)) + 4.0
+    t167 = t75 / t1
+    t169 = (t167 * 4.0) * (((t162 / t89) / t89) + (t146 * t104))
+    t176 = t81 * ((t81 * ((t81 * 6.0) + 14.0)) + 10.0)
+    t182 = ((t81 / t89) * ((t176 + 2.0) / t89)) * (t121 * 4.0)
+    t183 = t146 * (t101 + (((t104 * t104) / t89) * 2.0))
+    t189 = ((t167 * (t89 * 4.0)) * (t182 + t183)) / t2
+    t192 = (((t75 / t78) * t189) + t148) * 0.125
+    t135 = t134 / tracking_index
+    t195 = t192 + ((t169 * 0.25) + 0.5)
+    t198 = ((t169 + t148) * 0.25) + 0.5
+    t199 = t148 * 0.5
+    return (t135, t195, t198, t199)
 
 
 def _predicted_covariance_second_derivatives_block(
@@ -3062,6 +3922,7 @@ _PREDICTED_COVARIANCE_SECOND_DERIVATIVES = Signature(
     ("predicted_13", "predicted_22", "predicted_23", "predicted_33"),
     11,
     _predicted_covariance_second_derivatives_block,
+    numbers=_predicted_covariance_second_derivatives_of_numbers,
 )
 
 
@@ -3116,9 +3977,79 @@ def predicted_position_second_derivatives(
 
     Source: derivation wiener-acceleration
     """
+    if (
+        type(tracking_index) is float
+        and 1.688508503057271e-226 <= tracking_index <= 1.0715086071862673e301
+        and out is None
+        and workers is ONE
+    ):
+        try:
+            return named(
+                PredictedPositionSecondDerivatives,
+                _predicted_position_second_derivatives_of_numbers(tracking_index),
+            )
+        except (ArithmeticError, ValueError):
+            pass  # arrays say what is wrong
     return PredictedPositionSecondDerivatives(
         *evaluate(_PREDICTED_POSITION_SECOND_DERIVATIVES, (tracking_index,), out, workers)
     )
+
+
+def _predicted_position_second_derivatives_of_numbers(
+    tracking_index: float,
+    form: Form = Double,
+) -> tuple[float, ...]:
+    t1 = form.sqrt(tracking_index)
+    t2 = form.sqrt(t1)
+    t4 = 1.0 / t1
+    t7 = (t4 * t2) * 2.0
+    t9 = t1 * 0.5
+    t11 = tracking_index * 0.0625
+    t17 = form.near_cbrt(((t1 * t2) * 1.0) + (8.0 / t2))
+    t22 = form.sqrt((t7 * t17) + t11)
+    t25 = form.sqrt((t22 * 2.0) + t9)
+    t26 = t7 * 0.5
+    t27 = t22 * t25
+    t32 = ((t25 * t27) - (t26 * t17)) / (t27 - t26)
+    t36 = form.sqrt((t7 * t32) + t11)
+    t39 = form.sqrt((t36 * 2.0) + t9)
+    t40 = t36 * t39
+    t45 = ((t39 * t40) - (t26 * t32)) / (t40 - t26)
+    t49 = form.sqrt((t7 * t45) + t11)
+    t52 = form.sqrt((t49 * 2.0) + t9)
+    t53 = t49 * t52
+    t58 = ((t52 * t53) - (t26 * t45)) / (t53 - t26)
+    t62 = form.sqrt((t7 * t58) + t11)
+    t65 = form.sqrt((t62 * 2.0) + t9)
+    t66 = t62 * t65
+    t71 = ((t65 * t66) - (t26 * t58)) / (t66 - t26)
+    t75 = form.sqrt((t7 * t71) + t11)
+    t78 = form.sqrt((t75 * 2.0) + t9)
+    t86 = (t4 + (t75 * 0.5)) + (((t78 * t2) * 0.25) + (t1 * 0.125))
+    t88 = (t1 * t86) / tracking_index
+    t89 = t78 / t2
+    t90 = t89 * t88
+    t93 = (t1 * 0.25) / t75
+    t94 = t93 * 1.0
+    t99 = (t93 * (t94 + 4.0)) + 3.0
+    t103 = (((t78 / t75) / (t75 * t99)) / t2) * 2.0
+    t105 = t94 + 1.0
+    t107 = (t93 * 2.0) + 2.0
+    t111 = (((t103 * t93) * (t105 + t107)) / t99) * 2.0
+    t114 = ((t107 * t93) / t99) * 2.0
+    t120 = (((t93 * (t94 + 2.0)) + 1.0) / t99) * 2.0
+    t123 = t89 * 2.0
+    t124 = (t103 * (t111 + (t114 * t114))) * t123
+    t128 = (((t105 * t93) / t99) * 2.0) * t123
+    t129 = t120 + t128
+    t135 = t107 / t99
+    t144 = t93 * ((t93 * ((t93 * 0.75) + 2.0)) + 2.5)
+    t149 = (((t93 / t99) * t135) / t99) * (((t93 * (t144 + 2.0)) + 0.75) * 8.0)
+    t161 = ((t93 * ((t93 * 4.0) + 8.0)) + 4.0) * t93
+    t166 = ((t129 * t128) + t124) + (t103 * ((t161 / t99) * t135))
+    t154 = (((t128 * t128) * t88) * (t88 * 4.0)) - (((t149 * t123) * t88) * (t88 * 2.0))
+    t170 = (t90 * t166) - (t90 * (t129 * t103))
+    return (t154, t170)
 
 
 def _predicted_position_second_derivatives_block(
@@ -3301,6 +4232,7 @@ _PREDICTED_POSITION_SECOND_DERIVATIVES = Signature(
     ("predicted_11", "predicted_12"),
     13,
     _predicted_position_second_derivatives_block,
+    numbers=_predicted_position_second_derivatives_of_numbers,
 )
 
 
@@ -3354,9 +4286,69 @@ def updated_covariance_second_derivatives(
 
     Source: derivation wiener-acceleration
     """
+    if (
+        type(tracking_index) is float
+        and 5e-324 <= tracking_index <= 1.7976931348623157e308
+        and out is None
+        and workers is ONE
+    ):
+        try:
+            return named(
+                UpdatedCovarianceSecondDerivatives,
+                _updated_covariance_second_derivatives_of_numbers(tracking_index),
+            )
+        except (ArithmeticError, ValueError):
+            pass  # arrays say what is wrong
     return UpdatedCovarianceSecondDerivatives(
         *evaluate(_UPDATED_COVARIANCE_SECOND_DERIVATIVES, (tracking_index,), out, workers)
     )
+
+
+def _updated_covariance_second_derivatives_of_numbers(
+    tracking_index: float,
+    form: Form = Double,
+) -> tuple[float, ...]:
+    t1 = form.sqrt(tracking_index)
+    t2 = form.sqrt(t1)
+    t7 = ((1.0 / t1) * t2) * 2.0
+    t9 = t1 * 0.5
+    t11 = tracking_index * 0.0625
+    t17 = form.near_cbrt(((t1 * t2) * 1.0) + (8.0 / t2))
+    t21 = form.sqrt((t7 * t17) + t11)
+    t24 = form.sqrt((t21 * 2.0) + t9)
+    t25 = t7 * 0.5
+    t26 = t21 * t24
+    t31 = ((t24 * t26) - (t25 * t17)) / (t26 - t25)
+    t35 = form.sqrt((t7 * t31) + t11)
+    t38 = form.sqrt((t35 * 2.0) + t9)
+    t39 = t35 * t38
+    t44 = ((t38 * t39) - (t25 * t31)) / (t39 - t25)
+    t48 = form.sqrt((t7 * t44) + t11)
+    t51 = form.sqrt((t48 * 2.0) + t9)
+    t52 = t48 * t51
+    t57 = ((t51 * t52) - (t25 * t44)) / (t52 - t25)
+    t61 = form.sqrt((t7 * t57) + t11)
+    t64 = form.sqrt((t61 * 2.0) + t9)
+    t65 = t61 * t64
+    t70 = ((t64 * t65) - (t25 * t57)) / (t65 - t25)
+    t76 = (form.sqrt((t7 * t70) + t11) * 2.0) + t9
+    t77 = form.sqrt(t76)
+    t78 = t2 / t77
+    t79 = t78 * 0.5
+    t81 = t77 + t2
+    t85 = ((8.0 / t81) / t77) / (t77 * t2)
+    t89 = (t85 * ((t79 * 2.0) + 1.0)) + 2.0
+    t96 = (t85 * t79) * ((((t79 * 4.0) + 2.0) * t79) + 1.0)
+    t101 = ((t85 * (t79 * t79)) * 12.0) + (t96 * 2.0)
+    t107 = t85 / t89
+    t108 = t107 * t107
+    t110 = t108 * ((t101 + ((t79 * 34.0) + 15.0)) / t89)
+    t112 = (t2 / t81) * 4.0
+    t123 = t108 * ((((t85 + 2.0) * t79) + 3.0) / t89)
+    t126 = (t123 * (t112 * 4.0)) / tracking_index
+    t117 = (t110 * ((t112 * (t78 * 2.0)) * 2.0)) / tracking_index
+    t127 = -t126
+    return (t127, t126, t117)
 
 
 def _updated_covariance_second_derivatives_block(
@@ -3498,6 +4490,7 @@ _UPDATED_COVARIANCE_SECOND_DERIVATIVES = Signature(
     ("updated_22", "updated_23", "updated_33"),
     6,
     _updated_covariance_second_derivatives_block,
+    numbers=_updated_covariance_second_derivatives_of_numbers,
 )
 
 
@@ -3556,7 +4549,67 @@ def closed_loop_poles(
 
     Source: derivation wiener-acceleration
     """
+    if (
+        type(tracking_index) is float
+        and 5e-324 <= tracking_index <= 1.7976931348623157e308
+        and out is None
+        and workers is ONE
+    ):
+        try:
+            return named(ClosedLoopPoles, _closed_loop_poles_of_numbers(tracking_index))
+        except (ArithmeticError, ValueError):
+            pass  # arrays say what is wrong
     return ClosedLoopPoles(*evaluate(_CLOSED_LOOP_POLES, (tracking_index,), out, workers))
+
+
+def _closed_loop_poles_of_numbers(tracking_index: float, form: Form = Double) -> tuple[float, ...]:
+    t1 = form.sqrt(tracking_index)
+    t2 = form.sqrt(t1)
+    t4 = 1.0 / t1
+    t7 = (t4 * t2) * 2.0
+    t9 = t1 * 0.5
+    t11 = tracking_index * 0.0625
+    t17 = form.near_cbrt(((t1 * t2) * 1.0) + (8.0 / t2))
+    t22 = form.sqrt((t7 * t17) + t11)
+    t25 = form.sqrt((t22 * 2.0) + t9)
+    t26 = t7 * 0.5
+    t27 = t22 * t25
+    t32 = ((t25 * t27) - (t26 * t17)) / (t27 - t26)
+    t36 = form.sqrt((t7 * t32) + t11)
+    t39 = form.sqrt((t36 * 2.0) + t9)
+    t40 = t36 * t39
+    t45 = ((t39 * t40) - (t26 * t32)) / (t40 - t26)
+    t49 = form.sqrt((t7 * t45) + t11)
+    t52 = form.sqrt((t49 * 2.0) + t9)
+    t53 = t49 * t52
+    t58 = ((t52 * t53) - (t26 * t45)) / (t53 - t26)
+    t62 = form.sqrt((t7 * t58) + t11)
+    t65 = form.sqrt((t62 * 2.0) + t9)
+    t66 = t62 * t65
+    t71 = ((t65 * t66) - (t26 * t58)) / (t66 - t26)
+    t75 = form.sqrt((t7 * t71) + t11)
+    t78 = form.sqrt((t75 * 2.0) + t9)
+    t80 = (t78 / t2) * 2.0
+    t88 = (t4 + (t75 * 0.5)) + (((t78 * t2) * 0.25) + (t1 * 0.125))
+    t89 = t1 * t88
+    t96 = t80 + 2.8284271247461903
+    t99 = (5.656854249492381 - tracking_index) + (
+        9.681293988705875e-08 if form.single else -3.8669173253811654e-16
+    )
+    t101 = (t99 / ((t80 * t96) + 4.0)) / tracking_index
+    t106 = t80 + 2.309401076758503
+    t109 = (20.784609690826528 - tracking_index) + (
+        8.498841452819761e-07 if form.single else -5.721467327834222e-16
+    )
+    t110 = t109 / ((t80 * t106) + 1.3333333333333333)
+    t113 = (t110 / tracking_index) * 3.079201435678004
+    t115 = t80 + 2.0
+    t123 = (((t113 / t80) / t115) * (t106 / t80)) / t115
+    t116 = 1.0 / t89
+    t117 = 1.0 / form.sqrt(t89)
+    t119 = ((t101 * 11.313708498984761) / t80) * (t96 / t115)
+    t125 = t123 * -12.0
+    return (t116, t117, t119, t125)
 
 
 def _closed_loop_poles_block(
@@ -3704,6 +4757,7 @@ _CLOSED_LOOP_POLES = Signature(
     ("real_pole", "modulus", "half_sum", "quarter_discriminant"),
     6,
     _closed_loop_poles_block,
+    numbers=_closed_loop_poles_of_numbers,
 )
 
 
@@ -3741,7 +4795,25 @@ def index_from_alpha(
 
     Source: derivation wiener-acceleration
     """
+    if (
+        type(alpha) is float
+        and 4.5719495651291e-100 <= alpha <= 0.9999999999999999
+        and out is None
+        and workers is ONE
+    ):
+        try:
+            return named(IndexFromAlpha, _index_from_alpha_of_numbers(alpha))
+        except (ArithmeticError, ValueError):
+            pass  # arrays say what is wrong
     return IndexFromAlpha(*evaluate(_INDEX_FROM_ALPHA, (alpha,), out, workers))
+
+
+def _index_from_alpha_of_numbers(alpha: float, form: Form = Double) -> tuple[float, ...]:
+    t3 = form.sqrt(1.0 - alpha)
+    t4 = t3 + 1.0
+    t5 = alpha / t4
+    t11 = (((t5 * t5) * 2.0) * (t5 / t4)) / t3
+    return (t11,)
 
 
 def _index_from_alpha_block(
@@ -3767,6 +4839,7 @@ _INDEX_FROM_ALPHA = Signature(
     ("tracking_index",),
     3,
     _index_from_alpha_block,
+    numbers=_index_from_alpha_of_numbers,
 )
 
 
@@ -3809,7 +4882,25 @@ def gains_from_alpha(
 
     Source: derivation wiener-acceleration
     """
+    if (
+        type(alpha) is float
+        and 4.5719495651291e-100 <= alpha <= 0.9999999999999999
+        and out is None
+        and workers is ONE
+    ):
+        try:
+            return named(GainsFromAlpha, _gains_from_alpha_of_numbers(alpha))
+        except (ArithmeticError, ValueError):
+            pass  # arrays say what is wrong
     return GainsFromAlpha(*evaluate(_GAINS_FROM_ALPHA, (alpha,), out, workers))
+
+
+def _gains_from_alpha_of_numbers(alpha: float, form: Form = Double) -> tuple[float, ...]:
+    t4 = form.sqrt(1.0 - alpha) + 1.0
+    t5 = alpha / t4
+    t8 = (t5 * t5) * 2.0
+    t10 = t8 * (t5 / t4)
+    return (t8, t10)
 
 
 def _gains_from_alpha_block(
@@ -3834,4 +4925,5 @@ _GAINS_FROM_ALPHA = Signature(
     ("beta", "gamma"),
     1,
     _gains_from_alpha_block,
+    numbers=_gains_from_alpha_of_numbers,
 )
