@@ -6,19 +6,19 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-import numpy as np
 from numpy import add, divide, multiply, negative, sqrt, square, subtract
 
 from gainproof.generated._bits import near_cbrt
+from gainproof.generated._numbers import ONE, Double, filled_by, named
 from gainproof.generated._runtime import evaluate
 from gainproof.generated._signature import Domain, Signature
 
 if TYPE_CHECKING:
     from typing import NamedTuple
 
-    from numpy.typing import ArrayLike
-
-    from gainproof.generated._signature import Arrays, Real
+    from gainproof.generated._double_word import Part
+    from gainproof.generated._numbers import Form
+    from gainproof.generated._signature import ArrayLike, Arrays, Real
 else:
     from gainproof.generated._result import NamedTuple
 
@@ -139,8 +139,56 @@ def gains(
 
     Source: derivation continuous-white-jerk
     """
+    if (
+        type(tracking_index) is float
+        and 5e-324 <= tracking_index <= 1.7976931348623157e308
+        and out is None
+        and workers is ONE
+        and not accurate
+    ):
+        try:
+            return named(Gains, _gains_of_numbers(tracking_index))
+        except (ArithmeticError, ValueError):
+            pass  # arrays say what is wrong
     kernel = _ACCURATE_GAINS if accurate else _GAINS
     return Gains(*evaluate(kernel, (tracking_index,), out, workers))
+
+
+def _gains_of_numbers(tracking_index: float, form: Form = Double) -> tuple[float, ...]:
+    t2 = form.sqrt(tracking_index)
+    t3 = form.sqrt(t2)
+    t5 = 2.220446049250313e-16 / tracking_index
+    t7 = tracking_index * 4.625929269271486e-19
+    t11 = form.sqrt(t5 + t7) * 67108864.0
+    t13 = (t11 * t3) * 2.0
+    t15 = t2 * 0.5
+    t17 = tracking_index * 0.07083333333333333
+    t24 = ((t2 * t3) * 1.5516447222296765) + (8.0 / t3)
+    t25 = form.near_cbrt(t24)
+    t29 = form.sqrt((t13 * t25) + t17)
+    t32 = form.sqrt((t29 * 2.0) + t15)
+    t33 = t13 * 0.5
+    t34 = t29 * t32
+    t39 = ((t32 * t34) - (t33 * t25)) / (t34 - t33)
+    t43 = form.sqrt((t13 * t39) + t17)
+    t46 = form.sqrt((t43 * 2.0) + t15)
+    t47 = t43 * t46
+    t52 = ((t46 * t47) - (t33 * t39)) / (t47 - t33)
+    t56 = form.sqrt((t13 * t52) + t17)
+    t59 = form.sqrt((t56 * 2.0) + t15)
+    t60 = t56 * t59
+    t65 = ((t59 * t60) - (t33 * t52)) / (t60 - t33)
+    t69 = form.sqrt((t13 * t65) + t17)
+    t72 = form.sqrt((t69 * 2.0) + t15)
+    t73 = t69 * t72
+    t78 = ((t72 * t73) - (t33 * t65)) / (t73 - t33)
+    t82 = form.sqrt((t13 * t78) + t17)
+    t91 = form.sqrt((t82 * 2.0) + t15) * t3
+    t95 = (t11 + (t82 * 0.5)) + ((t91 * 0.25) + (t2 * 0.125))
+    t96 = (t82 + (t2 * 0.25)) / t95
+    t97 = t91 / t95
+    t98 = t2 / t95
+    return (t96, t97, t98)
 
 
 def _gains_block(
@@ -253,26 +301,24 @@ _GAINS = Signature(
     ("alpha", "beta", "gamma"),
     7,
     _gains_block,
+    numbers=_gains_of_numbers,
 )
 
 
-def _gains_in_double_words(given: Arrays, out: Arrays, _work: Arrays, single: bool) -> None:
-    if single:
-        # float64 keeps 29 bits more than come out
-        found = evaluate(_GAINS, (given[0].astype(np.float64),), None, 1)
-        for result, value in zip(out, found, strict=True):
-            result[...] = value
-        return
+def _gains_in_double_words(given: Part, form: Form = Double) -> tuple[Part, ...]:
     # loaded when it is asked for
     from gainproof.generated._double_word import add, divide, exact, multiply, refined, root, scale
 
-    tracking_index = exact(given[0])
+    if form.single:
+        # float64 keeps 29 bits more than come out
+        return evaluate(_GAINS, exact(given)[:1], None, 1)
+    tracking_index = exact(given)
     t1 = multiply(tracking_index, tracking_index)
     t3 = divide((64.0, 0.0), t1)
     t5 = add(t3, (0.13333333333333333, 1.8503717077085942e-18))
     delta = root(t5)
     # what the plain kernel gives is near the root
-    near = evaluate(_GAINS, (given[0].astype(np.float64),), None, 1)
+    near = evaluate(_GAINS, exact(given)[:1], None, 1)
     near_xi = exact(2.0 * near[1] / near[2])
     t8 = multiply(delta, near_xi)
     t10 = scale(t8, 2.0)
@@ -297,9 +343,7 @@ def _gains_in_double_words(given: Arrays, out: Arrays, _work: Arrays, single: bo
     t32 = scale(xi, 4.0)
     t33 = divide(t32, nu)
     t35 = divide((8.0, 0.0), nu)
-    out[0][...] = t30[0]
-    out[1][...] = t33[0]
-    out[2][...] = t35[0]
+    return (t30[0], t33[0], t35[0])
 
 
 _ACCURATE_GAINS = Signature(
@@ -307,7 +351,8 @@ _ACCURATE_GAINS = Signature(
     (_ACCURATE_TRACKING_INDEX_DOMAIN,),
     ("alpha", "beta", "gamma"),
     0,
-    _gains_in_double_words,
+    filled_by(_gains_in_double_words),
+    numbers=_gains_in_double_words,
 )
 
 
@@ -356,7 +401,68 @@ def gain_derivatives(
 
     Source: derivation continuous-white-jerk
     """
+    if (
+        type(tracking_index) is float
+        and 5e-324 <= tracking_index <= 1.7976931348623157e308
+        and out is None
+        and workers is ONE
+    ):
+        try:
+            return named(GainDerivatives, _gain_derivatives_of_numbers(tracking_index))
+        except (ArithmeticError, ValueError):
+            pass  # arrays say what is wrong
     return GainDerivatives(*evaluate(_GAIN_DERIVATIVES, (tracking_index,), out, workers))
+
+
+def _gain_derivatives_of_numbers(tracking_index: float, form: Form = Double) -> tuple[float, ...]:
+    t3 = form.sqrt(tracking_index)
+    t4 = form.sqrt(t3)
+    t6 = 2.220446049250313e-16 / tracking_index
+    t8 = tracking_index * 4.625929269271486e-19
+    t12 = form.sqrt(t6 + t8) * 67108864.0
+    t14 = (t12 * t4) * 2.0
+    t16 = t3 * 0.5
+    t18 = tracking_index * 0.07083333333333333
+    t25 = ((t3 * t4) * 1.5516447222296765) + (8.0 / t4)
+    t26 = form.near_cbrt(t25)
+    t30 = form.sqrt((t14 * t26) + t18)
+    t33 = form.sqrt((t30 * 2.0) + t16)
+    t34 = t14 * 0.5
+    t35 = t30 * t33
+    t40 = ((t33 * t35) - (t34 * t26)) / (t35 - t34)
+    t44 = form.sqrt((t14 * t40) + t18)
+    t47 = form.sqrt((t44 * 2.0) + t16)
+    t48 = t44 * t47
+    t53 = ((t47 * t48) - (t34 * t40)) / (t48 - t34)
+    t57 = form.sqrt((t14 * t53) + t18)
+    t60 = form.sqrt((t57 * 2.0) + t16)
+    t61 = t57 * t60
+    t66 = ((t60 * t61) - (t34 * t53)) / (t61 - t34)
+    t70 = form.sqrt((t14 * t66) + t18)
+    t73 = form.sqrt((t70 * 2.0) + t16)
+    t74 = t70 * t73
+    t79 = ((t73 * t74) - (t34 * t66)) / (t74 - t34)
+    t83 = form.sqrt((t14 * t79) + t18)
+    t89 = t83 + (t3 * 0.25)
+    t90 = form.sqrt((t83 * 2.0) + t16) * t4
+    t91 = t90 / t12
+    t95 = t89 + ((t91 * t3) * 0.008333333333333333)
+    t96 = t83 * t83
+    t99 = t3 * t83
+    t103 = tracking_index * 0.017708333333333333
+    t104 = ((t96 * 0.75) + (t99 * 0.25)) + t103
+    t106 = t90 * 0.25
+    t108 = ((t95 / t104) * t106) / tracking_index
+    t114 = (t12 + (t83 * 0.5)) + (t106 + (t3 * 0.125))
+    t121 = ((t96 * 0.25) + (t99 * 0.125)) + t103
+    t125 = (t121 + (t90 * (t89 * 0.125))) / t104
+    t128 = (t125 * 2.0) * (t91 / tracking_index)
+    t129 = t3 * t114
+    t136 = ((t90 / t104) * ((t89 + t106) * 0.5)) + 1.0
+    t117 = (((t108 * 2.0) / t114) / t114) / tracking_index
+    t131 = (t128 / t129) / t129
+    t140 = ((t136 / (t12 * t3)) / t129) / t129
+    return (t117, t131, t140)
 
 
 def _gain_derivatives_block(
@@ -511,6 +617,7 @@ _GAIN_DERIVATIVES = Signature(
     ("alpha", "beta", "gamma"),
     10,
     _gain_derivatives_block,
+    numbers=_gain_derivatives_of_numbers,
 )
 
 
@@ -578,7 +685,74 @@ def gains_with_derivatives(
 
     Source: derivation continuous-white-jerk
     """
+    if (
+        type(tracking_index) is float
+        and 5e-324 <= tracking_index <= 1.7976931348623157e308
+        and out is None
+        and workers is ONE
+    ):
+        try:
+            return named(GainsWithDerivatives, _gains_with_derivatives_of_numbers(tracking_index))
+        except (ArithmeticError, ValueError):
+            pass  # arrays say what is wrong
     return GainsWithDerivatives(*evaluate(_GAINS_WITH_DERIVATIVES, (tracking_index,), out, workers))
+
+
+def _gains_with_derivatives_of_numbers(
+    tracking_index: float,
+    form: Form = Double,
+) -> tuple[float, ...]:
+    t3 = form.sqrt(tracking_index)
+    t4 = form.sqrt(t3)
+    t6 = 2.220446049250313e-16 / tracking_index
+    t8 = tracking_index * 4.625929269271486e-19
+    t12 = form.sqrt(t6 + t8) * 67108864.0
+    t14 = (t12 * t4) * 2.0
+    t16 = t3 * 0.5
+    t18 = tracking_index * 0.07083333333333333
+    t25 = ((t3 * t4) * 1.5516447222296765) + (8.0 / t4)
+    t26 = form.near_cbrt(t25)
+    t30 = form.sqrt((t14 * t26) + t18)
+    t33 = form.sqrt((t30 * 2.0) + t16)
+    t34 = t14 * 0.5
+    t35 = t30 * t33
+    t40 = ((t33 * t35) - (t34 * t26)) / (t35 - t34)
+    t44 = form.sqrt((t14 * t40) + t18)
+    t47 = form.sqrt((t44 * 2.0) + t16)
+    t48 = t44 * t47
+    t53 = ((t47 * t48) - (t34 * t40)) / (t48 - t34)
+    t57 = form.sqrt((t14 * t53) + t18)
+    t60 = form.sqrt((t57 * 2.0) + t16)
+    t61 = t57 * t60
+    t66 = ((t60 * t61) - (t34 * t53)) / (t61 - t34)
+    t70 = form.sqrt((t14 * t66) + t18)
+    t73 = form.sqrt((t70 * 2.0) + t16)
+    t74 = t70 * t73
+    t79 = ((t73 * t74) - (t34 * t66)) / (t74 - t34)
+    t83 = form.sqrt((t14 * t79) + t18)
+    t89 = t83 + (t3 * 0.25)
+    t92 = form.sqrt((t83 * 2.0) + t16) * t4
+    t93 = t92 * 0.25
+    t96 = (t12 + (t83 * 0.5)) + (t93 + (t3 * 0.125))
+    t100 = t92 / t12
+    t104 = t89 + ((t100 * t3) * 0.008333333333333333)
+    t105 = t83 * t83
+    t108 = t3 * t83
+    t112 = tracking_index * 0.017708333333333333
+    t113 = ((t105 * 0.75) + (t108 * 0.25)) + t112
+    t116 = ((t104 / t113) * t93) / tracking_index
+    t124 = ((t105 * 0.25) + (t108 * 0.125)) + t112
+    t128 = (t124 + (t92 * (t89 * 0.125))) / t113
+    t131 = (t128 * 2.0) * (t100 / tracking_index)
+    t132 = t3 * t96
+    t139 = ((t92 / t113) * ((t89 + t93) * 0.5)) + 1.0
+    t97 = t89 / t96
+    t98 = t92 / t96
+    t99 = t3 / t96
+    t120 = (((t116 * 2.0) / t96) / t96) / tracking_index
+    t134 = (t131 / t132) / t132
+    t143 = ((t139 / (t12 * t3)) / t132) / t132
+    return (t97, t98, t99, t120, t134, t143)
 
 
 def _gains_with_derivatives_block(
@@ -736,6 +910,7 @@ _GAINS_WITH_DERIVATIVES = Signature(
     ("alpha", "beta", "gamma", "d_alpha", "d_beta", "d_gamma"),
     6,
     _gains_with_derivatives_block,
+    numbers=_gains_with_derivatives_of_numbers,
 )
 
 
@@ -784,7 +959,54 @@ def predictor_gains(
 
     Source: derivation continuous-white-jerk
     """
+    if (
+        type(tracking_index) is float
+        and 5e-324 <= tracking_index <= 1.7976931348623157e308
+        and out is None
+        and workers is ONE
+    ):
+        try:
+            return named(PredictorGains, _predictor_gains_of_numbers(tracking_index))
+        except (ArithmeticError, ValueError):
+            pass  # arrays say what is wrong
     return PredictorGains(*evaluate(_PREDICTOR_GAINS, (tracking_index,), out, workers))
+
+
+def _predictor_gains_of_numbers(tracking_index: float, form: Form = Double) -> tuple[float, ...]:
+    t2 = form.sqrt(tracking_index)
+    t3 = form.sqrt(t2)
+    t5 = 2.220446049250313e-16 / tracking_index
+    t7 = tracking_index * 4.625929269271486e-19
+    t11 = form.sqrt(t5 + t7) * 67108864.0
+    t13 = (t11 * t3) * 2.0
+    t15 = t2 * 0.5
+    t17 = tracking_index * 0.07083333333333333
+    t24 = ((t2 * t3) * 1.5516447222296765) + (8.0 / t3)
+    t25 = form.near_cbrt(t24)
+    t29 = form.sqrt((t13 * t25) + t17)
+    t32 = form.sqrt((t29 * 2.0) + t15)
+    t33 = t13 * 0.5
+    t34 = t29 * t32
+    t39 = ((t32 * t34) - (t33 * t25)) / (t34 - t33)
+    t43 = form.sqrt((t13 * t39) + t17)
+    t46 = form.sqrt((t43 * 2.0) + t15)
+    t47 = t43 * t46
+    t52 = ((t46 * t47) - (t33 * t39)) / (t47 - t33)
+    t56 = form.sqrt((t13 * t52) + t17)
+    t59 = form.sqrt((t56 * 2.0) + t15)
+    t60 = t56 * t59
+    t65 = ((t59 * t60) - (t33 * t52)) / (t60 - t33)
+    t69 = form.sqrt((t13 * t65) + t17)
+    t72 = form.sqrt((t69 * 2.0) + t15)
+    t73 = t69 * t72
+    t78 = ((t72 * t73) - (t33 * t65)) / (t73 - t33)
+    t82 = form.sqrt((t13 * t78) + t17)
+    t86 = form.sqrt((t82 * 2.0) + t15) * t3
+    t97 = (t11 + (t82 * 0.5)) + ((t86 * 0.25) + (t2 * 0.125))
+    t98 = (t82 + (t86 + (t2 * 0.75))) / t97
+    t100 = (t86 + t2) / t97
+    t101 = t2 / t97
+    return (t98, t100, t101)
 
 
 def _predictor_gains_block(
@@ -900,6 +1122,7 @@ _PREDICTOR_GAINS = Signature(
     ("position", "velocity", "acceleration"),
     7,
     _predictor_gains_block,
+    numbers=_predictor_gains_of_numbers,
 )
 
 
@@ -950,9 +1173,77 @@ def predictor_gain_derivatives(
 
     Source: derivation continuous-white-jerk
     """
+    if (
+        type(tracking_index) is float
+        and 5e-324 <= tracking_index <= 1.7976931348623157e308
+        and out is None
+        and workers is ONE
+    ):
+        try:
+            return named(
+                PredictorGainDerivatives, _predictor_gain_derivatives_of_numbers(tracking_index)
+            )
+        except (ArithmeticError, ValueError):
+            pass  # arrays say what is wrong
     return PredictorGainDerivatives(
         *evaluate(_PREDICTOR_GAIN_DERIVATIVES, (tracking_index,), out, workers)
     )
+
+
+def _predictor_gain_derivatives_of_numbers(
+    tracking_index: float,
+    form: Form = Double,
+) -> tuple[float, ...]:
+    t3 = form.sqrt(tracking_index)
+    t4 = form.sqrt(t3)
+    t6 = 2.220446049250313e-16 / tracking_index
+    t8 = tracking_index * 4.625929269271486e-19
+    t12 = form.sqrt(t6 + t8) * 67108864.0
+    t14 = (t12 * t4) * 2.0
+    t16 = t3 * 0.5
+    t18 = tracking_index * 0.07083333333333333
+    t25 = ((t3 * t4) * 1.5516447222296765) + (8.0 / t4)
+    t26 = form.near_cbrt(t25)
+    t30 = form.sqrt((t14 * t26) + t18)
+    t33 = form.sqrt((t30 * 2.0) + t16)
+    t34 = t14 * 0.5
+    t35 = t30 * t33
+    t40 = ((t33 * t35) - (t34 * t26)) / (t35 - t34)
+    t44 = form.sqrt((t14 * t40) + t18)
+    t47 = form.sqrt((t44 * 2.0) + t16)
+    t48 = t44 * t47
+    t53 = ((t47 * t48) - (t34 * t40)) / (t48 - t34)
+    t57 = form.sqrt((t14 * t53) + t18)
+    t60 = form.sqrt((t57 * 2.0) + t16)
+    t61 = t57 * t60
+    t66 = ((t60 * t61) - (t34 * t53)) / (t61 - t34)
+    t70 = form.sqrt((t14 * t66) + t18)
+    t73 = form.sqrt((t70 * 2.0) + t16)
+    t74 = t70 * t73
+    t79 = ((t73 * t74) - (t34 * t66)) / (t74 - t34)
+    t83 = form.sqrt((t14 * t79) + t18)
+    t89 = t83 + (t3 * 0.25)
+    t90 = form.sqrt((t83 * 2.0) + t16) * t4
+    t91 = t90 / t12
+    t95 = t89 + ((t91 * t3) * 0.008333333333333333)
+    t96 = t83 * t83
+    t99 = t3 * t83
+    t103 = tracking_index * 0.017708333333333333
+    t104 = ((t96 * 0.75) + (t99 * 0.25)) + t103
+    t106 = t90 * 0.25
+    t108 = ((t95 / t104) * t106) / tracking_index
+    t113 = ((t96 * 0.25) + (t99 * 0.125)) + t103
+    t117 = (t113 + (t90 * (t89 * 0.125))) / t104
+    t120 = (t117 * 2.0) * (t91 / tracking_index)
+    t125 = ((t90 / t104) * ((t89 + t106) * 0.5)) + 1.0
+    t127 = t125 / (t12 * t3)
+    t135 = (t12 + (t83 * 0.5)) + (t106 + (t3 * 0.125))
+    t136 = t3 * t135
+    t137 = ((t108 * 2.0) + (t120 + (t127 * 0.5))) / t136
+    t138 = t137 / t136
+    t141 = ((t120 + t127) / t136) / t136
+    t143 = (t127 / t136) / t136
+    return (t138, t141, t143)
 
 
 def _predictor_gain_derivatives_block(
@@ -1110,6 +1401,7 @@ _PREDICTOR_GAIN_DERIVATIVES = Signature(
     ("position", "velocity", "acceleration"),
     9,
     _predictor_gain_derivatives_block,
+    numbers=_predictor_gain_derivatives_of_numbers,
 )
 
 
@@ -1148,7 +1440,55 @@ def innovation_deviation(
 
     Source: derivation continuous-white-jerk
     """
+    if (
+        type(tracking_index) is float
+        and 5e-324 <= tracking_index <= 1.7976931348623157e308
+        and out is None
+        and workers is ONE
+    ):
+        try:
+            return named(InnovationDeviation, _innovation_deviation_of_numbers(tracking_index))
+        except (ArithmeticError, ValueError):
+            pass  # arrays say what is wrong
     return InnovationDeviation(*evaluate(_INNOVATION_DEVIATION, (tracking_index,), out, workers))
+
+
+def _innovation_deviation_of_numbers(
+    tracking_index: float,
+    form: Form = Double,
+) -> tuple[float, ...]:
+    t2 = form.sqrt(tracking_index)
+    t3 = form.sqrt(t2)
+    t5 = 2.220446049250313e-16 / tracking_index
+    t7 = tracking_index * 4.625929269271486e-19
+    t11 = form.sqrt(t5 + t7) * 67108864.0
+    t13 = (t11 * t3) * 2.0
+    t15 = t2 * 0.5
+    t17 = tracking_index * 0.07083333333333333
+    t24 = ((t2 * t3) * 1.5516447222296765) + (8.0 / t3)
+    t25 = form.near_cbrt(t24)
+    t29 = form.sqrt((t13 * t25) + t17)
+    t32 = form.sqrt((t29 * 2.0) + t15)
+    t33 = t13 * 0.5
+    t34 = t29 * t32
+    t39 = ((t32 * t34) - (t33 * t25)) / (t34 - t33)
+    t43 = form.sqrt((t13 * t39) + t17)
+    t46 = form.sqrt((t43 * 2.0) + t15)
+    t47 = t43 * t46
+    t52 = ((t46 * t47) - (t33 * t39)) / (t47 - t33)
+    t56 = form.sqrt((t13 * t52) + t17)
+    t59 = form.sqrt((t56 * 2.0) + t15)
+    t60 = t56 * t59
+    t65 = ((t59 * t60) - (t33 * t52)) / (t60 - t33)
+    t69 = form.sqrt((t13 * t65) + t17)
+    t72 = form.sqrt((t69 * 2.0) + t15)
+    t73 = t69 * t72
+    t78 = ((t72 * t73) - (t33 * t65)) / (t73 - t33)
+    t82 = form.sqrt((t13 * t78) + t17)
+    t90 = (form.sqrt((t82 * 2.0) + t15) * t3) * 0.25
+    t93 = (t11 + (t82 * 0.5)) + (t90 + (t2 * 0.125))
+    t94 = t2 * t93
+    return (t94,)
 
 
 def _innovation_deviation_block(
@@ -1257,6 +1597,7 @@ _INNOVATION_DEVIATION = Signature(
     ("innovation_deviation",),
     9,
     _innovation_deviation_block,
+    numbers=_innovation_deviation_of_numbers,
 )
 
 
@@ -1297,7 +1638,52 @@ def pole_product(
 
     Source: derivation continuous-white-jerk
     """
+    if (
+        type(tracking_index) is float
+        and 5e-324 <= tracking_index <= 1.7976931348623157e308
+        and out is None
+        and workers is ONE
+    ):
+        try:
+            return named(PoleProduct, _pole_product_of_numbers(tracking_index))
+        except (ArithmeticError, ValueError):
+            pass  # arrays say what is wrong
     return PoleProduct(*evaluate(_POLE_PRODUCT, (tracking_index,), out, workers))
+
+
+def _pole_product_of_numbers(tracking_index: float, form: Form = Double) -> tuple[float, ...]:
+    t3 = form.sqrt(tracking_index)
+    t4 = form.sqrt(t3)
+    t6 = 2.220446049250313e-16 / tracking_index
+    t8 = tracking_index * 4.625929269271486e-19
+    t12 = form.sqrt(t6 + t8) * 67108864.0
+    t14 = (t12 * t4) * 2.0
+    t16 = t3 * 0.5
+    t18 = tracking_index * 0.07083333333333333
+    t25 = ((t3 * t4) * 1.5516447222296765) + (8.0 / t4)
+    t26 = form.near_cbrt(t25)
+    t30 = form.sqrt((t14 * t26) + t18)
+    t33 = form.sqrt((t30 * 2.0) + t16)
+    t34 = t14 * 0.5
+    t35 = t30 * t33
+    t40 = ((t33 * t35) - (t34 * t26)) / (t35 - t34)
+    t44 = form.sqrt((t14 * t40) + t18)
+    t47 = form.sqrt((t44 * 2.0) + t16)
+    t48 = t44 * t47
+    t53 = ((t47 * t48) - (t34 * t40)) / (t48 - t34)
+    t57 = form.sqrt((t14 * t53) + t18)
+    t60 = form.sqrt((t57 * 2.0) + t16)
+    t61 = t57 * t60
+    t66 = ((t60 * t61) - (t34 * t53)) / (t61 - t34)
+    t70 = form.sqrt((t14 * t66) + t18)
+    t73 = form.sqrt((t70 * 2.0) + t16)
+    t74 = t70 * t73
+    t79 = ((t73 * t74) - (t34 * t66)) / (t74 - t34)
+    t83 = form.sqrt((t14 * t79) + t18)
+    t91 = (form.sqrt((t83 * 2.0) + t16) * t4) * 0.25
+    t94 = (t12 + (t83 * 0.5)) + (t91 + (t3 * 0.125))
+    t97 = ((1.0 / t94) / tracking_index) / t94
+    return (t97,)
 
 
 def _pole_product_block(
@@ -1409,6 +1795,7 @@ _POLE_PRODUCT = Signature(
     ("pole_product",),
     9,
     _pole_product_block,
+    numbers=_pole_product_of_numbers,
 )
 
 
@@ -1479,7 +1866,66 @@ def predicted_covariance(
 
     Source: derivation continuous-white-jerk
     """
+    if (
+        type(tracking_index) is float
+        and 5e-324 <= tracking_index <= 1.7976931348623157e308
+        and out is None
+        and workers is ONE
+    ):
+        try:
+            return named(PredictedCovariance, _predicted_covariance_of_numbers(tracking_index))
+        except (ArithmeticError, ValueError):
+            pass  # arrays say what is wrong
     return PredictedCovariance(*evaluate(_PREDICTED_COVARIANCE, (tracking_index,), out, workers))
+
+
+def _predicted_covariance_of_numbers(
+    tracking_index: float,
+    form: Form = Double,
+) -> tuple[float, ...]:
+    t2 = form.sqrt(tracking_index)
+    t3 = form.sqrt(t2)
+    t5 = 2.220446049250313e-16 / tracking_index
+    t7 = tracking_index * 4.625929269271486e-19
+    t11 = form.sqrt(t5 + t7) * 67108864.0
+    t13 = (t11 * t3) * 2.0
+    t15 = t2 * 0.5
+    t17 = tracking_index * 0.07083333333333333
+    t18 = t2 * t3
+    t24 = (t18 * 1.5516447222296765) + (8.0 / t3)
+    t25 = form.near_cbrt(t24)
+    t29 = form.sqrt((t13 * t25) + t17)
+    t32 = form.sqrt((t29 * 2.0) + t15)
+    t33 = t13 * 0.5
+    t34 = t29 * t32
+    t39 = ((t32 * t34) - (t33 * t25)) / (t34 - t33)
+    t43 = form.sqrt((t13 * t39) + t17)
+    t46 = form.sqrt((t43 * 2.0) + t15)
+    t47 = t43 * t46
+    t52 = ((t46 * t47) - (t33 * t39)) / (t47 - t33)
+    t56 = form.sqrt((t13 * t52) + t17)
+    t59 = form.sqrt((t56 * 2.0) + t15)
+    t60 = t56 * t59
+    t65 = ((t59 * t60) - (t33 * t52)) / (t60 - t33)
+    t69 = form.sqrt((t13 * t65) + t17)
+    t72 = form.sqrt((t69 * 2.0) + t15)
+    t73 = t69 * t72
+    t78 = ((t72 * t73) - (t33 * t65)) / (t73 - t33)
+    t82 = form.sqrt((t13 * t78) + t17)
+    t85 = form.sqrt((t82 * 2.0) + t15)
+    t87 = t2 * 0.25
+    t91 = t85 * t3
+    t95 = (t11 + (t82 * 0.5)) + ((t91 * 0.25) + (t2 * 0.125))
+    t110 = (t3 / t85) * (t82 + (t2 * 0.26666666666666666))
+    t112 = ((((t11 * 3.0) + t82) + t87) + t110) * t2
+    t117 = (t2 * 0.3333333333333333) + (t91 * 0.5)
+    t97 = ((t87 + t82) * t95) * tracking_index
+    t99 = (t91 * t95) * tracking_index
+    t101 = tracking_index * (t2 * t95)
+    t113 = t112 * tracking_index
+    t120 = ((t117 + t82) * t2) * tracking_index
+    t124 = tracking_index * ((t18 * t85) + (tracking_index * 0.5))
+    return (t97, t99, t101, t113, t120, t124)
 
 
 def _predicted_covariance_block(
@@ -1625,6 +2071,7 @@ _PREDICTED_COVARIANCE = Signature(
     ),
     6,
     _predicted_covariance_block,
+    numbers=_predicted_covariance_of_numbers,
 )
 
 
@@ -1697,9 +2144,93 @@ def predicted_covariance_derivatives(
 
     Source: derivation continuous-white-jerk
     """
+    if (
+        type(tracking_index) is float
+        and 5e-324 <= tracking_index <= 1.0715086071862673e301
+        and out is None
+        and workers is ONE
+    ):
+        try:
+            return named(
+                PredictedCovarianceDerivatives,
+                _predicted_covariance_derivatives_of_numbers(tracking_index),
+            )
+        except (ArithmeticError, ValueError):
+            pass  # arrays say what is wrong
     return PredictedCovarianceDerivatives(
         *evaluate(_PREDICTED_COVARIANCE_DERIVATIVES, (tracking_index,), out, workers)
     )
+
+
+def _predicted_covariance_derivatives_of_numbers(
+    tracking_index: float,
+    form: Form = Double,
+) -> tuple[float, ...]:
+    t3 = form.sqrt(tracking_index)
+    t4 = form.sqrt(t3)
+    t6 = 2.220446049250313e-16 / tracking_index
+    t8 = tracking_index * 4.625929269271486e-19
+    t12 = form.sqrt(t6 + t8) * 67108864.0
+    t14 = (t12 * t4) * 2.0
+    t16 = t3 * 0.5
+    t18 = tracking_index * 0.07083333333333333
+    t19 = t3 * t4
+    t25 = (t19 * 1.5516447222296765) + (8.0 / t4)
+    t26 = form.near_cbrt(t25)
+    t30 = form.sqrt((t14 * t26) + t18)
+    t33 = form.sqrt((t30 * 2.0) + t16)
+    t34 = t14 * 0.5
+    t35 = t30 * t33
+    t40 = ((t33 * t35) - (t34 * t26)) / (t35 - t34)
+    t44 = form.sqrt((t14 * t40) + t18)
+    t47 = form.sqrt((t44 * 2.0) + t16)
+    t48 = t44 * t47
+    t53 = ((t47 * t48) - (t34 * t40)) / (t48 - t34)
+    t57 = form.sqrt((t14 * t53) + t18)
+    t60 = form.sqrt((t57 * 2.0) + t16)
+    t61 = t57 * t60
+    t66 = ((t60 * t61) - (t34 * t53)) / (t61 - t34)
+    t70 = form.sqrt((t14 * t66) + t18)
+    t73 = form.sqrt((t70 * 2.0) + t16)
+    t74 = t70 * t73
+    t79 = ((t73 * t74) - (t34 * t66)) / (t74 - t34)
+    t83 = form.sqrt((t14 * t79) + t18)
+    t86 = form.sqrt((t83 * 2.0) + t16)
+    t88 = t3 * 0.25
+    t90 = t86 * t4
+    t91 = t90 / t12
+    t95 = (t83 + t88) + ((t91 * t3) * 0.008333333333333333)
+    t96 = t83 * t83
+    t99 = t3 * t83
+    t103 = tracking_index * 0.017708333333333333
+    t104 = ((t96 * 0.75) + (t99 * 0.25)) + t103
+    t106 = t90 * 0.25
+    t107 = (t95 / t104) * t106
+    t113 = (t12 + (t83 * 0.5)) + (t106 + (t3 * 0.125))
+    t120 = ((t96 * 0.25) + (t99 * 0.125)) + t103
+    t126 = ((tracking_index / t104) * t91) * 0.0010416666666666667
+    t127 = ((t120 / t104) * 2.0) + t126
+    t130 = t3 * t113
+    t137 = ((tracking_index / t12) / t12) * 0.0020833333333333333
+    t144 = ((t88 / t83) * 2.0) + 2.0
+    t146 = (tracking_index * t144) * 0.017708333333333333
+    t150 = ((t120 + t146) / t104) + (t126 * t144)
+    t151 = 1.0 + t150
+    t152 = t151 * t83
+    t154 = ((((1.0 + t137) * t12) * 3.0) + t152) + t16
+    t158 = ((t90 / t104) / tracking_index) / t12
+    t159 = t158 * 0.5
+    t165 = ((2.0 + t159) * t3) * 0.26666666666666666
+    t167 = (t4 / t86) * (((t151 + t159) * t83) + t165)
+    t170 = 1.0 + t127
+    t176 = (((t170 * t90) * 0.5) + t152) + (t3 * 0.6666666666666666)
+    t115 = ((t107 * 2.0) * t113) * t113
+    t131 = ((t86 / t4) * (t127 + t107)) * t130
+    t133 = t130 * (t107 + 1.0)
+    t169 = (t154 + t167) * t3
+    t177 = t176 * t3
+    t180 = ((t19 * t86) * t170) + tracking_index
+    return (t115, t131, t133, t169, t177, t180)
 
 
 def _predicted_covariance_derivatives_block(
@@ -1901,6 +2432,7 @@ _PREDICTED_COVARIANCE_DERIVATIVES = Signature(
     ),
     14,
     _predicted_covariance_derivatives_block,
+    numbers=_predicted_covariance_derivatives_of_numbers,
 )
 
 
@@ -1971,7 +2503,70 @@ def updated_covariance(
 
     Source: derivation continuous-white-jerk
     """
+    if (
+        type(tracking_index) is float
+        and 5e-324 <= tracking_index <= 1.7976931348623157e308
+        and out is None
+        and workers is ONE
+    ):
+        try:
+            return named(UpdatedCovariance, _updated_covariance_of_numbers(tracking_index))
+        except (ArithmeticError, ValueError):
+            pass  # arrays say what is wrong
     return UpdatedCovariance(*evaluate(_UPDATED_COVARIANCE, (tracking_index,), out, workers))
+
+
+def _updated_covariance_of_numbers(tracking_index: float, form: Form = Double) -> tuple[float, ...]:
+    t2 = form.sqrt(tracking_index)
+    t3 = form.sqrt(t2)
+    t5 = 2.220446049250313e-16 / tracking_index
+    t7 = tracking_index * 4.625929269271486e-19
+    t11 = form.sqrt(t5 + t7) * 67108864.0
+    t13 = (t11 * t3) * 2.0
+    t15 = t2 * 0.5
+    t17 = tracking_index * 0.07083333333333333
+    t24 = ((t2 * t3) * 1.5516447222296765) + (8.0 / t3)
+    t25 = form.near_cbrt(t24)
+    t29 = form.sqrt((t13 * t25) + t17)
+    t32 = form.sqrt((t29 * 2.0) + t15)
+    t33 = t13 * 0.5
+    t34 = t29 * t32
+    t39 = ((t32 * t34) - (t33 * t25)) / (t34 - t33)
+    t43 = form.sqrt((t13 * t39) + t17)
+    t46 = form.sqrt((t43 * 2.0) + t15)
+    t47 = t43 * t46
+    t52 = ((t46 * t47) - (t33 * t39)) / (t47 - t33)
+    t56 = form.sqrt((t13 * t52) + t17)
+    t59 = form.sqrt((t56 * 2.0) + t15)
+    t60 = t56 * t59
+    t65 = ((t59 * t60) - (t33 * t52)) / (t60 - t33)
+    t69 = form.sqrt((t13 * t65) + t17)
+    t72 = form.sqrt((t69 * 2.0) + t15)
+    t73 = t69 * t72
+    t78 = ((t72 * t73) - (t33 * t65)) / (t73 - t33)
+    t82 = form.sqrt((t13 * t78) + t17)
+    t83 = t82 * 2.0
+    t85 = form.sqrt(t83 + t15)
+    t87 = t2 * 0.25
+    t88 = t82 + t87
+    t91 = t85 * t3
+    t95 = (t11 + (t82 * 0.5)) + ((t91 * 0.25) + (t2 * 0.125))
+    t102 = t3 / t85
+    t112 = (t11 * 0.2833333333333333) + (t82 * 0.016666666666666666)
+    t116 = t102 * (t112 + (t2 * 0.004166666666666667))
+    t119 = (t11 * (t88 + (t102 * t82))) + (t2 * ((t2 * 0.0125) + t116))
+    t121 = ((6.0 / t95) / tracking_index) + (t119 / t95)
+    t131 = (t11 * 0.3333333333333333) + (t82 * 0.041666666666666664)
+    t137 = (t131 + (t91 * 0.020833333333333332)) + (t2 * 0.014583333333333334)
+    t139 = (t11 * ((t91 * 0.5) + t82)) + (t2 * t137)
+    t147 = ((t87 + t83) * tracking_index) / ((t3 * 0.5) + t85)
+    t96 = t88 / t95
+    t97 = t91 / t95
+    t98 = t2 / t95
+    t123 = (t15 * t121) * tracking_index
+    t142 = ((t139 / t95) * t2) * tracking_index
+    t149 = (t147 / t3) * tracking_index
+    return (t96, t97, t98, t123, t142, t149)
 
 
 def _updated_covariance_block(
@@ -2135,6 +2730,7 @@ _UPDATED_COVARIANCE = Signature(
     ("updated_11", "updated_12", "updated_13", "updated_22", "updated_23", "updated_33"),
     11,
     _updated_covariance_block,
+    numbers=_updated_covariance_of_numbers,
 )
 
 
@@ -2206,9 +2802,115 @@ def updated_covariance_derivatives(
 
     Source: derivation continuous-white-jerk
     """
+    if (
+        type(tracking_index) is float
+        and 5e-324 <= tracking_index <= 1.0715086071862673e301
+        and out is None
+        and workers is ONE
+    ):
+        try:
+            return named(
+                UpdatedCovarianceDerivatives,
+                _updated_covariance_derivatives_of_numbers(tracking_index),
+            )
+        except (ArithmeticError, ValueError):
+            pass  # arrays say what is wrong
     return UpdatedCovarianceDerivatives(
         *evaluate(_UPDATED_COVARIANCE_DERIVATIVES, (tracking_index,), out, workers)
     )
+
+
+def _updated_covariance_derivatives_of_numbers(
+    tracking_index: float,
+    form: Form = Double,
+) -> tuple[float, ...]:
+    t3 = form.sqrt(tracking_index)
+    t4 = form.sqrt(t3)
+    t6 = 2.220446049250313e-16 / tracking_index
+    t8 = tracking_index * 4.625929269271486e-19
+    t12 = form.sqrt(t6 + t8) * 67108864.0
+    t14 = (t12 * t4) * 2.0
+    t16 = t3 * 0.5
+    t18 = tracking_index * 0.07083333333333333
+    t19 = t3 * t4
+    t25 = (t19 * 1.5516447222296765) + (8.0 / t4)
+    t26 = form.near_cbrt(t25)
+    t30 = form.sqrt((t14 * t26) + t18)
+    t33 = form.sqrt((t30 * 2.0) + t16)
+    t34 = t14 * 0.5
+    t35 = t30 * t33
+    t40 = ((t33 * t35) - (t34 * t26)) / (t35 - t34)
+    t44 = form.sqrt((t14 * t40) + t18)
+    t47 = form.sqrt((t44 * 2.0) + t16)
+    t48 = t44 * t47
+    t53 = ((t47 * t48) - (t34 * t40)) / (t48 - t34)
+    t57 = form.sqrt((t14 * t53) + t18)
+    t60 = form.sqrt((t57 * 2.0) + t16)
+    t61 = t57 * t60
+    t66 = ((t60 * t61) - (t34 * t53)) / (t61 - t34)
+    t70 = form.sqrt((t14 * t66) + t18)
+    t73 = form.sqrt((t70 * 2.0) + t16)
+    t74 = t70 * t73
+    t79 = ((t73 * t74) - (t34 * t66)) / (t74 - t34)
+    t83 = form.sqrt((t14 * t79) + t18)
+    t86 = form.sqrt((t83 * 2.0) + t16)
+    t88 = t3 * 0.25
+    t89 = t83 + t88
+    t90 = t86 * t4
+    t91 = t90 / t12
+    t95 = t89 + ((t91 * t3) * 0.008333333333333333)
+    t96 = t83 * t83
+    t99 = t3 * t83
+    t103 = tracking_index * 0.017708333333333333
+    t104 = ((t96 * 0.75) + (t99 * 0.25)) + t103
+    t106 = t90 * 0.25
+    t108 = ((t95 / t104) * t106) / tracking_index
+    t114 = (t12 + (t83 * 0.5)) + (t106 + (t3 * 0.125))
+    t121 = ((t96 * 0.25) + (t99 * 0.125)) + t103
+    t125 = (t121 + (t90 * (t89 * 0.125))) / t104
+    t128 = (t125 * 2.0) * (t91 / tracking_index)
+    t129 = t3 * t114
+    t132 = t90 / t104
+    t138 = ((t132 * ((t89 + t106) * 0.5)) + 1.0) / (t12 * t3)
+    t145 = ((t132 / tracking_index) / t12) * 0.5
+    t150 = t145 * (t106 * (1.0 + ((t86 / t4) * 2.0)))
+    t151 = ((1.0 / t12) / tracking_index) + t150
+    t152 = t151 / t114
+    t156 = t152 * ((6.0 / t114) / tracking_index)
+    t159 = ((t88 / t83) * 2.0) + 2.0
+    t161 = (tracking_index * t159) * 0.017708333333333333
+    t167 = ((tracking_index / t104) * t91) * 0.0010416666666666667
+    t169 = ((t121 + t161) / t104) + (t167 * t159)
+    t173 = ((tracking_index / t12) / t12) * 0.0020833333333333333
+    t175 = (t169 + t173) + t152
+    t176 = t175 * t83
+    t177 = 1.0 + t152
+    t178 = t177 + t173
+    t182 = t4 / t86
+    t186 = (t176 + ((t178 * t3) * 0.25)) + (t182 * ((t175 + t145) * t83))
+    t188 = t177 + t169
+    t190 = t177 + 1.0
+    t191 = t190 * t3
+    t197 = ((t178 + t145) * t12) * 0.2833333333333333
+    t201 = ((t188 + t145) * t83) * 0.016666666666666666
+    t206 = ((t190 + t145) * t3) * 0.004166666666666667
+    t209 = (t191 * 0.0125) + (t182 * ((t197 + t201) + t206))
+    t213 = t156 + (((t12 * t186) + (t3 * t209)) / t114)
+    t217 = ((t121 / t104) * 2.0) + t167
+    t222 = ((((t217 + t173) + t152) * t90) * 0.5) + t176
+    t229 = ((t178 * t12) * 0.3333333333333333) + ((t188 * t83) * 0.041666666666666664)
+    t233 = ((t177 + t217) * t90) * 0.020833333333333332
+    t237 = (t229 + t233) + (t191 * 0.014583333333333334)
+    t244 = (t4 * 0.5) + t86
+    t246 = t145 * (t86 / t244)
+    t253 = ((((1.0 + t169) + t246) * t83) * 2.0) + (((2.0 + t246) * t3) * 0.25)
+    t117 = (((t108 * 2.0) / t114) / t114) / tracking_index
+    t131 = (t128 / t129) / t129
+    t140 = (t138 / t129) / t129
+    t214 = t16 * t213
+    t241 = (((t12 * t222) + (t3 * t237)) / t114) * t3
+    t255 = (t253 / t244) * t19
+    return (t117, t131, t140, t214, t241, t255)
 
 
 def _updated_covariance_derivatives_block(
@@ -2505,6 +3207,7 @@ _UPDATED_COVARIANCE_DERIVATIVES = Signature(
     ("updated_11", "updated_12", "updated_13", "updated_22", "updated_23", "updated_33"),
     26,
     _updated_covariance_derivatives_block,
+    numbers=_updated_covariance_derivatives_of_numbers,
 )
 
 
@@ -2555,9 +3258,107 @@ def gain_second_derivatives(
 
     Source: derivation continuous-white-jerk
     """
+    if (
+        type(tracking_index) is float
+        and 5e-324 <= tracking_index <= 1.7976931348623157e308
+        and out is None
+        and workers is ONE
+    ):
+        try:
+            return named(GainSecondDerivatives, _gain_second_derivatives_of_numbers(tracking_index))
+        except (ArithmeticError, ValueError):
+            pass  # arrays say what is wrong
     return GainSecondDerivatives(
         *evaluate(_GAIN_SECOND_DERIVATIVES, (tracking_index,), out, workers)
     )
+
+
+def _gain_second_derivatives_of_numbers(
+    tracking_index: float,
+    form: Form = Double,
+) -> tuple[float, ...]:
+    t3 = form.sqrt(tracking_index)
+    t4 = form.sqrt(t3)
+    t6 = 2.220446049250313e-16 / tracking_index
+    t8 = tracking_index * 4.625929269271486e-19
+    t12 = form.sqrt(t6 + t8) * 67108864.0
+    t14 = (t12 * t4) * 2.0
+    t16 = t3 * 0.5
+    t18 = tracking_index * 0.07083333333333333
+    t25 = ((t3 * t4) * 1.5516447222296765) + (8.0 / t4)
+    t26 = form.near_cbrt(t25)
+    t30 = form.sqrt((t14 * t26) + t18)
+    t33 = form.sqrt((t30 * 2.0) + t16)
+    t34 = t14 * 0.5
+    t35 = t30 * t33
+    t40 = ((t33 * t35) - (t34 * t26)) / (t35 - t34)
+    t44 = form.sqrt((t14 * t40) + t18)
+    t47 = form.sqrt((t44 * 2.0) + t16)
+    t48 = t44 * t47
+    t53 = ((t47 * t48) - (t34 * t40)) / (t48 - t34)
+    t57 = form.sqrt((t14 * t53) + t18)
+    t60 = form.sqrt((t57 * 2.0) + t16)
+    t61 = t57 * t60
+    t66 = ((t60 * t61) - (t34 * t53)) / (t61 - t34)
+    t70 = form.sqrt((t14 * t66) + t18)
+    t73 = form.sqrt((t70 * 2.0) + t16)
+    t74 = t70 * t73
+    t79 = ((t73 * t74) - (t34 * t66)) / (t74 - t34)
+    t83 = form.sqrt((t14 * t79) + t18)
+    t86 = form.sqrt((t83 * 2.0) + t16)
+    t87 = t86 / t4
+    t88 = t87 * 2.0
+    t91 = (t3 * 0.25) / t83
+    t92 = t91 + 1.0
+    t95 = t91 * 1.1333333333333333
+    t100 = (t91 * (t95 + 4.0)) + 3.0
+    t103 = t3 / t83
+    t108 = ((t103 / t100) * t103) * (t87 * (t3 / t12))
+    t110 = t108 * 0.004166666666666667
+    t111 = (((t92 * t91) / t100) * 2.0) + t110
+    t112 = t111 * t88
+    t117 = (t91 * 2.0) + 2.0
+    t120 = ((t91 / t100) * (t117 / t100)) / t100
+    t125 = t91 * ((t91 * 0.7544444444444445) + 1.6)
+    t132 = (t91 * ((t91 * (t125 + 2.1)) + 2.0)) + 0.75
+    t138 = ((tracking_index / t12) / t12) * 0.0020833333333333333
+    t143 = (((t86 / t83) / (t83 * t100)) / t4) / t12
+    t145 = (t143 / t3) * 2.0
+    t148 = (t117 * t91) / t100
+    t151 = (t138 + t145) + ((t148 * t148) * 4.0)
+    t152 = t145 + t110
+    t156 = t152 + (((t117 * t117) / t100) * 2.0)
+    t157 = t110 * t156
+    t160 = (t120 * (t132 * 8.0)) + (t110 * (t151 + t157))
+    t163 = (t88 * (((t111 * t112) * 2.0) + t160)) * 2.0
+    t167 = t86 * t4
+    t171 = (t12 + (t83 * 0.5)) + ((t167 * 0.25) + (t3 * 0.125))
+    t172 = t3 * t171
+    t174 = ((t163 / tracking_index) / t172) / t172
+    t177 = t167 / t171
+    t189 = t91 * ((t91 * 2.908888888888889) + 10.2)
+    t197 = (t91 * ((t91 * (t189 + 12.8)) + 7.0)) + 1.5
+    t201 = ((t112 * t92) * 2.0) + (((t92 / t100) * (t197 / t100)) * 4.0)
+    t208 = t91 * ((t91 * 2.8666666666666667) + 6.0)
+    t211 = ((t208 + 3.0) / t100) * 2.0
+    t214 = t145 * (t117 + (((t12 / t83) * 2.0) * t211))
+    t220 = (((t91 * (t95 + 2.0)) + 1.0) / t100) * 2.0
+    t221 = t220 * t100
+    t223 = (t83 / t3) * 4.0
+    t227 = t110 * ((t221 * t223) + (t92 * t211))
+    t233 = t138 * (((t223 / t88) * (t221 * 0.5)) + t92)
+    t235 = (t145 * (t83 / t171)) * (((t201 + t214) + t227) + t233)
+    t236 = ((t177 / tracking_index) * 0.5) * t235
+    t244 = (((t223 * (t100 * 0.5)) / t117) + 1.0) + t88
+    t251 = (((t152 * t91) * (t92 + t117)) / t100) * 2.0
+    t252 = t148 * 2.0
+    t257 = ((t251 + (t252 * t252)) + t157) + (t138 * t220)
+    t258 = (t111 * ((t177 * 0.25) * t244)) + t257
+    t262 = ((t145 * (t88 * t258)) / t172) / tracking_index
+    t176 = -(t174 / tracking_index)
+    t238 = -(t236 / tracking_index)
+    t263 = -t262
+    return (t176, t238, t263)
 
 
 def _gain_second_derivatives_block(
@@ -2857,6 +3658,7 @@ _GAIN_SECOND_DERIVATIVES = Signature(
     ("alpha", "beta", "gamma"),
     21,
     _gain_second_derivatives_block,
+    numbers=_gain_second_derivatives_of_numbers,
 )
 
 
@@ -2909,9 +3711,112 @@ def predictor_gain_second_derivatives(
 
     Source: derivation continuous-white-jerk
     """
+    if (
+        type(tracking_index) is float
+        and 5e-324 <= tracking_index <= 1.7976931348623157e308
+        and out is None
+        and workers is ONE
+    ):
+        try:
+            return named(
+                PredictorGainSecondDerivatives,
+                _predictor_gain_second_derivatives_of_numbers(tracking_index),
+            )
+        except (ArithmeticError, ValueError):
+            pass  # arrays say what is wrong
     return PredictorGainSecondDerivatives(
         *evaluate(_PREDICTOR_GAIN_SECOND_DERIVATIVES, (tracking_index,), out, workers)
     )
+
+
+def _predictor_gain_second_derivatives_of_numbers(
+    tracking_index: float,
+    form: Form = Double,
+) -> tuple[float, ...]:
+    t3 = form.sqrt(tracking_index)
+    t4 = form.sqrt(t3)
+    t6 = 2.220446049250313e-16 / tracking_index
+    t8 = tracking_index * 4.625929269271486e-19
+    t12 = form.sqrt(t6 + t8) * 67108864.0
+    t14 = (t12 * t4) * 2.0
+    t16 = t3 * 0.5
+    t18 = tracking_index * 0.07083333333333333
+    t25 = ((t3 * t4) * 1.5516447222296765) + (8.0 / t4)
+    t26 = form.near_cbrt(t25)
+    t30 = form.sqrt((t14 * t26) + t18)
+    t33 = form.sqrt((t30 * 2.0) + t16)
+    t34 = t14 * 0.5
+    t35 = t30 * t33
+    t40 = ((t33 * t35) - (t34 * t26)) / (t35 - t34)
+    t44 = form.sqrt((t14 * t40) + t18)
+    t47 = form.sqrt((t44 * 2.0) + t16)
+    t48 = t44 * t47
+    t53 = ((t47 * t48) - (t34 * t40)) / (t48 - t34)
+    t57 = form.sqrt((t14 * t53) + t18)
+    t60 = form.sqrt((t57 * 2.0) + t16)
+    t61 = t57 * t60
+    t66 = ((t60 * t61) - (t34 * t53)) / (t61 - t34)
+    t70 = form.sqrt((t14 * t66) + t18)
+    t73 = form.sqrt((t70 * 2.0) + t16)
+    t74 = t70 * t73
+    t79 = ((t73 * t74) - (t34 * t66)) / (t74 - t34)
+    t83 = form.sqrt((t14 * t79) + t18)
+    t86 = form.sqrt((t83 * 2.0) + t16)
+    t87 = t86 / t4
+    t88 = t87 * 2.0
+    t91 = (t3 * 0.25) / t83
+    t92 = t91 + 1.0
+    t95 = t91 * 1.1333333333333333
+    t100 = (t91 * (t95 + 4.0)) + 3.0
+    t103 = t3 / t83
+    t108 = ((t103 / t100) * t103) * (t87 * (t3 / t12))
+    t110 = t108 * 0.004166666666666667
+    t111 = (((t92 * t91) / t100) * 2.0) + t110
+    t112 = t111 * t88
+    t117 = (t91 * 2.0) + 2.0
+    t120 = ((t91 / t100) * (t117 / t100)) / t100
+    t125 = t91 * ((t91 * 0.7544444444444445) + 1.6)
+    t132 = (t91 * ((t91 * (t125 + 2.1)) + 2.0)) + 0.75
+    t138 = ((tracking_index / t12) / t12) * 0.0020833333333333333
+    t143 = (((t86 / t83) / (t83 * t100)) / t4) / t12
+    t145 = (t143 / t3) * 2.0
+    t148 = (t117 * t91) / t100
+    t151 = (t138 + t145) + ((t148 * t148) * 4.0)
+    t152 = t145 + t110
+    t156 = t152 + (((t117 * t117) / t100) * 2.0)
+    t157 = t110 * t156
+    t160 = (t120 * (t132 * 8.0)) + (t110 * (t151 + t157))
+    t163 = (t88 * (((t111 * t112) * 2.0) + t160)) * 2.0
+    t167 = t86 * t4
+    t171 = (t12 + (t83 * 0.5)) + ((t167 * 0.25) + (t3 * 0.125))
+    t172 = t3 * t171
+    t174 = ((t163 / tracking_index) / t172) / t172
+    t176 = t167 / t171
+    t188 = t91 * ((t91 * 2.908888888888889) + 10.2)
+    t196 = (t91 * ((t91 * (t188 + 12.8)) + 7.0)) + 1.5
+    t200 = ((t112 * t92) * 2.0) + (((t92 / t100) * (t196 / t100)) * 4.0)
+    t207 = t91 * ((t91 * 2.8666666666666667) + 6.0)
+    t210 = ((t207 + 3.0) / t100) * 2.0
+    t213 = t145 * (t117 + (((t12 / t83) * 2.0) * t210))
+    t219 = (((t91 * (t95 + 2.0)) + 1.0) / t100) * 2.0
+    t220 = t219 * t100
+    t222 = (t83 / t3) * 4.0
+    t226 = t110 * ((t220 * t222) + (t92 * t210))
+    t232 = t138 * (((t222 / t88) * (t220 * 0.5)) + t92)
+    t234 = (t145 * (t83 / t171)) * (((t200 + t213) + t226) + t232)
+    t235 = ((t176 / tracking_index) * 0.5) * t234
+    t236 = t235 / tracking_index
+    t242 = (((t222 * (t100 * 0.5)) / t117) + 1.0) + t88
+    t249 = (((t152 * t91) * (t92 + t117)) / t100) * 2.0
+    t250 = t148 * 2.0
+    t255 = ((t249 + (t250 * t250)) + t157) + (t138 * t219)
+    t256 = (t111 * ((t176 * 0.25) * t242)) + t255
+    t260 = ((t145 * (t88 * t256)) / t172) / tracking_index
+    t263 = (t174 / tracking_index) + (t236 + (t260 * 0.5))
+    t264 = -t263
+    t266 = -(t236 + t260)
+    t267 = -t260
+    return (t264, t266, t267)
 
 
 def _predictor_gain_second_derivatives_block(
@@ -3215,6 +4120,7 @@ _PREDICTOR_GAIN_SECOND_DERIVATIVES = Signature(
     ("position", "velocity", "acceleration"),
     21,
     _predictor_gain_second_derivatives_block,
+    numbers=_predictor_gain_second_derivatives_of_numbers,
 )
 
 
@@ -3275,9 +4181,109 @@ def predicted_covariance_second_derivatives(
 
     Source: derivation continuous-white-jerk
     """
+    if (
+        type(tracking_index) is float
+        and 5e-324 <= tracking_index <= 1.0715086071862673e301
+        and out is None
+        and workers is ONE
+    ):
+        try:
+            return named(
+                PredictedCovarianceSecondDerivatives,
+                _predicted_covariance_second_derivatives_of_numbers(tracking_index),
+            )
+        except (ArithmeticError, ValueError):
+            pass  # arrays say what is wrong
     return PredictedCovarianceSecondDerivatives(
         *evaluate(_PREDICTED_COVARIANCE_SECOND_DERIVATIVES, (tracking_index,), out, workers)
     )
+
+
+def _predicted_covariance_second_derivatives_of_numbers(
+    tracking_index: float,
+    form: Form = Double,
+) -> tuple[float, ...]:
+    t3 = form.sqrt(tracking_index)
+    t4 = form.sqrt(t3)
+    t6 = 2.220446049250313e-16 / tracking_index
+    t8 = tracking_index * 4.625929269271486e-19
+    t12 = form.sqrt(t6 + t8) * 67108864.0
+    t14 = (t12 * t4) * 2.0
+    t16 = t3 * 0.5
+    t18 = tracking_index * 0.07083333333333333
+    t25 = ((t3 * t4) * 1.5516447222296765) + (8.0 / t4)
+    t26 = form.near_cbrt(t25)
+    t30 = form.sqrt((t14 * t26) + t18)
+    t33 = form.sqrt((t30 * 2.0) + t16)
+    t34 = t14 * 0.5
+    t35 = t30 * t33
+    t40 = ((t33 * t35) - (t34 * t26)) / (t35 - t34)
+    t44 = form.sqrt((t14 * t40) + t18)
+    t47 = form.sqrt((t44 * 2.0) + t16)
+    t48 = t44 * t47
+    t53 = ((t47 * t48) - (t34 * t40)) / (t48 - t34)
+    t57 = form.sqrt((t14 * t53) + t18)
+    t60 = form.sqrt((t57 * 2.0) + t16)
+    t61 = t57 * t60
+    t66 = ((t60 * t61) - (t34 * t53)) / (t61 - t34)
+    t70 = form.sqrt((t14 * t66) + t18)
+    t73 = form.sqrt((t70 * 2.0) + t16)
+    t74 = t70 * t73
+    t79 = ((t73 * t74) - (t34 * t66)) / (t74 - t34)
+    t83 = form.sqrt((t14 * t79) + t18)
+    t86 = form.sqrt((t83 * 2.0) + t16)
+    t89 = (t3 * 0.25) / t83
+    t90 = t89 + 1.0
+    t93 = t89 * 1.1333333333333333
+    t98 = (t89 * (t93 + 4.0)) + 3.0
+    t101 = t3 / t83
+    t104 = t86 / t4
+    t107 = ((t101 / t98) * t101) * (t104 * (t3 / t12))
+    t109 = t107 * 0.004166666666666667
+    t111 = t104 * 2.0
+    t112 = ((((t90 * t89) / t98) * 2.0) + t109) * t111
+    t119 = (((t86 / t83) / (t83 * t98)) / t4) / t12
+    t121 = (t119 / t3) * 2.0
+    t122 = t121 + t109
+    t125 = (t89 * 2.0) + 2.0
+    t129 = (((t122 * t89) * (t90 + t125)) / t98) * 2.0
+    t131 = (t125 * t89) / t98
+    t132 = t131 * 2.0
+    t138 = t122 + (((t125 * t125) / t98) * 2.0)
+    t139 = t109 * t138
+    t144 = ((tracking_index / t12) / t12) * 0.0020833333333333333
+    t149 = (((t89 * (t93 + 2.0)) + 1.0) / t98) * 2.0
+    t151 = ((t129 + (t132 * t132)) + t139) + (t144 * t149)
+    t154 = (t112 * (t112 + 1.0)) + ((t121 * t151) * t111)
+    t161 = (t12 + (t83 * 0.5)) + (((t86 * t4) * 0.25) + (t3 * 0.125))
+    t166 = t83 / t3
+    t174 = t89 * ((t89 * 6.8) + 15.866666666666667)
+    t178 = (t89 * (t174 + 11.066666666666666)) + 2.0
+    t181 = t149 + t109
+    t183 = ((t89 / t98) * (t178 / t98)) * (t181 * 4.0)
+    t187 = (t89 * 4.533333333333333) + 9.066666666666666
+    t193 = ((((t89 * t187) + 4.0) * t89) / t98) * (t125 / t98)
+    t196 = t121 * ((t193 + t144) + t139)
+    t204 = t181 * ((t131 * 12.0) + (t122 * 6.0))
+    t210 = ((t89 * ((t89 * 3.4) + 4.0)) + 1.0) / t98
+    t212 = t210 + (t109 * 2.0)
+    t216 = t109 * ((t204 + (t212 * 4.0)) + t121)
+    t218 = (t166 * (t98 * 4.0)) * ((t183 + (t196 * t138)) + t216)
+    t224 = t111 * ((t181 * (t181 + 1.0)) + t196)
+    t226 = (((t83 / t86) * (t218 / t4)) + t224) * 0.125
+    t231 = (t89 * 12.844444444444445) + 42.61333333333334
+    t235 = t89 * ((t89 * t231) + 49.86666666666667)
+    t240 = (t89 * (t235 + 26.133333333333333)) + 10.0
+    t246 = ((((t89 * t240) + 4.0) / t98) / t98) + (t196 * t125)
+    t249 = (t89 * 2.2666666666666666) + 4.533333333333333
+    t254 = ((t89 * ((t89 * t249) + 6.0)) + 4.0) / t98
+    t259 = ((t254 * 2.0) + (t125 * t212)) + (t89 * 4.0)
+    t262 = (t166 * 4.0) * (t246 + (t109 * t259))
+    t164 = (t154 * (t3 * t161)) / tracking_index
+    t265 = t226 + ((t262 * 0.25) + 0.5)
+    t269 = ((t262 + t224) * 0.25) + 0.6666666666666666
+    t271 = (t224 * 0.5) + 1.0
+    return (t164, t265, t269, t271)
 
 
 def _predicted_covariance_second_derivatives_block(
@@ -3563,6 +4569,7 @@ _PREDICTED_COVARIANCE_SECOND_DERIVATIVES = Signature(
     ("predicted_13", "predicted_22", "predicted_23", "predicted_33"),
     16,
     _predicted_covariance_second_derivatives_block,
+    numbers=_predicted_covariance_second_derivatives_of_numbers,
 )
 
 
@@ -3617,9 +4624,96 @@ def predicted_position_second_derivatives(
 
     Source: derivation continuous-white-jerk
     """
+    if (
+        type(tracking_index) is float
+        and 1.688508503057271e-226 <= tracking_index <= 1.0715086071862673e301
+        and out is None
+        and workers is ONE
+    ):
+        try:
+            return named(
+                PredictedPositionSecondDerivatives,
+                _predicted_position_second_derivatives_of_numbers(tracking_index),
+            )
+        except (ArithmeticError, ValueError):
+            pass  # arrays say what is wrong
     return PredictedPositionSecondDerivatives(
         *evaluate(_PREDICTED_POSITION_SECOND_DERIVATIVES, (tracking_index,), out, workers)
     )
+
+
+def _predicted_position_second_derivatives_of_numbers(
+    tracking_index: float,
+    form: Form = Double,
+) -> tuple[float, ...]:
+    t3 = form.sqrt(tracking_index)
+    t4 = form.sqrt(t3)
+    t6 = 2.220446049250313e-16 / tracking_index
+    t8 = tracking_index * 4.625929269271486e-19
+    t12 = form.sqrt(t6 + t8) * 67108864.0
+    t14 = (t12 * t4) * 2.0
+    t16 = t3 * 0.5
+    t18 = tracking_index * 0.07083333333333333
+    t25 = ((t3 * t4) * 1.5516447222296765) + (8.0 / t4)
+    t26 = form.near_cbrt(t25)
+    t30 = form.sqrt((t14 * t26) + t18)
+    t33 = form.sqrt((t30 * 2.0) + t16)
+    t34 = t14 * 0.5
+    t35 = t30 * t33
+    t40 = ((t33 * t35) - (t34 * t26)) / (t35 - t34)
+    t44 = form.sqrt((t14 * t40) + t18)
+    t47 = form.sqrt((t44 * 2.0) + t16)
+    t48 = t44 * t47
+    t53 = ((t47 * t48) - (t34 * t40)) / (t48 - t34)
+    t57 = form.sqrt((t14 * t53) + t18)
+    t60 = form.sqrt((t57 * 2.0) + t16)
+    t61 = t57 * t60
+    t66 = ((t60 * t61) - (t34 * t53)) / (t61 - t34)
+    t70 = form.sqrt((t14 * t66) + t18)
+    t73 = form.sqrt((t70 * 2.0) + t16)
+    t74 = t70 * t73
+    t79 = ((t73 * t74) - (t34 * t66)) / (t74 - t34)
+    t83 = form.sqrt((t14 * t79) + t18)
+    t86 = form.sqrt((t83 * 2.0) + t16)
+    t89 = (t3 * 0.25) / t83
+    t90 = t89 + 1.0
+    t93 = t89 * 1.1333333333333333
+    t98 = (t89 * (t93 + 4.0)) + 3.0
+    t101 = t3 / t83
+    t104 = t86 / t4
+    t107 = ((t101 / t98) * t101) * (t104 * (t3 / t12))
+    t109 = t107 * 0.004166666666666667
+    t111 = t104 * 2.0
+    t112 = ((((t90 * t89) / t98) * 2.0) + t109) * t111
+    t120 = (t12 + (t83 * 0.5)) + (((t86 * t4) * 0.25) + (t3 * 0.125))
+    t122 = (t3 * t120) / tracking_index
+    t125 = ((t112 * t112) * t122) * (t122 * 4.0)
+    t128 = (t89 * 2.0) + 2.0
+    t129 = t128 / t98
+    t136 = t89 * ((t89 * 0.7544444444444445) + 1.6)
+    t143 = (t89 * ((t89 * (t136 + 2.1)) + 2.0)) + 0.75
+    t145 = (((t89 / t98) * t129) / t98) * (t143 * 8.0)
+    t149 = ((tracking_index / t12) / t12) * 0.0020833333333333333
+    t154 = (((t86 / t83) / (t83 * t98)) / t4) / t12
+    t156 = (t154 / t3) * 2.0
+    t159 = (t128 * t89) / t98
+    t162 = (t149 + t156) + ((t159 * t159) * 4.0)
+    t163 = t156 + t109
+    t168 = t109 * (t163 + (((t128 * t128) / t98) * 2.0))
+    t172 = (t145 + (t109 * (t162 + t168))) * t111
+    t178 = t104 * t122
+    t183 = (((t89 * (t93 + 2.0)) + 1.0) / t98) * 2.0
+    t185 = (t183 + t109) + t112
+    t191 = (((t163 * t89) * (t90 + t128)) / t98) * 2.0
+    t192 = t159 * 2.0
+    t197 = ((t191 + (t192 * t192)) + t168) + (t149 * t183)
+    t200 = (t185 * t112) + ((t156 * t197) * t111)
+    t204 = (t89 * 4.533333333333333) + 9.066666666666666
+    t209 = ((((t89 * t204) + 4.0) * t89) / t98) * t129
+    t213 = t200 + (t156 * ((t209 + t149) + t168))
+    t176 = t125 - ((t172 * t122) * (t122 * 2.0))
+    t217 = (t178 * t213) - (t178 * (t185 * t156))
+    return (t176, t217)
 
 
 def _predicted_position_second_derivatives_block(
@@ -3850,6 +4944,7 @@ _PREDICTED_POSITION_SECOND_DERIVATIVES = Signature(
     ("predicted_11", "predicted_12"),
     17,
     _predicted_position_second_derivatives_block,
+    numbers=_predicted_position_second_derivatives_of_numbers,
 )
 
 
@@ -3912,9 +5007,102 @@ def updated_covariance_second_derivatives(
 
     Source: derivation continuous-white-jerk
     """
+    if (
+        type(tracking_index) is float
+        and 5e-324 <= tracking_index <= 1.7976931348623157e308
+        and out is None
+        and workers is ONE
+    ):
+        try:
+            return named(
+                UpdatedCovarianceSecondDerivatives,
+                _updated_covariance_second_derivatives_of_numbers(tracking_index),
+            )
+        except (ArithmeticError, ValueError):
+            pass  # arrays say what is wrong
     return UpdatedCovarianceSecondDerivatives(
         *evaluate(_UPDATED_COVARIANCE_SECOND_DERIVATIVES, (tracking_index,), out, workers)
     )
+
+
+def _updated_covariance_second_derivatives_of_numbers(
+    tracking_index: float,
+    form: Form = Double,
+) -> tuple[float, ...]:
+    t3 = form.sqrt(tracking_index)
+    t4 = form.sqrt(t3)
+    t6 = 2.220446049250313e-16 / tracking_index
+    t8 = tracking_index * 4.625929269271486e-19
+    t12 = form.sqrt(t6 + t8) * 67108864.0
+    t14 = (t12 * t4) * 2.0
+    t16 = t3 * 0.5
+    t18 = tracking_index * 0.07083333333333333
+    t25 = ((t3 * t4) * 1.5516447222296765) + (8.0 / t4)
+    t26 = form.near_cbrt(t25)
+    t30 = form.sqrt((t14 * t26) + t18)
+    t33 = form.sqrt((t30 * 2.0) + t16)
+    t34 = t14 * 0.5
+    t35 = t30 * t33
+    t40 = ((t33 * t35) - (t34 * t26)) / (t35 - t34)
+    t44 = form.sqrt((t14 * t40) + t18)
+    t47 = form.sqrt((t44 * 2.0) + t16)
+    t48 = t44 * t47
+    t53 = ((t47 * t48) - (t34 * t40)) / (t48 - t34)
+    t57 = form.sqrt((t14 * t53) + t18)
+    t60 = form.sqrt((t57 * 2.0) + t16)
+    t61 = t57 * t60
+    t66 = ((t60 * t61) - (t34 * t53)) / (t61 - t34)
+    t70 = form.sqrt((t14 * t66) + t18)
+    t73 = form.sqrt((t70 * 2.0) + t16)
+    t74 = t70 * t73
+    t79 = ((t73 * t74) - (t34 * t66)) / (t74 - t34)
+    t83 = form.sqrt((t14 * t79) + t18)
+    t86 = form.sqrt((t83 * 2.0) + t16)
+    t88 = t83 / t3
+    t91 = (t3 * 0.25) / t83
+    t93 = t91 * 1.1333333333333333
+    t98 = (t91 * (t93 + 4.0)) + 3.0
+    t106 = t91 * ((t91 * 6.8) + 15.866666666666667)
+    t110 = (t91 * (t106 + 11.066666666666666)) + 2.0
+    t117 = (((t91 * (t93 + 2.0)) + 1.0) / t98) * 2.0
+    t118 = t3 / t83
+    t121 = t86 / t4
+    t124 = ((t118 / t98) * t118) * (t121 * (t3 / t12))
+    t126 = t124 * 0.004166666666666667
+    t127 = t117 + t126
+    t129 = ((t91 / t98) * (t110 / t98)) * (t127 * 4.0)
+    t134 = (((t86 / t83) / (t83 * t98)) / t4) / t12
+    t136 = (t134 / t3) * 2.0
+    t140 = (t91 * 4.533333333333333) + 9.066666666666666
+    t146 = (t91 * 2.0) + 2.0
+    t148 = ((((t91 * t140) + 4.0) * t91) / t98) * (t146 / t98)
+    t152 = ((tracking_index / t12) / t12) * 0.0020833333333333333
+    t154 = t136 + t126
+    t158 = t154 + (((t146 * t146) / t98) * 2.0)
+    t161 = t136 * ((t148 + t152) + (t126 * t158))
+    t170 = (((t146 * t91) / t98) * 12.0) + (t154 * 6.0)
+    t177 = ((t91 * ((t91 * 3.4) + 4.0)) + 1.0) / t98
+    t179 = t177 + (t126 * 2.0)
+    t182 = ((t127 * t170) + (t179 * 4.0)) + t136
+    t184 = (t129 + (t161 * t158)) + (t126 * t182)
+    t187 = (t83 / t86) * (((t88 * (t98 * 4.0)) * t184) / t4)
+    t188 = t121 * 2.0
+    t192 = t188 * ((t127 * (t127 + 1.0)) + t161)
+    t199 = (t91 * 12.844444444444445) + 42.61333333333334
+    t203 = t91 * ((t91 * t199) + 49.86666666666667)
+    t208 = (t91 * (t203 + 26.133333333333333)) + 10.0
+    t214 = ((((t91 * t208) + 4.0) / t98) / t98) + (t161 * t146)
+    t217 = (t91 * 2.2666666666666666) + 4.533333333333333
+    t222 = ((t91 * ((t91 * t217) + 6.0)) + 4.0) / t98
+    t227 = ((t222 * 2.0) + (t146 * t179)) + (t91 * 4.0)
+    t230 = (t88 * 4.0) * (t214 + (t126 * t227))
+    t233 = ((t187 + t192) * 0.125) + ((t230 * 0.25) + 0.5)
+    t241 = ((t230 + t192) * 0.25) + 0.6666666666666666
+    t242 = t192 * 0.5
+    t236 = t233 - ((t230 * 0.5) + 1.0)
+    t243 = t241 - t242
+    t250 = (t242 + 1.0) - (t188 * (((t4 / t86) * 0.5) * 2.0))
+    return (t236, t243, t250)
 
 
 def _updated_covariance_second_derivatives_block(
@@ -4177,6 +5365,7 @@ _UPDATED_COVARIANCE_SECOND_DERIVATIVES = Signature(
     ("updated_22", "updated_23", "updated_33"),
     14,
     _updated_covariance_second_derivatives_block,
+    numbers=_updated_covariance_second_derivatives_of_numbers,
 )
 
 
@@ -4234,7 +5423,97 @@ def closed_loop_poles(
 
     Source: derivation continuous-white-jerk
     """
+    if (
+        type(tracking_index) is float
+        and 5e-324 <= tracking_index <= 1.7976931348623157e308
+        and out is None
+        and workers is ONE
+    ):
+        try:
+            return named(ClosedLoopPoles, _closed_loop_poles_of_numbers(tracking_index))
+        except (ArithmeticError, ValueError):
+            pass  # arrays say what is wrong
     return ClosedLoopPoles(*evaluate(_CLOSED_LOOP_POLES, (tracking_index,), out, workers))
+
+
+def _closed_loop_poles_of_numbers(tracking_index: float, form: Form = Double) -> tuple[float, ...]:
+    t1 = form.sqrt(tracking_index)
+    t4 = 1.0 / form.sqrt(t1)
+    t8 = 1.0 / (t4 + (tracking_index * 0.015625))
+    t9 = t8 * t4
+    t13 = (t9 * t9) * ((t9 * t4) * 0.015625)
+    t14 = t8 * t8
+    t17 = (tracking_index * t8) * 0.0006944444444444445
+    t18 = t14 * 0.015625
+    t19 = t17 * t17
+    t20 = t19 * t17
+    t25 = t13 + ((t17 * t18) + (t20 * 2.0))
+    t28 = (t19 * 3.0) + t18
+    t32 = t13 + ((t14 * t8) * 0.00234374962747097)
+    t38 = t32 + ((t17 * (t18 * 2.0)) + (t20 * 8.0))
+    t39 = form.near_cbrt(t38)
+    t41 = t28 * t39
+    t42 = t41 + t25
+    t44 = form.sqrt(t39 * t42)
+    t45 = form.sqrt(t44)
+    t49 = (t42 * 0.25) + (t41 * 0.25)
+    t50 = t44 * t45
+    t55 = ((t45 * t50) - (t49 * t39)) / (t50 - t49)
+    t57 = t28 * t55
+    t58 = t57 + t25
+    t60 = form.sqrt(t55 * t58)
+    t61 = form.sqrt(t60)
+    t64 = (t58 * 0.25) + (t57 * 0.25)
+    t65 = t60 * t61
+    t70 = ((t61 * t65) - (t64 * t55)) / (t65 - t64)
+    t72 = t28 * t70
+    t73 = t72 + t25
+    t75 = form.sqrt(t70 * t73)
+    t76 = form.sqrt(t75)
+    t79 = (t73 * 0.25) + (t72 * 0.25)
+    t80 = t75 * t76
+    t85 = ((t76 * t80) - (t79 * t70)) / (t80 - t79)
+    t87 = t28 * t85
+    t88 = t87 + t25
+    t90 = form.sqrt(t85 * t88)
+    t91 = form.sqrt(t90)
+    t94 = (t88 * 0.25) + (t87 * 0.25)
+    t95 = t90 * t91
+    t100 = ((t91 * t95) - (t94 * t85)) / (t95 - t94)
+    t105 = form.sqrt(t100 * ((t28 * t100) + t25))
+    t107 = form.sqrt(t105) + t17
+    t108 = t107 / t8
+    t109 = t8 / t107
+    t111 = t109 / tracking_index
+    t113 = form.sqrt(t111 + 1.0)
+    t115 = 2.220446049250313e-16 / tracking_index
+    t117 = tracking_index * 4.625929269271486e-19
+    t122 = (form.sqrt(t115 + t117) * 67108864.0) * 8.0
+    t124 = (t122 / t113) / t1
+    t128 = t124 + 1.0
+    t129 = t128 + (0.13333333333333333 / (t111 + t124))
+    t132 = (form.sqrt(t129) + 1.0) + t124
+    t133 = t113 + 1.0
+    t138 = tracking_index * 0.028087750045592646
+    t140 = t108 + ((t109 * 0.01454608337892598) + t138)
+    t141 = (5.966800592310059 - tracking_index) + (
+        -9.738720763152742e-08 if form.single else 3.740420498507711e-16
+    )
+    t145 = ((t141 / t140) / tracking_index) * (5.966800592310059 + tracking_index)
+    t156 = (t145 * 0.028087750045592646) * ((t111 + 0.9309493362512627) / t128)
+    t162 = tracking_index * 0.0033840162126440396
+    t163 = (t109 * 0.0028603819712654517) + t162
+    t165 = (31.608914128879448 - tracking_index) + (
+        7.072486027936975e-07 if form.single else -1.5829239487703273e-15
+    )
+    t167 = (t165 / (t108 + t163)) / tracking_index
+    t169 = t167 * (31.608914128879448 + tracking_index)
+    t176 = ((t169 * 0.001000877316602882) / t132) * ((t111 + 0.8497311128276556) / t129)
+    t149 = (t111 / t133) / t133
+    t152 = ((form.sqrt(t108) / t1) * 8.0) / t132
+    t157 = t156 / t132
+    t179 = (t176 / t132) * -3.0
+    return (t149, t152, t157, t179)
 
 
 def _closed_loop_poles_block(
@@ -4435,4 +5714,5 @@ _CLOSED_LOOP_POLES = Signature(
     ("real_pole", "modulus", "half_sum", "quarter_discriminant"),
     7,
     _closed_loop_poles_block,
+    numbers=_closed_loop_poles_of_numbers,
 )

@@ -6,19 +6,19 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-import numpy as np
 from numpy import add, divide, multiply, negative, sqrt, square, subtract
 
 from gainproof.generated._bits import near_cbrt
+from gainproof.generated._numbers import ONE, Double, filled_by, named
 from gainproof.generated._runtime import evaluate
 from gainproof.generated._signature import Domain, Signature
 
 if TYPE_CHECKING:
     from typing import NamedTuple
 
-    from numpy.typing import ArrayLike
-
-    from gainproof.generated._signature import Arrays, Real
+    from gainproof.generated._double_word import Part
+    from gainproof.generated._numbers import Form
+    from gainproof.generated._signature import ArrayLike, Arrays, Real
 else:
     from gainproof.generated._result import NamedTuple
 
@@ -140,8 +140,56 @@ def gains(
 
     Source: derivation random-jerk
     """
+    if (
+        type(tracking_index) is float
+        and 5e-324 <= tracking_index <= 1.7976931348623157e308
+        and out is None
+        and workers is ONE
+        and not accurate
+    ):
+        try:
+            return named(Gains, _gains_of_numbers(tracking_index))
+        except (ArithmeticError, ValueError):
+            pass  # arrays say what is wrong
     kernel = _ACCURATE_GAINS if accurate else _GAINS
     return Gains(*evaluate(kernel, (tracking_index,), out, workers))
+
+
+def _gains_of_numbers(tracking_index: float, form: Form = Double) -> tuple[float, ...]:
+    t1 = form.sqrt(tracking_index)
+    t2 = form.sqrt(t1)
+    t4 = 2.220446049250313e-16 / tracking_index
+    t6 = tracking_index * 3.854941057726238e-19
+    t10 = form.sqrt(t4 + t6) * 67108864.0
+    t13 = (t10 * t2) * 2.0
+    t15 = t1 * 0.4166666666666667
+    t17 = tracking_index * 0.04861111111111111
+    t24 = ((t1 * t2) * 1.2504627916220945) + (8.0 / t2)
+    t25 = form.near_cbrt(t24)
+    t29 = form.sqrt((t13 * t25) + t17)
+    t32 = form.sqrt((t29 * 2.0) + t15)
+    t34 = t13 * 0.5
+    t35 = t29 * t32
+    t40 = ((t32 * t35) - (t34 * t25)) / (t35 - t34)
+    t44 = form.sqrt((t13 * t40) + t17)
+    t47 = form.sqrt((t44 * 2.0) + t15)
+    t48 = t44 * t47
+    t53 = ((t47 * t48) - (t34 * t40)) / (t48 - t34)
+    t57 = form.sqrt((t13 * t53) + t17)
+    t60 = form.sqrt((t57 * 2.0) + t15)
+    t61 = t57 * t60
+    t66 = ((t60 * t61) - (t34 * t53)) / (t61 - t34)
+    t70 = form.sqrt((t13 * t66) + t17)
+    t73 = form.sqrt((t70 * 2.0) + t15)
+    t74 = t70 * t73
+    t79 = ((t73 * t74) - (t34 * t66)) / (t74 - t34)
+    t83 = form.sqrt((t13 * t79) + t17)
+    t92 = form.sqrt((t83 * 2.0) + t15) * t2
+    t96 = (t10 + (t83 * 0.5)) + ((t92 * 0.25) + (t1 * 0.125))
+    t97 = (t83 + (t1 * 0.25)) / t96
+    t98 = t92 / t96
+    t99 = t1 / t96
+    return (t97, t98, t99)
 
 
 def _gains_block(
@@ -255,26 +303,24 @@ _GAINS = Signature(
     ("alpha", "beta", "gamma"),
     7,
     _gains_block,
+    numbers=_gains_of_numbers,
 )
 
 
-def _gains_in_double_words(given: Arrays, out: Arrays, _work: Arrays, single: bool) -> None:
-    if single:
-        # float64 keeps 29 bits more than come out
-        found = evaluate(_GAINS, (given[0].astype(np.float64),), None, 1)
-        for result, value in zip(out, found, strict=True):
-            result[...] = value
-        return
+def _gains_in_double_words(given: Part, form: Form = Double) -> tuple[Part, ...]:
     # loaded when it is asked for
     from gainproof.generated._double_word import add, divide, exact, multiply, refined, root, scale
 
-    tracking_index = exact(given[0])
+    if form.single:
+        # float64 keeps 29 bits more than come out
+        return evaluate(_GAINS, exact(given)[:1], None, 1)
+    tracking_index = exact(given)
     t1 = multiply(tracking_index, tracking_index)
     t3 = divide((64.0, 0.0), t1)
     t5 = add(t3, (0.1111111111111111, 6.1679056923619804e-18))
     delta = root(t5)
     # what the plain kernel gives is near the root
-    near = evaluate(_GAINS, (given[0].astype(np.float64),), None, 1)
+    near = evaluate(_GAINS, exact(given)[:1], None, 1)
     near_xi = exact(2.0 * near[1] / near[2])
     t8 = multiply(delta, near_xi)
     t10 = scale(t8, 2.0)
@@ -299,9 +345,7 @@ def _gains_in_double_words(given: Arrays, out: Arrays, _work: Arrays, single: bo
     t33 = scale(xi, 4.0)
     t34 = divide(t33, nu)
     t36 = divide((8.0, 0.0), nu)
-    out[0][...] = t31[0]
-    out[1][...] = t34[0]
-    out[2][...] = t36[0]
+    return (t31[0], t34[0], t36[0])
 
 
 _ACCURATE_GAINS = Signature(
@@ -309,7 +353,8 @@ _ACCURATE_GAINS = Signature(
     (_ACCURATE_TRACKING_INDEX_DOMAIN,),
     ("alpha", "beta", "gamma"),
     0,
-    _gains_in_double_words,
+    filled_by(_gains_in_double_words),
+    numbers=_gains_in_double_words,
 )
 
 
@@ -359,7 +404,70 @@ def gain_derivatives(
 
     Source: derivation random-jerk
     """
+    if (
+        type(tracking_index) is float
+        and 5e-324 <= tracking_index <= 1.7976931348623157e308
+        and out is None
+        and workers is ONE
+    ):
+        try:
+            return named(GainDerivatives, _gain_derivatives_of_numbers(tracking_index))
+        except (ArithmeticError, ValueError):
+            pass  # arrays say what is wrong
     return GainDerivatives(*evaluate(_GAIN_DERIVATIVES, (tracking_index,), out, workers))
+
+
+def _gain_derivatives_of_numbers(tracking_index: float, form: Form = Double) -> tuple[float, ...]:
+    t1 = form.sqrt(tracking_index)
+    t2 = form.sqrt(t1)
+    t4 = 2.220446049250313e-16 / tracking_index
+    t6 = tracking_index * 3.854941057726238e-19
+    t10 = form.sqrt(t4 + t6) * 67108864.0
+    t14 = (t10 * t2) * 2.0
+    t16 = t1 * 0.4166666666666667
+    t18 = tracking_index * 0.04861111111111111
+    t25 = ((t1 * t2) * 1.2504627916220945) + (8.0 / t2)
+    t26 = form.near_cbrt(t25)
+    t30 = form.sqrt((t14 * t26) + t18)
+    t33 = form.sqrt((t30 * 2.0) + t16)
+    t35 = t14 * 0.5
+    t36 = t30 * t33
+    t41 = ((t33 * t36) - (t35 * t26)) / (t36 - t35)
+    t45 = form.sqrt((t14 * t41) + t18)
+    t48 = form.sqrt((t45 * 2.0) + t16)
+    t49 = t45 * t48
+    t54 = ((t48 * t49) - (t35 * t41)) / (t49 - t35)
+    t58 = form.sqrt((t14 * t54) + t18)
+    t61 = form.sqrt((t58 * 2.0) + t16)
+    t62 = t58 * t61
+    t67 = ((t61 * t62) - (t35 * t54)) / (t62 - t35)
+    t71 = form.sqrt((t14 * t67) + t18)
+    t74 = form.sqrt((t71 * 2.0) + t16)
+    t75 = t71 * t74
+    t80 = ((t74 * t75) - (t35 * t67)) / (t75 - t35)
+    t84 = form.sqrt((t14 * t80) + t18)
+    t90 = t84 + (t1 * 0.16666666666666666)
+    t91 = form.sqrt((t84 * 2.0) + t16) * t2
+    t92 = t91 / t10
+    t96 = t90 + ((t92 * t1) * 0.006944444444444444)
+    t97 = t84 * t84
+    t100 = t1 * t84
+    t103 = (t97 * 0.75) + (t100 * 0.20833333333333334)
+    t105 = tracking_index * 0.012152777777777778
+    t106 = t103 + t105
+    t109 = t91 * 0.25
+    t111 = ((t96 / t106) * t109) / tracking_index
+    t117 = (t10 + (t84 * 0.5)) + (t109 + (t1 * 0.125))
+    t124 = (t97 * 0.25) + (t100 * 0.10416666666666667)
+    t128 = (t124 + t105) + (t91 * (t90 * 0.125))
+    t132 = ((t128 / t106) * 2.0) * (t92 / tracking_index)
+    t133 = t1 * t117
+    t139 = (t84 + (t1 * 0.20833333333333334)) + t109
+    t144 = (((t91 / t106) * (t139 * 0.5)) + 1.0) / (t10 * t1)
+    t120 = (((t111 * 2.0) / t117) / t117) / tracking_index
+    t135 = (t132 / t133) / t133
+    t146 = (t144 / t133) / t133
+    return (t120, t135, t146)
 
 
 def _gain_derivatives_block(
@@ -520,6 +628,7 @@ _GAIN_DERIVATIVES = Signature(
     ("alpha", "beta", "gamma"),
     11,
     _gain_derivatives_block,
+    numbers=_gain_derivatives_of_numbers,
 )
 
 
@@ -588,7 +697,76 @@ def gains_with_derivatives(
 
     Source: derivation random-jerk
     """
+    if (
+        type(tracking_index) is float
+        and 5e-324 <= tracking_index <= 1.7976931348623157e308
+        and out is None
+        and workers is ONE
+    ):
+        try:
+            return named(GainsWithDerivatives, _gains_with_derivatives_of_numbers(tracking_index))
+        except (ArithmeticError, ValueError):
+            pass  # arrays say what is wrong
     return GainsWithDerivatives(*evaluate(_GAINS_WITH_DERIVATIVES, (tracking_index,), out, workers))
+
+
+def _gains_with_derivatives_of_numbers(
+    tracking_index: float,
+    form: Form = Double,
+) -> tuple[float, ...]:
+    t1 = form.sqrt(tracking_index)
+    t2 = form.sqrt(t1)
+    t4 = 2.220446049250313e-16 / tracking_index
+    t6 = tracking_index * 3.854941057726238e-19
+    t10 = form.sqrt(t4 + t6) * 67108864.0
+    t14 = (t10 * t2) * 2.0
+    t16 = t1 * 0.4166666666666667
+    t18 = tracking_index * 0.04861111111111111
+    t25 = ((t1 * t2) * 1.2504627916220945) + (8.0 / t2)
+    t26 = form.near_cbrt(t25)
+    t30 = form.sqrt((t14 * t26) + t18)
+    t33 = form.sqrt((t30 * 2.0) + t16)
+    t35 = t14 * 0.5
+    t36 = t30 * t33
+    t41 = ((t33 * t36) - (t35 * t26)) / (t36 - t35)
+    t45 = form.sqrt((t14 * t41) + t18)
+    t48 = form.sqrt((t45 * 2.0) + t16)
+    t49 = t45 * t48
+    t54 = ((t48 * t49) - (t35 * t41)) / (t49 - t35)
+    t58 = form.sqrt((t14 * t54) + t18)
+    t61 = form.sqrt((t58 * 2.0) + t16)
+    t62 = t58 * t61
+    t67 = ((t61 * t62) - (t35 * t54)) / (t62 - t35)
+    t71 = form.sqrt((t14 * t67) + t18)
+    t74 = form.sqrt((t71 * 2.0) + t16)
+    t75 = t71 * t74
+    t80 = ((t74 * t75) - (t35 * t67)) / (t75 - t35)
+    t84 = form.sqrt((t14 * t80) + t18)
+    t93 = form.sqrt((t84 * 2.0) + t16) * t2
+    t94 = t93 * 0.25
+    t97 = (t10 + (t84 * 0.5)) + (t94 + (t1 * 0.125))
+    t103 = t84 + (t1 * 0.16666666666666666)
+    t104 = t93 / t10
+    t108 = t103 + ((t104 * t1) * 0.006944444444444444)
+    t109 = t84 * t84
+    t112 = t1 * t84
+    t115 = (t109 * 0.75) + (t112 * 0.20833333333333334)
+    t117 = tracking_index * 0.012152777777777778
+    t118 = t115 + t117
+    t121 = ((t108 / t118) * t94) / tracking_index
+    t129 = (t109 * 0.25) + (t112 * 0.10416666666666667)
+    t133 = (t129 + t117) + (t93 * (t103 * 0.125))
+    t137 = ((t133 / t118) * 2.0) * (t104 / tracking_index)
+    t138 = t1 * t97
+    t144 = (t84 + (t1 * 0.20833333333333334)) + t94
+    t149 = (((t93 / t118) * (t144 * 0.5)) + 1.0) / (t10 * t1)
+    t98 = (t84 + (t1 * 0.25)) / t97
+    t99 = t93 / t97
+    t100 = t1 / t97
+    t125 = (((t121 * 2.0) / t97) / t97) / tracking_index
+    t140 = (t137 / t138) / t138
+    t151 = (t149 / t138) / t138
+    return (t98, t99, t100, t125, t140, t151)
 
 
 def _gains_with_derivatives_block(
@@ -754,6 +932,7 @@ _GAINS_WITH_DERIVATIVES = Signature(
     ("alpha", "beta", "gamma", "d_alpha", "d_beta", "d_gamma"),
     8,
     _gains_with_derivatives_block,
+    numbers=_gains_with_derivatives_of_numbers,
 )
 
 
@@ -803,7 +982,54 @@ def predictor_gains(
 
     Source: derivation random-jerk
     """
+    if (
+        type(tracking_index) is float
+        and 5e-324 <= tracking_index <= 1.7976931348623157e308
+        and out is None
+        and workers is ONE
+    ):
+        try:
+            return named(PredictorGains, _predictor_gains_of_numbers(tracking_index))
+        except (ArithmeticError, ValueError):
+            pass  # arrays say what is wrong
     return PredictorGains(*evaluate(_PREDICTOR_GAINS, (tracking_index,), out, workers))
+
+
+def _predictor_gains_of_numbers(tracking_index: float, form: Form = Double) -> tuple[float, ...]:
+    t1 = form.sqrt(tracking_index)
+    t2 = form.sqrt(t1)
+    t4 = 2.220446049250313e-16 / tracking_index
+    t6 = tracking_index * 3.854941057726238e-19
+    t10 = form.sqrt(t4 + t6) * 67108864.0
+    t13 = (t10 * t2) * 2.0
+    t15 = t1 * 0.4166666666666667
+    t17 = tracking_index * 0.04861111111111111
+    t24 = ((t1 * t2) * 1.2504627916220945) + (8.0 / t2)
+    t25 = form.near_cbrt(t24)
+    t29 = form.sqrt((t13 * t25) + t17)
+    t32 = form.sqrt((t29 * 2.0) + t15)
+    t34 = t13 * 0.5
+    t35 = t29 * t32
+    t40 = ((t32 * t35) - (t34 * t25)) / (t35 - t34)
+    t44 = form.sqrt((t13 * t40) + t17)
+    t47 = form.sqrt((t44 * 2.0) + t15)
+    t48 = t44 * t47
+    t53 = ((t47 * t48) - (t34 * t40)) / (t48 - t34)
+    t57 = form.sqrt((t13 * t53) + t17)
+    t60 = form.sqrt((t57 * 2.0) + t15)
+    t61 = t57 * t60
+    t66 = ((t60 * t61) - (t34 * t53)) / (t61 - t34)
+    t70 = form.sqrt((t13 * t66) + t17)
+    t73 = form.sqrt((t70 * 2.0) + t15)
+    t74 = t70 * t73
+    t79 = ((t73 * t74) - (t34 * t66)) / (t74 - t34)
+    t83 = form.sqrt((t13 * t79) + t17)
+    t87 = form.sqrt((t83 * 2.0) + t15) * t2
+    t98 = (t10 + (t83 * 0.5)) + ((t87 * 0.25) + (t1 * 0.125))
+    t99 = (t83 + (t87 + (t1 * 0.75))) / t98
+    t101 = (t87 + t1) / t98
+    t102 = t1 / t98
+    return (t99, t101, t102)
 
 
 def _predictor_gains_block(
@@ -920,6 +1146,7 @@ _PREDICTOR_GAINS = Signature(
     ("position", "velocity", "acceleration"),
     7,
     _predictor_gains_block,
+    numbers=_predictor_gains_of_numbers,
 )
 
 
@@ -971,9 +1198,78 @@ def predictor_gain_derivatives(
 
     Source: derivation random-jerk
     """
+    if (
+        type(tracking_index) is float
+        and 5e-324 <= tracking_index <= 1.7976931348623157e308
+        and out is None
+        and workers is ONE
+    ):
+        try:
+            return named(
+                PredictorGainDerivatives, _predictor_gain_derivatives_of_numbers(tracking_index)
+            )
+        except (ArithmeticError, ValueError):
+            pass  # arrays say what is wrong
     return PredictorGainDerivatives(
         *evaluate(_PREDICTOR_GAIN_DERIVATIVES, (tracking_index,), out, workers)
     )
+
+
+def _predictor_gain_derivatives_of_numbers(
+    tracking_index: float,
+    form: Form = Double,
+) -> tuple[float, ...]:
+    t1 = form.sqrt(tracking_index)
+    t2 = form.sqrt(t1)
+    t4 = 2.220446049250313e-16 / tracking_index
+    t6 = tracking_index * 3.854941057726238e-19
+    t10 = form.sqrt(t4 + t6) * 67108864.0
+    t14 = (t10 * t2) * 2.0
+    t16 = t1 * 0.4166666666666667
+    t18 = tracking_index * 0.04861111111111111
+    t25 = ((t1 * t2) * 1.2504627916220945) + (8.0 / t2)
+    t26 = form.near_cbrt(t25)
+    t30 = form.sqrt((t14 * t26) + t18)
+    t33 = form.sqrt((t30 * 2.0) + t16)
+    t35 = t14 * 0.5
+    t36 = t30 * t33
+    t41 = ((t33 * t36) - (t35 * t26)) / (t36 - t35)
+    t45 = form.sqrt((t14 * t41) + t18)
+    t48 = form.sqrt((t45 * 2.0) + t16)
+    t49 = t45 * t48
+    t54 = ((t48 * t49) - (t35 * t41)) / (t49 - t35)
+    t58 = form.sqrt((t14 * t54) + t18)
+    t61 = form.sqrt((t58 * 2.0) + t16)
+    t62 = t58 * t61
+    t67 = ((t61 * t62) - (t35 * t54)) / (t62 - t35)
+    t71 = form.sqrt((t14 * t67) + t18)
+    t74 = form.sqrt((t71 * 2.0) + t16)
+    t75 = t71 * t74
+    t80 = ((t74 * t75) - (t35 * t67)) / (t75 - t35)
+    t84 = form.sqrt((t14 * t80) + t18)
+    t90 = t84 + (t1 * 0.16666666666666666)
+    t91 = form.sqrt((t84 * 2.0) + t16) * t2
+    t92 = t91 / t10
+    t96 = t90 + ((t92 * t1) * 0.006944444444444444)
+    t97 = t84 * t84
+    t100 = t1 * t84
+    t103 = (t97 * 0.75) + (t100 * 0.20833333333333334)
+    t105 = tracking_index * 0.012152777777777778
+    t106 = t103 + t105
+    t109 = t91 * 0.25
+    t111 = ((t96 / t106) * t109) / tracking_index
+    t116 = (t97 * 0.25) + (t100 * 0.10416666666666667)
+    t120 = (t116 + t105) + (t91 * (t90 * 0.125))
+    t124 = ((t120 / t106) * 2.0) * (t92 / tracking_index)
+    t128 = (t84 + (t1 * 0.20833333333333334)) + t109
+    t133 = (((t91 / t106) * (t128 * 0.5)) + 1.0) / (t10 * t1)
+    t141 = (t10 + (t84 * 0.5)) + (t109 + (t1 * 0.125))
+    t142 = t1 * t141
+    t143 = ((t111 * 2.0) + (t124 + (t133 * 0.5))) / t142
+    t144 = t143 / t142
+    t147 = ((t124 + t133) / t142) / t142
+    t149 = (t133 / t142) / t142
+    return (t144, t147, t149)
 
 
 def _predictor_gain_derivatives_block(
@@ -1137,6 +1433,7 @@ _PREDICTOR_GAIN_DERIVATIVES = Signature(
     ("position", "velocity", "acceleration"),
     9,
     _predictor_gain_derivatives_block,
+    numbers=_predictor_gain_derivatives_of_numbers,
 )
 
 
@@ -1176,7 +1473,55 @@ def innovation_deviation(
 
     Source: derivation random-jerk
     """
+    if (
+        type(tracking_index) is float
+        and 5e-324 <= tracking_index <= 1.7976931348623157e308
+        and out is None
+        and workers is ONE
+    ):
+        try:
+            return named(InnovationDeviation, _innovation_deviation_of_numbers(tracking_index))
+        except (ArithmeticError, ValueError):
+            pass  # arrays say what is wrong
     return InnovationDeviation(*evaluate(_INNOVATION_DEVIATION, (tracking_index,), out, workers))
+
+
+def _innovation_deviation_of_numbers(
+    tracking_index: float,
+    form: Form = Double,
+) -> tuple[float, ...]:
+    t1 = form.sqrt(tracking_index)
+    t2 = form.sqrt(t1)
+    t4 = 2.220446049250313e-16 / tracking_index
+    t6 = tracking_index * 3.854941057726238e-19
+    t10 = form.sqrt(t4 + t6) * 67108864.0
+    t13 = (t10 * t2) * 2.0
+    t15 = t1 * 0.4166666666666667
+    t17 = tracking_index * 0.04861111111111111
+    t24 = ((t1 * t2) * 1.2504627916220945) + (8.0 / t2)
+    t25 = form.near_cbrt(t24)
+    t29 = form.sqrt((t13 * t25) + t17)
+    t32 = form.sqrt((t29 * 2.0) + t15)
+    t34 = t13 * 0.5
+    t35 = t29 * t32
+    t40 = ((t32 * t35) - (t34 * t25)) / (t35 - t34)
+    t44 = form.sqrt((t13 * t40) + t17)
+    t47 = form.sqrt((t44 * 2.0) + t15)
+    t48 = t44 * t47
+    t53 = ((t47 * t48) - (t34 * t40)) / (t48 - t34)
+    t57 = form.sqrt((t13 * t53) + t17)
+    t60 = form.sqrt((t57 * 2.0) + t15)
+    t61 = t57 * t60
+    t66 = ((t60 * t61) - (t34 * t53)) / (t61 - t34)
+    t70 = form.sqrt((t13 * t66) + t17)
+    t73 = form.sqrt((t70 * 2.0) + t15)
+    t74 = t70 * t73
+    t79 = ((t73 * t74) - (t34 * t66)) / (t74 - t34)
+    t83 = form.sqrt((t13 * t79) + t17)
+    t91 = (form.sqrt((t83 * 2.0) + t15) * t2) * 0.25
+    t94 = (t10 + (t83 * 0.5)) + (t91 + (t1 * 0.125))
+    t95 = t1 * t94
+    return (t95,)
 
 
 def _innovation_deviation_block(
@@ -1286,6 +1631,7 @@ _INNOVATION_DEVIATION = Signature(
     ("innovation_deviation",),
     9,
     _innovation_deviation_block,
+    numbers=_innovation_deviation_of_numbers,
 )
 
 
@@ -1327,7 +1673,52 @@ def pole_product(
 
     Source: derivation random-jerk
     """
+    if (
+        type(tracking_index) is float
+        and 5e-324 <= tracking_index <= 1.7976931348623157e308
+        and out is None
+        and workers is ONE
+    ):
+        try:
+            return named(PoleProduct, _pole_product_of_numbers(tracking_index))
+        except (ArithmeticError, ValueError):
+            pass  # arrays say what is wrong
     return PoleProduct(*evaluate(_POLE_PRODUCT, (tracking_index,), out, workers))
+
+
+def _pole_product_of_numbers(tracking_index: float, form: Form = Double) -> tuple[float, ...]:
+    t1 = form.sqrt(tracking_index)
+    t2 = form.sqrt(t1)
+    t4 = 2.220446049250313e-16 / tracking_index
+    t6 = tracking_index * 3.854941057726238e-19
+    t10 = form.sqrt(t4 + t6) * 67108864.0
+    t14 = (t10 * t2) * 2.0
+    t16 = t1 * 0.4166666666666667
+    t18 = tracking_index * 0.04861111111111111
+    t25 = ((t1 * t2) * 1.2504627916220945) + (8.0 / t2)
+    t26 = form.near_cbrt(t25)
+    t30 = form.sqrt((t14 * t26) + t18)
+    t33 = form.sqrt((t30 * 2.0) + t16)
+    t35 = t14 * 0.5
+    t36 = t30 * t33
+    t41 = ((t33 * t36) - (t35 * t26)) / (t36 - t35)
+    t45 = form.sqrt((t14 * t41) + t18)
+    t48 = form.sqrt((t45 * 2.0) + t16)
+    t49 = t45 * t48
+    t54 = ((t48 * t49) - (t35 * t41)) / (t49 - t35)
+    t58 = form.sqrt((t14 * t54) + t18)
+    t61 = form.sqrt((t58 * 2.0) + t16)
+    t62 = t58 * t61
+    t67 = ((t61 * t62) - (t35 * t54)) / (t62 - t35)
+    t71 = form.sqrt((t14 * t67) + t18)
+    t74 = form.sqrt((t71 * 2.0) + t16)
+    t75 = t71 * t74
+    t80 = ((t74 * t75) - (t35 * t67)) / (t75 - t35)
+    t84 = form.sqrt((t14 * t80) + t18)
+    t92 = (form.sqrt((t84 * 2.0) + t16) * t2) * 0.25
+    t95 = (t10 + (t84 * 0.5)) + (t92 + (t1 * 0.125))
+    t98 = ((1.0 / t95) / tracking_index) / t95
+    return (t98,)
 
 
 def _pole_product_block(
@@ -1440,6 +1831,7 @@ _POLE_PRODUCT = Signature(
     ("pole_product",),
     9,
     _pole_product_block,
+    numbers=_pole_product_of_numbers,
 )
 
 
@@ -1511,7 +1903,65 @@ def predicted_covariance(
 
     Source: derivation random-jerk
     """
+    if (
+        type(tracking_index) is float
+        and 5e-324 <= tracking_index <= 1.7976931348623157e308
+        and out is None
+        and workers is ONE
+    ):
+        try:
+            return named(PredictedCovariance, _predicted_covariance_of_numbers(tracking_index))
+        except (ArithmeticError, ValueError):
+            pass  # arrays say what is wrong
     return PredictedCovariance(*evaluate(_PREDICTED_COVARIANCE, (tracking_index,), out, workers))
+
+
+def _predicted_covariance_of_numbers(
+    tracking_index: float,
+    form: Form = Double,
+) -> tuple[float, ...]:
+    t1 = form.sqrt(tracking_index)
+    t2 = form.sqrt(t1)
+    t4 = 2.220446049250313e-16 / tracking_index
+    t6 = tracking_index * 3.854941057726238e-19
+    t10 = form.sqrt(t4 + t6) * 67108864.0
+    t13 = (t10 * t2) * 2.0
+    t15 = t1 * 0.4166666666666667
+    t17 = tracking_index * 0.04861111111111111
+    t18 = t1 * t2
+    t24 = (t18 * 1.2504627916220945) + (8.0 / t2)
+    t25 = form.near_cbrt(t24)
+    t29 = form.sqrt((t13 * t25) + t17)
+    t32 = form.sqrt((t29 * 2.0) + t15)
+    t34 = t13 * 0.5
+    t35 = t29 * t32
+    t40 = ((t32 * t35) - (t34 * t25)) / (t35 - t34)
+    t44 = form.sqrt((t13 * t40) + t17)
+    t47 = form.sqrt((t44 * 2.0) + t15)
+    t48 = t44 * t47
+    t53 = ((t47 * t48) - (t34 * t40)) / (t48 - t34)
+    t57 = form.sqrt((t13 * t53) + t17)
+    t60 = form.sqrt((t57 * 2.0) + t15)
+    t61 = t57 * t60
+    t66 = ((t60 * t61) - (t34 * t53)) / (t61 - t34)
+    t70 = form.sqrt((t13 * t66) + t17)
+    t73 = form.sqrt((t70 * 2.0) + t15)
+    t74 = t70 * t73
+    t79 = ((t73 * t74) - (t34 * t66)) / (t74 - t34)
+    t83 = form.sqrt((t13 * t79) + t17)
+    t86 = form.sqrt((t83 * 2.0) + t15)
+    t92 = t86 * t2
+    t96 = (t10 + (t83 * 0.5)) + ((t92 * 0.25) + (t1 * 0.125))
+    t108 = ((t10 * 3.0) + t83) + (t1 * 0.20833333333333334)
+    t114 = (t83 * 0.9166666666666666) + (t1 * 0.2013888888888889)
+    t122 = (t1 * 0.3333333333333333) + (t92 * 0.5)
+    t98 = (((t1 * 0.25) + t83) * t96) * tracking_index
+    t100 = (t92 * t96) * tracking_index
+    t102 = tracking_index * (t1 * t96)
+    t118 = ((t108 + ((t2 / t86) * t114)) * t1) * tracking_index
+    t125 = ((t122 + t83) * t1) * tracking_index
+    t129 = tracking_index * ((t18 * t86) + (tracking_index * 0.5))
+    return (t98, t100, t102, t118, t125, t129)
 
 
 def _predicted_covariance_block(
@@ -1662,6 +2112,7 @@ _PREDICTED_COVARIANCE = Signature(
     ),
     6,
     _predicted_covariance_block,
+    numbers=_predicted_covariance_of_numbers,
 )
 
 
@@ -1734,9 +2185,95 @@ def predicted_covariance_derivatives(
 
     Source: derivation random-jerk
     """
+    if (
+        type(tracking_index) is float
+        and 5e-324 <= tracking_index <= 1.0715086071862673e301
+        and out is None
+        and workers is ONE
+    ):
+        try:
+            return named(
+                PredictedCovarianceDerivatives,
+                _predicted_covariance_derivatives_of_numbers(tracking_index),
+            )
+        except (ArithmeticError, ValueError):
+            pass  # arrays say what is wrong
     return PredictedCovarianceDerivatives(
         *evaluate(_PREDICTED_COVARIANCE_DERIVATIVES, (tracking_index,), out, workers)
     )
+
+
+def _predicted_covariance_derivatives_of_numbers(
+    tracking_index: float,
+    form: Form = Double,
+) -> tuple[float, ...]:
+    t1 = form.sqrt(tracking_index)
+    t2 = form.sqrt(t1)
+    t4 = 2.220446049250313e-16 / tracking_index
+    t6 = tracking_index * 3.854941057726238e-19
+    t10 = form.sqrt(t4 + t6) * 67108864.0
+    t14 = (t10 * t2) * 2.0
+    t16 = t1 * 0.4166666666666667
+    t18 = tracking_index * 0.04861111111111111
+    t19 = t1 * t2
+    t25 = (t19 * 1.2504627916220945) + (8.0 / t2)
+    t26 = form.near_cbrt(t25)
+    t30 = form.sqrt((t14 * t26) + t18)
+    t33 = form.sqrt((t30 * 2.0) + t16)
+    t35 = t14 * 0.5
+    t36 = t30 * t33
+    t41 = ((t33 * t36) - (t35 * t26)) / (t36 - t35)
+    t45 = form.sqrt((t14 * t41) + t18)
+    t48 = form.sqrt((t45 * 2.0) + t16)
+    t49 = t45 * t48
+    t54 = ((t48 * t49) - (t35 * t41)) / (t49 - t35)
+    t58 = form.sqrt((t14 * t54) + t18)
+    t61 = form.sqrt((t58 * 2.0) + t16)
+    t62 = t58 * t61
+    t67 = ((t61 * t62) - (t35 * t54)) / (t62 - t35)
+    t71 = form.sqrt((t14 * t67) + t18)
+    t74 = form.sqrt((t71 * 2.0) + t16)
+    t75 = t71 * t74
+    t80 = ((t74 * t75) - (t35 * t67)) / (t75 - t35)
+    t84 = form.sqrt((t14 * t80) + t18)
+    t87 = form.sqrt((t84 * 2.0) + t16)
+    t91 = t87 * t2
+    t92 = t91 / t10
+    t96 = (t84 + (t1 * 0.16666666666666666)) + ((t92 * t1) * 0.006944444444444444)
+    t97 = t84 * t84
+    t100 = t1 * t84
+    t103 = (t97 * 0.75) + (t100 * 0.20833333333333334)
+    t105 = tracking_index * 0.012152777777777778
+    t106 = t103 + t105
+    t109 = t91 * 0.25
+    t110 = (t96 / t106) * t109
+    t116 = (t10 + (t84 * 0.5)) + (t109 + (t1 * 0.125))
+    t123 = (t97 * 0.25) + (t100 * 0.10416666666666667)
+    t124 = t123 + t105
+    t130 = ((tracking_index / t106) * t92) * 0.0008680555555555555
+    t131 = ((t124 / t106) * 2.0) + t130
+    t134 = t1 * t116
+    t141 = ((tracking_index / t10) / t10) * 0.001736111111111111
+    t149 = ((t1 * 0.25) / t84) * 1.6666666666666667
+    t150 = t149 + 2.0
+    t152 = (tracking_index * t150) * 0.012152777777777778
+    t156 = ((t124 + t152) / t106) + (t130 * t150)
+    t157 = 1.0 + t156
+    t158 = t157 * t84
+    t160 = ((((1.0 + t141) * t10) * 3.0) + t158) + t16
+    t164 = ((t91 / t106) / tracking_index) / t10
+    t165 = t164 * 0.5
+    t169 = ((t157 + t165) * t84) * 0.9166666666666666
+    t173 = ((2.0 + t165) * t1) * 0.2013888888888889
+    t178 = 1.0 + t131
+    t184 = (((t178 * t91) * 0.5) + t158) + (t1 * 0.6666666666666666)
+    t118 = ((t110 * 2.0) * t116) * t116
+    t135 = ((t87 / t2) * (t131 + t110)) * t134
+    t137 = t134 * (t110 + 1.0)
+    t177 = (t160 + ((t2 / t87) * (t169 + t173))) * t1
+    t185 = t184 * t1
+    t188 = ((t19 * t87) * t178) + tracking_index
+    return (t118, t135, t137, t177, t185, t188)
 
 
 def _predicted_covariance_derivatives_block(
@@ -1946,6 +2483,7 @@ _PREDICTED_COVARIANCE_DERIVATIVES = Signature(
     ),
     14,
     _predicted_covariance_derivatives_block,
+    numbers=_predicted_covariance_derivatives_of_numbers,
 )
 
 
@@ -2017,7 +2555,70 @@ def updated_covariance(
 
     Source: derivation random-jerk
     """
+    if (
+        type(tracking_index) is float
+        and 5e-324 <= tracking_index <= 1.7976931348623157e308
+        and out is None
+        and workers is ONE
+    ):
+        try:
+            return named(UpdatedCovariance, _updated_covariance_of_numbers(tracking_index))
+        except (ArithmeticError, ValueError):
+            pass  # arrays say what is wrong
     return UpdatedCovariance(*evaluate(_UPDATED_COVARIANCE, (tracking_index,), out, workers))
+
+
+def _updated_covariance_of_numbers(tracking_index: float, form: Form = Double) -> tuple[float, ...]:
+    t1 = form.sqrt(tracking_index)
+    t2 = form.sqrt(t1)
+    t4 = 2.220446049250313e-16 / tracking_index
+    t6 = tracking_index * 3.854941057726238e-19
+    t10 = form.sqrt(t4 + t6) * 67108864.0
+    t13 = (t10 * t2) * 2.0
+    t15 = t1 * 0.4166666666666667
+    t17 = tracking_index * 0.04861111111111111
+    t24 = ((t1 * t2) * 1.2504627916220945) + (8.0 / t2)
+    t25 = form.near_cbrt(t24)
+    t29 = form.sqrt((t13 * t25) + t17)
+    t32 = form.sqrt((t29 * 2.0) + t15)
+    t34 = t13 * 0.5
+    t35 = t29 * t32
+    t40 = ((t32 * t35) - (t34 * t25)) / (t35 - t34)
+    t44 = form.sqrt((t13 * t40) + t17)
+    t47 = form.sqrt((t44 * 2.0) + t15)
+    t48 = t44 * t47
+    t53 = ((t47 * t48) - (t34 * t40)) / (t48 - t34)
+    t57 = form.sqrt((t13 * t53) + t17)
+    t60 = form.sqrt((t57 * 2.0) + t15)
+    t61 = t57 * t60
+    t66 = ((t60 * t61) - (t34 * t53)) / (t61 - t34)
+    t70 = form.sqrt((t13 * t66) + t17)
+    t73 = form.sqrt((t70 * 2.0) + t15)
+    t74 = t70 * t73
+    t79 = ((t73 * t74) - (t34 * t66)) / (t74 - t34)
+    t83 = form.sqrt((t13 * t79) + t17)
+    t84 = t83 * 2.0
+    t86 = form.sqrt(t84 + t15)
+    t92 = t86 * t2
+    t96 = (t10 + (t83 * 0.5)) + ((t92 * 0.25) + (t1 * 0.125))
+    t105 = t1 * 0.16666666666666666
+    t107 = t2 / t86
+    t111 = (t83 + t105) + (t107 * (t83 * 0.8333333333333334))
+    t119 = (t10 * 0.19444444444444445) + (t83 * 0.013888888888888888)
+    t123 = t107 * (t119 + (t1 * 0.0028935185185185184))
+    t125 = t1 * ((t1 * 0.010416666666666666) + t123)
+    t128 = ((6.0 / t96) / tracking_index) + (((t10 * t111) + t125) / t96)
+    t138 = (t10 * 0.3333333333333333) + (t83 * 0.041666666666666664)
+    t143 = (t138 + (t92 * 0.020833333333333332)) + (t1 * 0.013888888888888888)
+    t145 = (t10 * ((t92 * 0.5) + t83)) + (t1 * t143)
+    t153 = ((t105 + t84) * tracking_index) / ((t2 * 0.5) + t86)
+    t97 = (t83 + (t1 * 0.25)) / t96
+    t98 = t92 / t96
+    t99 = t1 / t96
+    t130 = ((t1 * 0.5) * t128) * tracking_index
+    t148 = ((t145 / t96) * t1) * tracking_index
+    t155 = (t153 / t2) * tracking_index
+    return (t97, t98, t99, t130, t148, t155)
 
 
 def _updated_covariance_block(
@@ -2187,6 +2788,7 @@ _UPDATED_COVARIANCE = Signature(
     ("updated_11", "updated_12", "updated_13", "updated_22", "updated_23", "updated_33"),
     11,
     _updated_covariance_block,
+    numbers=_updated_covariance_of_numbers,
 )
 
 
@@ -2258,9 +2860,120 @@ def updated_covariance_derivatives(
 
     Source: derivation random-jerk
     """
+    if (
+        type(tracking_index) is float
+        and 5e-324 <= tracking_index <= 1.0715086071862673e301
+        and out is None
+        and workers is ONE
+    ):
+        try:
+            return named(
+                UpdatedCovarianceDerivatives,
+                _updated_covariance_derivatives_of_numbers(tracking_index),
+            )
+        except (ArithmeticError, ValueError):
+            pass  # arrays say what is wrong
     return UpdatedCovarianceDerivatives(
         *evaluate(_UPDATED_COVARIANCE_DERIVATIVES, (tracking_index,), out, workers)
     )
+
+
+def _updated_covariance_derivatives_of_numbers(
+    tracking_index: float,
+    form: Form = Double,
+) -> tuple[float, ...]:
+    t1 = form.sqrt(tracking_index)
+    t2 = form.sqrt(t1)
+    t4 = 2.220446049250313e-16 / tracking_index
+    t6 = tracking_index * 3.854941057726238e-19
+    t10 = form.sqrt(t4 + t6) * 67108864.0
+    t14 = (t10 * t2) * 2.0
+    t16 = t1 * 0.4166666666666667
+    t18 = tracking_index * 0.04861111111111111
+    t19 = t1 * t2
+    t25 = (t19 * 1.2504627916220945) + (8.0 / t2)
+    t26 = form.near_cbrt(t25)
+    t30 = form.sqrt((t14 * t26) + t18)
+    t33 = form.sqrt((t30 * 2.0) + t16)
+    t35 = t14 * 0.5
+    t36 = t30 * t33
+    t41 = ((t33 * t36) - (t35 * t26)) / (t36 - t35)
+    t45 = form.sqrt((t14 * t41) + t18)
+    t48 = form.sqrt((t45 * 2.0) + t16)
+    t49 = t45 * t48
+    t54 = ((t48 * t49) - (t35 * t41)) / (t49 - t35)
+    t58 = form.sqrt((t14 * t54) + t18)
+    t61 = form.sqrt((t58 * 2.0) + t16)
+    t62 = t58 * t61
+    t67 = ((t61 * t62) - (t35 * t54)) / (t62 - t35)
+    t71 = form.sqrt((t14 * t67) + t18)
+    t74 = form.sqrt((t71 * 2.0) + t16)
+    t75 = t71 * t74
+    t80 = ((t74 * t75) - (t35 * t67)) / (t75 - t35)
+    t84 = form.sqrt((t14 * t80) + t18)
+    t87 = form.sqrt((t84 * 2.0) + t16)
+    t90 = t84 + (t1 * 0.16666666666666666)
+    t91 = t87 * t2
+    t92 = t91 / t10
+    t96 = t90 + ((t92 * t1) * 0.006944444444444444)
+    t97 = t84 * t84
+    t100 = t1 * t84
+    t103 = (t97 * 0.75) + (t100 * 0.20833333333333334)
+    t105 = tracking_index * 0.012152777777777778
+    t106 = t103 + t105
+    t109 = t91 * 0.25
+    t111 = ((t96 / t106) * t109) / tracking_index
+    t117 = (t10 + (t84 * 0.5)) + (t109 + (t1 * 0.125))
+    t124 = (t97 * 0.25) + (t100 * 0.10416666666666667)
+    t125 = t124 + t105
+    t129 = (t125 + (t91 * (t90 * 0.125))) / t106
+    t132 = (t129 * 2.0) * (t92 / tracking_index)
+    t133 = t1 * t117
+    t136 = t91 / t106
+    t139 = (t84 + (t1 * 0.20833333333333334)) + t109
+    t144 = ((t136 * (t139 * 0.5)) + 1.0) / (t10 * t1)
+    t152 = ((t136 / tracking_index) / t10) * 0.5
+    t157 = t152 * (t109 * (1.0 + ((t87 / t2) * 2.0)))
+    t158 = ((1.0 / t10) / tracking_index) + t157
+    t159 = t158 / t117
+    t163 = t159 * ((6.0 / t117) / tracking_index)
+    t167 = ((t1 * 0.25) / t84) * 1.6666666666666667
+    t168 = t167 + 2.0
+    t170 = (tracking_index * t168) * 0.012152777777777778
+    t176 = ((tracking_index / t106) * t92) * 0.0008680555555555555
+    t178 = ((t125 + t170) / t106) + (t176 * t168)
+    t182 = ((tracking_index / t10) / t10) * 0.001736111111111111
+    t184 = (t178 + t182) + t159
+    t185 = t184 * t84
+    t186 = 1.0 + t159
+    t187 = t186 + t182
+    t190 = t185 + ((t187 * t1) * 0.16666666666666666)
+    t191 = t2 / t87
+    t195 = ((t184 + t152) * t84) * 0.8333333333333334
+    t199 = t186 + t178
+    t201 = t186 + 1.0
+    t202 = t201 * t1
+    t208 = ((t187 + t152) * t10) * 0.19444444444444445
+    t212 = ((t199 + t152) * t84) * 0.013888888888888888
+    t217 = ((t201 + t152) * t1) * 0.0028935185185185184
+    t220 = (t202 * 0.010416666666666666) + (t191 * ((t208 + t212) + t217))
+    t222 = (t10 * (t190 + (t191 * t195))) + (t1 * t220)
+    t228 = ((t125 / t106) * 2.0) + t176
+    t233 = ((((t228 + t182) + t159) * t91) * 0.5) + t185
+    t240 = ((t187 * t10) * 0.3333333333333333) + ((t199 * t84) * 0.041666666666666664)
+    t244 = ((t186 + t228) * t91) * 0.020833333333333332
+    t247 = (t240 + t244) + (t202 * 0.013888888888888888)
+    t254 = (t2 * 0.5) + t87
+    t256 = t152 * (t87 / t254)
+    t262 = ((2.0 + t256) * t1) * 0.16666666666666666
+    t263 = ((((1.0 + t178) + t256) * t84) * 2.0) + t262
+    t120 = (((t111 * 2.0) / t117) / t117) / tracking_index
+    t135 = (t132 / t133) / t133
+    t146 = (t144 / t133) / t133
+    t225 = (t1 * 0.5) * (t163 + (t222 / t117))
+    t251 = (((t10 * t233) + (t1 * t247)) / t117) * t1
+    t265 = (t263 / t254) * t19
+    return (t120, t135, t146, t225, t251, t265)
 
 
 def _updated_covariance_derivatives_block(
@@ -2567,6 +3280,7 @@ _UPDATED_COVARIANCE_DERIVATIVES = Signature(
     ("updated_11", "updated_12", "updated_13", "updated_22", "updated_23", "updated_33"),
     26,
     _updated_covariance_derivatives_block,
+    numbers=_updated_covariance_derivatives_of_numbers,
 )
 
 
@@ -2619,9 +3333,110 @@ def gain_second_derivatives(
 
     Source: derivation random-jerk
     """
+    if (
+        type(tracking_index) is float
+        and 5e-324 <= tracking_index <= 1.7976931348623157e308
+        and out is None
+        and workers is ONE
+    ):
+        try:
+            return named(GainSecondDerivatives, _gain_second_derivatives_of_numbers(tracking_index))
+        except (ArithmeticError, ValueError):
+            pass  # arrays say what is wrong
     return GainSecondDerivatives(
         *evaluate(_GAIN_SECOND_DERIVATIVES, (tracking_index,), out, workers)
     )
+
+
+def _gain_second_derivatives_of_numbers(
+    tracking_index: float,
+    form: Form = Double,
+) -> tuple[float, ...]:
+    t1 = form.sqrt(tracking_index)
+    t2 = form.sqrt(t1)
+    t4 = 2.220446049250313e-16 / tracking_index
+    t6 = tracking_index * 3.854941057726238e-19
+    t10 = form.sqrt(t4 + t6) * 67108864.0
+    t14 = (t10 * t2) * 2.0
+    t16 = t1 * 0.4166666666666667
+    t18 = tracking_index * 0.04861111111111111
+    t25 = ((t1 * t2) * 1.2504627916220945) + (8.0 / t2)
+    t26 = form.near_cbrt(t25)
+    t30 = form.sqrt((t14 * t26) + t18)
+    t33 = form.sqrt((t30 * 2.0) + t16)
+    t35 = t14 * 0.5
+    t36 = t30 * t33
+    t41 = ((t33 * t36) - (t35 * t26)) / (t36 - t35)
+    t45 = form.sqrt((t14 * t41) + t18)
+    t48 = form.sqrt((t45 * 2.0) + t16)
+    t49 = t45 * t48
+    t54 = ((t48 * t49) - (t35 * t41)) / (t49 - t35)
+    t58 = form.sqrt((t14 * t54) + t18)
+    t61 = form.sqrt((t58 * 2.0) + t16)
+    t62 = t58 * t61
+    t67 = ((t61 * t62) - (t35 * t54)) / (t62 - t35)
+    t71 = form.sqrt((t14 * t67) + t18)
+    t74 = form.sqrt((t71 * 2.0) + t16)
+    t75 = t71 * t74
+    t80 = ((t74 * t75) - (t35 * t67)) / (t75 - t35)
+    t84 = form.sqrt((t14 * t80) + t18)
+    t87 = form.sqrt((t84 * 2.0) + t16)
+    t88 = t87 / t2
+    t89 = t88 * 2.0
+    t92 = (t1 * 0.25) / t84
+    t95 = (t92 * 0.6666666666666666) + 1.0
+    t98 = t92 * 0.7777777777777778
+    t103 = (t92 * (t98 + 3.3333333333333335)) + 3.0
+    t106 = t1 / t84
+    t111 = ((t106 / t103) * t106) * (t88 * (t1 / t10))
+    t113 = t111 * 0.003472222222222222
+    t114 = (((t95 * t92) / t103) * 2.0) + t113
+    t115 = t114 * t89
+    t121 = (t92 * 1.6666666666666667) + 2.0
+    t124 = ((t92 / t103) * (t121 / t103)) / t103
+    t128 = (t92 * 0.27469135802469136) + 0.6296296296296297
+    t132 = t92 * ((t92 * t128) + 1.2222222222222223)
+    t136 = (t92 * (t132 + 1.6666666666666667)) + 0.75
+    t142 = ((tracking_index / t10) / t10) * 0.001736111111111111
+    t147 = (((t87 / t84) / (t84 * t103)) / t2) / t10
+    t149 = (t147 / t1) * 2.0
+    t152 = (t121 * t92) / t103
+    t156 = (t142 + t149) + ((t152 * t152) * 2.6666666666666665)
+    t157 = t149 + t113
+    t161 = t157 + (((t121 * t121) / t103) * 2.0)
+    t162 = t113 * t161
+    t165 = (t124 * (t136 * 8.0)) + (t113 * (t156 + t162))
+    t168 = (t89 * (((t114 * t115) * 2.0) + t165)) * 2.0
+    t172 = t87 * t2
+    t176 = (t10 + (t84 * 0.5)) + ((t172 * 0.25) + (t1 * 0.125))
+    t177 = t1 * t176
+    t179 = ((t168 / tracking_index) / t177) / t177
+    t182 = t172 / t176
+    t193 = (t92 * 1.382716049382716) + 5.833333333333333
+    t197 = t92 * ((t92 * t193) + 8.833333333333334)
+    t201 = (t92 * (t197 + 5.833333333333333)) + 1.5
+    t206 = ((t115 * t95) * 2.0) + (((t95 / t103) * (t201 / t103)) * 4.0)
+    t214 = ((t92 * ((t92 * 2.0) + 5.0)) + 3.0) / t103
+    t215 = t214 * 2.0
+    t218 = t149 * (t121 + (((t10 / t84) * 2.0) * t215))
+    t222 = (t92 * (t98 + 1.6666666666666667)) + 1.0
+    t224 = (t222 / t103) * 2.0
+    t225 = t224 * t103
+    t227 = (t84 / t1) * 4.0
+    t231 = t113 * ((t225 * t227) + (t95 * t215))
+    t237 = t142 * (((t227 / t89) * (t225 * 0.5)) + t95)
+    t239 = (t149 * (t84 / t176)) * (((t206 + t218) + t231) + t237)
+    t240 = ((t182 / tracking_index) * 0.5) * t239
+    t248 = (((t227 * (t103 * 0.5)) / t121) + 1.0) + t89
+    t255 = (((t157 * t92) * (t95 + t121)) / t103) * 2.0
+    t256 = t152 * 2.0
+    t259 = t255 + ((t256 * t256) * 0.6666666666666666)
+    t263 = (t114 * ((t182 * 0.25) * t248)) + ((t259 + t162) + (t142 * t224))
+    t267 = ((t149 * (t89 * t263)) / t177) / tracking_index
+    t181 = -(t179 / tracking_index)
+    t242 = -(t240 / tracking_index)
+    t268 = -t267
+    return (t181, t242, t268)
 
 
 def _gain_second_derivatives_block(
@@ -2926,6 +3741,7 @@ _GAIN_SECOND_DERIVATIVES = Signature(
     ("alpha", "beta", "gamma"),
     21,
     _gain_second_derivatives_block,
+    numbers=_gain_second_derivatives_of_numbers,
 )
 
 
@@ -2979,9 +3795,115 @@ def predictor_gain_second_derivatives(
 
     Source: derivation random-jerk
     """
+    if (
+        type(tracking_index) is float
+        and 5e-324 <= tracking_index <= 1.7976931348623157e308
+        and out is None
+        and workers is ONE
+    ):
+        try:
+            return named(
+                PredictorGainSecondDerivatives,
+                _predictor_gain_second_derivatives_of_numbers(tracking_index),
+            )
+        except (ArithmeticError, ValueError):
+            pass  # arrays say what is wrong
     return PredictorGainSecondDerivatives(
         *evaluate(_PREDICTOR_GAIN_SECOND_DERIVATIVES, (tracking_index,), out, workers)
     )
+
+
+def _predictor_gain_second_derivatives_of_numbers(
+    tracking_index: float,
+    form: Form = Double,
+) -> tuple[float, ...]:
+    t1 = form.sqrt(tracking_index)
+    t2 = form.sqrt(t1)
+    t4 = 2.220446049250313e-16 / tracking_index
+    t6 = tracking_index * 3.854941057726238e-19
+    t10 = form.sqrt(t4 + t6) * 67108864.0
+    t14 = (t10 * t2) * 2.0
+    t16 = t1 * 0.4166666666666667
+    t18 = tracking_index * 0.04861111111111111
+    t25 = ((t1 * t2) * 1.2504627916220945) + (8.0 / t2)
+    t26 = form.near_cbrt(t25)
+    t30 = form.sqrt((t14 * t26) + t18)
+    t33 = form.sqrt((t30 * 2.0) + t16)
+    t35 = t14 * 0.5
+    t36 = t30 * t33
+    t41 = ((t33 * t36) - (t35 * t26)) / (t36 - t35)
+    t45 = form.sqrt((t14 * t41) + t18)
+    t48 = form.sqrt((t45 * 2.0) + t16)
+    t49 = t45 * t48
+    t54 = ((t48 * t49) - (t35 * t41)) / (t49 - t35)
+    t58 = form.sqrt((t14 * t54) + t18)
+    t61 = form.sqrt((t58 * 2.0) + t16)
+    t62 = t58 * t61
+    t67 = ((t61 * t62) - (t35 * t54)) / (t62 - t35)
+    t71 = form.sqrt((t14 * t67) + t18)
+    t74 = form.sqrt((t71 * 2.0) + t16)
+    t75 = t71 * t74
+    t80 = ((t74 * t75) - (t35 * t67)) / (t75 - t35)
+    t84 = form.sqrt((t14 * t80) + t18)
+    t87 = form.sqrt((t84 * 2.0) + t16)
+    t88 = t87 / t2
+    t89 = t88 * 2.0
+    t92 = (t1 * 0.25) / t84
+    t95 = (t92 * 0.6666666666666666) + 1.0
+    t98 = t92 * 0.7777777777777778
+    t103 = (t92 * (t98 + 3.3333333333333335)) + 3.0
+    t106 = t1 / t84
+    t111 = ((t106 / t103) * t106) * (t88 * (t1 / t10))
+    t113 = t111 * 0.003472222222222222
+    t114 = (((t95 * t92) / t103) * 2.0) + t113
+    t115 = t114 * t89
+    t121 = (t92 * 1.6666666666666667) + 2.0
+    t124 = ((t92 / t103) * (t121 / t103)) / t103
+    t128 = (t92 * 0.27469135802469136) + 0.6296296296296297
+    t132 = t92 * ((t92 * t128) + 1.2222222222222223)
+    t136 = (t92 * (t132 + 1.6666666666666667)) + 0.75
+    t142 = ((tracking_index / t10) / t10) * 0.001736111111111111
+    t147 = (((t87 / t84) / (t84 * t103)) / t2) / t10
+    t149 = (t147 / t1) * 2.0
+    t152 = (t121 * t92) / t103
+    t156 = (t142 + t149) + ((t152 * t152) * 2.6666666666666665)
+    t157 = t149 + t113
+    t161 = t157 + (((t121 * t121) / t103) * 2.0)
+    t162 = t113 * t161
+    t165 = (t124 * (t136 * 8.0)) + (t113 * (t156 + t162))
+    t168 = (t89 * (((t114 * t115) * 2.0) + t165)) * 2.0
+    t172 = t87 * t2
+    t176 = (t10 + (t84 * 0.5)) + ((t172 * 0.25) + (t1 * 0.125))
+    t177 = t1 * t176
+    t179 = ((t168 / tracking_index) / t177) / t177
+    t181 = t172 / t176
+    t192 = (t92 * 1.382716049382716) + 5.833333333333333
+    t196 = t92 * ((t92 * t192) + 8.833333333333334)
+    t200 = (t92 * (t196 + 5.833333333333333)) + 1.5
+    t205 = ((t115 * t95) * 2.0) + (((t95 / t103) * (t200 / t103)) * 4.0)
+    t213 = ((t92 * ((t92 * 2.0) + 5.0)) + 3.0) / t103
+    t214 = t213 * 2.0
+    t217 = t149 * (t121 + (((t10 / t84) * 2.0) * t214))
+    t221 = (t92 * (t98 + 1.6666666666666667)) + 1.0
+    t223 = (t221 / t103) * 2.0
+    t224 = t223 * t103
+    t226 = (t84 / t1) * 4.0
+    t230 = t113 * ((t224 * t226) + (t95 * t214))
+    t236 = t142 * (((t226 / t89) * (t224 * 0.5)) + t95)
+    t238 = (t149 * (t84 / t176)) * (((t205 + t217) + t230) + t236)
+    t239 = ((t181 / tracking_index) * 0.5) * t238
+    t240 = t239 / tracking_index
+    t246 = (((t226 * (t103 * 0.5)) / t121) + 1.0) + t89
+    t253 = (((t157 * t92) * (t95 + t121)) / t103) * 2.0
+    t254 = t152 * 2.0
+    t257 = t253 + ((t254 * t254) * 0.6666666666666666)
+    t261 = (t114 * ((t181 * 0.25) * t246)) + ((t257 + t162) + (t142 * t223))
+    t265 = ((t149 * (t89 * t261)) / t177) / tracking_index
+    t268 = (t179 / tracking_index) + (t240 + (t265 * 0.5))
+    t269 = -t268
+    t271 = -(t240 + t265)
+    t272 = -t265
+    return (t269, t271, t272)
 
 
 def _predictor_gain_second_derivatives_block(
@@ -3290,6 +4212,7 @@ _PREDICTOR_GAIN_SECOND_DERIVATIVES = Signature(
     ("position", "velocity", "acceleration"),
     21,
     _predictor_gain_second_derivatives_block,
+    numbers=_predictor_gain_second_derivatives_of_numbers,
 )
 
 
@@ -3350,9 +4273,113 @@ def predicted_covariance_second_derivatives(
 
     Source: derivation random-jerk
     """
+    if (
+        type(tracking_index) is float
+        and 5e-324 <= tracking_index <= 1.0715086071862673e301
+        and out is None
+        and workers is ONE
+    ):
+        try:
+            return named(
+                PredictedCovarianceSecondDerivatives,
+                _predicted_covariance_second_derivatives_of_numbers(tracking_index),
+            )
+        except (ArithmeticError, ValueError):
+            pass  # arrays say what is wrong
     return PredictedCovarianceSecondDerivatives(
         *evaluate(_PREDICTED_COVARIANCE_SECOND_DERIVATIVES, (tracking_index,), out, workers)
     )
+
+
+def _predicted_covariance_second_derivatives_of_numbers(
+    tracking_index: float,
+    form: Form = Double,
+) -> tuple[float, ...]:
+    t1 = form.sqrt(tracking_index)
+    t2 = form.sqrt(t1)
+    t4 = 2.220446049250313e-16 / tracking_index
+    t6 = tracking_index * 3.854941057726238e-19
+    t10 = form.sqrt(t4 + t6) * 67108864.0
+    t14 = (t10 * t2) * 2.0
+    t16 = t1 * 0.4166666666666667
+    t18 = tracking_index * 0.04861111111111111
+    t25 = ((t1 * t2) * 1.2504627916220945) + (8.0 / t2)
+    t26 = form.near_cbrt(t25)
+    t30 = form.sqrt((t14 * t26) + t18)
+    t33 = form.sqrt((t30 * 2.0) + t16)
+    t35 = t14 * 0.5
+    t36 = t30 * t33
+    t41 = ((t33 * t36) - (t35 * t26)) / (t36 - t35)
+    t45 = form.sqrt((t14 * t41) + t18)
+    t48 = form.sqrt((t45 * 2.0) + t16)
+    t49 = t45 * t48
+    t54 = ((t48 * t49) - (t35 * t41)) / (t49 - t35)
+    t58 = form.sqrt((t14 * t54) + t18)
+    t61 = form.sqrt((t58 * 2.0) + t16)
+    t62 = t58 * t61
+    t67 = ((t61 * t62) - (t35 * t54)) / (t62 - t35)
+    t71 = form.sqrt((t14 * t67) + t18)
+    t74 = form.sqrt((t71 * 2.0) + t16)
+    t75 = t71 * t74
+    t80 = ((t74 * t75) - (t35 * t67)) / (t75 - t35)
+    t84 = form.sqrt((t14 * t80) + t18)
+    t87 = form.sqrt((t84 * 2.0) + t16)
+    t90 = (t1 * 0.25) / t84
+    t93 = (t90 * 0.6666666666666666) + 1.0
+    t96 = t90 * 0.7777777777777778
+    t101 = (t90 * (t96 + 3.3333333333333335)) + 3.0
+    t104 = t1 / t84
+    t107 = t87 / t2
+    t110 = ((t104 / t101) * t104) * (t107 * (t1 / t10))
+    t112 = t110 * 0.003472222222222222
+    t114 = t107 * 2.0
+    t115 = ((((t93 * t90) / t101) * 2.0) + t112) * t114
+    t122 = (((t87 / t84) / (t84 * t101)) / t2) / t10
+    t124 = (t122 / t1) * 2.0
+    t125 = t124 + t112
+    t129 = (t90 * 1.6666666666666667) + 2.0
+    t133 = (((t125 * t90) * (t93 + t129)) / t101) * 2.0
+    t135 = (t129 * t90) / t101
+    t136 = t135 * 2.0
+    t139 = t133 + ((t136 * t136) * 0.6666666666666666)
+    t143 = t125 + (((t129 * t129) / t101) * 2.0)
+    t144 = t112 * t143
+    t149 = ((tracking_index / t10) / t10) * 0.001736111111111111
+    t152 = (t90 * (t96 + 1.6666666666666667)) + 1.0
+    t154 = (t152 / t101) * 2.0
+    t157 = t124 * ((t139 + t144) + (t149 * t154))
+    t159 = (t115 * (t115 + 1.0)) + (t157 * t114)
+    t166 = (t10 + (t84 * 0.5)) + (((t87 * t2) * 0.25) + (t1 * 0.125))
+    t171 = t84 / t1
+    t179 = (t90 * 3.240740740740741) + 9.074074074074074
+    t183 = t90 * ((t90 * t179) + 7.611111111111111)
+    t186 = (t90 / t101) * ((t183 + 1.6666666666666667) / t101)
+    t187 = t154 + t112
+    t193 = (t90 * 2.5925925925925926) + 6.222222222222222
+    t196 = ((t90 * t193) + 3.3333333333333335) * t90
+    t200 = ((t196 / t101) * (t129 / t101)) + t149
+    t202 = t124 * (t200 + t144)
+    t204 = (t186 * (t187 * 4.0)) + (t202 * t143)
+    t210 = t187 * ((t135 * 10.0) + (t125 * 6.0))
+    t213 = (t90 * 2.3333333333333335) + 3.3333333333333335
+    t218 = (((t90 * t213) + 1.0) / t101) + (t112 * 2.0)
+    t222 = t112 * ((t210 + (t218 * 4.0)) + t124)
+    t224 = (t171 * (t101 * 4.0)) * (t204 + t222)
+    t230 = t114 * ((t187 * (t187 + 1.0)) + t202)
+    t232 = (((t84 / t87) * (t224 / t2)) + t230) * 0.125
+    t237 = (t90 * 5.041152263374485) + 20.22222222222222
+    t241 = t90 * ((t90 * t237) + 28.51851851851852)
+    t246 = (t90 * (t241 + 18.0)) + 8.333333333333334
+    t252 = ((((t90 * t246) + 4.0) / t101) / t101) + (t202 * t129)
+    t256 = (t90 * 1.2962962962962963) + 3.111111111111111
+    t262 = ((t90 * ((t90 * t256) + 5.0)) + 4.0) / t101
+    t267 = ((t262 * 2.0) + (t129 * t218)) + (t90 * 3.3333333333333335)
+    t270 = (t171 * 4.0) * (t252 + (t112 * t267))
+    t169 = (t159 * (t1 * t166)) / tracking_index
+    t273 = t232 + ((t270 * 0.25) + 0.4166666666666667)
+    t276 = ((t270 + t230) * 0.25) + 0.6666666666666666
+    t278 = (t230 * 0.5) + 1.0
+    return (t169, t273, t276, t278)
 
 
 def _predicted_covariance_second_derivatives_block(
@@ -3645,6 +4672,7 @@ _PREDICTED_COVARIANCE_SECOND_DERIVATIVES = Signature(
     ("predicted_13", "predicted_22", "predicted_23", "predicted_33"),
     16,
     _predicted_covariance_second_derivatives_block,
+    numbers=_predicted_covariance_second_derivatives_of_numbers,
 )
 
 
@@ -3699,9 +4727,100 @@ def predicted_position_second_derivatives(
 
     Source: derivation random-jerk
     """
+    if (
+        type(tracking_index) is float
+        and 1.688508503057271e-226 <= tracking_index <= 1.0715086071862673e301
+        and out is None
+        and workers is ONE
+    ):
+        try:
+            return named(
+                PredictedPositionSecondDerivatives,
+                _predicted_position_second_derivatives_of_numbers(tracking_index),
+            )
+        except (ArithmeticError, ValueError):
+            pass  # arrays say what is wrong
     return PredictedPositionSecondDerivatives(
         *evaluate(_PREDICTED_POSITION_SECOND_DERIVATIVES, (tracking_index,), out, workers)
     )
+
+
+def _predicted_position_second_derivatives_of_numbers(
+    tracking_index: float,
+    form: Form = Double,
+) -> tuple[float, ...]:
+    t1 = form.sqrt(tracking_index)
+    t2 = form.sqrt(t1)
+    t4 = 2.220446049250313e-16 / tracking_index
+    t6 = tracking_index * 3.854941057726238e-19
+    t10 = form.sqrt(t4 + t6) * 67108864.0
+    t14 = (t10 * t2) * 2.0
+    t16 = t1 * 0.4166666666666667
+    t18 = tracking_index * 0.04861111111111111
+    t25 = ((t1 * t2) * 1.2504627916220945) + (8.0 / t2)
+    t26 = form.near_cbrt(t25)
+    t30 = form.sqrt((t14 * t26) + t18)
+    t33 = form.sqrt((t30 * 2.0) + t16)
+    t35 = t14 * 0.5
+    t36 = t30 * t33
+    t41 = ((t33 * t36) - (t35 * t26)) / (t36 - t35)
+    t45 = form.sqrt((t14 * t41) + t18)
+    t48 = form.sqrt((t45 * 2.0) + t16)
+    t49 = t45 * t48
+    t54 = ((t48 * t49) - (t35 * t41)) / (t49 - t35)
+    t58 = form.sqrt((t14 * t54) + t18)
+    t61 = form.sqrt((t58 * 2.0) + t16)
+    t62 = t58 * t61
+    t67 = ((t61 * t62) - (t35 * t54)) / (t62 - t35)
+    t71 = form.sqrt((t14 * t67) + t18)
+    t74 = form.sqrt((t71 * 2.0) + t16)
+    t75 = t71 * t74
+    t80 = ((t74 * t75) - (t35 * t67)) / (t75 - t35)
+    t84 = form.sqrt((t14 * t80) + t18)
+    t87 = form.sqrt((t84 * 2.0) + t16)
+    t90 = (t1 * 0.25) / t84
+    t93 = (t90 * 0.6666666666666666) + 1.0
+    t96 = t90 * 0.7777777777777778
+    t101 = (t90 * (t96 + 3.3333333333333335)) + 3.0
+    t104 = t1 / t84
+    t107 = t87 / t2
+    t110 = ((t104 / t101) * t104) * (t107 * (t1 / t10))
+    t112 = t110 * 0.003472222222222222
+    t114 = t107 * 2.0
+    t115 = ((((t93 * t90) / t101) * 2.0) + t112) * t114
+    t123 = (t10 + (t84 * 0.5)) + (((t87 * t2) * 0.25) + (t1 * 0.125))
+    t125 = (t1 * t123) / tracking_index
+    t129 = ((t115 * t115) * t125) * (t125 * 4.0)
+    t133 = (t90 * 1.6666666666666667) + 2.0
+    t134 = t133 / t101
+    t140 = (t90 * 0.27469135802469136) + 0.6296296296296297
+    t144 = t90 * ((t90 * t140) + 1.2222222222222223)
+    t148 = (t90 * (t144 + 1.6666666666666667)) + 0.75
+    t150 = (((t90 / t101) * t134) / t101) * (t148 * 8.0)
+    t154 = ((tracking_index / t10) / t10) * 0.001736111111111111
+    t159 = (((t87 / t84) / (t84 * t101)) / t2) / t10
+    t161 = (t159 / t1) * 2.0
+    t164 = (t133 * t90) / t101
+    t168 = (t154 + t161) + ((t164 * t164) * 2.6666666666666665)
+    t169 = t161 + t112
+    t173 = t169 + (((t133 * t133) / t101) * 2.0)
+    t174 = t112 * t173
+    t178 = (t150 + (t112 * (t168 + t174))) * t114
+    t184 = t107 * t125
+    t187 = (t90 * (t96 + 1.6666666666666667)) + 1.0
+    t189 = (t187 / t101) * 2.0
+    t191 = (t189 + t112) + t115
+    t197 = (((t169 * t90) * (t93 + t133)) / t101) * 2.0
+    t198 = t164 * 2.0
+    t201 = t197 + ((t198 * t198) * 0.6666666666666666)
+    t205 = t161 * ((t201 + t174) + (t154 * t189))
+    t211 = (t90 * 2.5925925925925926) + 6.222222222222222
+    t214 = ((t90 * t211) + 3.3333333333333335) * t90
+    t218 = (((t214 / t101) * t134) + t154) + t174
+    t220 = ((t191 * t115) + (t205 * t114)) + (t161 * t218)
+    t182 = t129 - ((t178 * t125) * (t125 * 2.0))
+    t224 = (t184 * t220) - (t184 * (t191 * t161))
+    return (t182, t224)
 
 
 def _predicted_position_second_derivatives_block(
@@ -3939,6 +5058,7 @@ _PREDICTED_POSITION_SECOND_DERIVATIVES = Signature(
     ("predicted_11", "predicted_12"),
     17,
     _predicted_position_second_derivatives_block,
+    numbers=_predicted_position_second_derivatives_of_numbers,
 )
 
 
@@ -4000,9 +5120,104 @@ def updated_covariance_second_derivatives(
 
     Source: derivation random-jerk
     """
+    if (
+        type(tracking_index) is float
+        and 5e-324 <= tracking_index <= 1.7976931348623157e308
+        and out is None
+        and workers is ONE
+    ):
+        try:
+            return named(
+                UpdatedCovarianceSecondDerivatives,
+                _updated_covariance_second_derivatives_of_numbers(tracking_index),
+            )
+        except (ArithmeticError, ValueError):
+            pass  # arrays say what is wrong
     return UpdatedCovarianceSecondDerivatives(
         *evaluate(_UPDATED_COVARIANCE_SECOND_DERIVATIVES, (tracking_index,), out, workers)
     )
+
+
+def _updated_covariance_second_derivatives_of_numbers(
+    tracking_index: float,
+    form: Form = Double,
+) -> tuple[float, ...]:
+    t1 = form.sqrt(tracking_index)
+    t2 = form.sqrt(t1)
+    t4 = 2.220446049250313e-16 / tracking_index
+    t6 = tracking_index * 3.854941057726238e-19
+    t10 = form.sqrt(t4 + t6) * 67108864.0
+    t14 = (t10 * t2) * 2.0
+    t16 = t1 * 0.4166666666666667
+    t18 = tracking_index * 0.04861111111111111
+    t25 = ((t1 * t2) * 1.2504627916220945) + (8.0 / t2)
+    t26 = form.near_cbrt(t25)
+    t30 = form.sqrt((t14 * t26) + t18)
+    t33 = form.sqrt((t30 * 2.0) + t16)
+    t35 = t14 * 0.5
+    t36 = t30 * t33
+    t41 = ((t33 * t36) - (t35 * t26)) / (t36 - t35)
+    t45 = form.sqrt((t14 * t41) + t18)
+    t48 = form.sqrt((t45 * 2.0) + t16)
+    t49 = t45 * t48
+    t54 = ((t48 * t49) - (t35 * t41)) / (t49 - t35)
+    t58 = form.sqrt((t14 * t54) + t18)
+    t61 = form.sqrt((t58 * 2.0) + t16)
+    t62 = t58 * t61
+    t67 = ((t61 * t62) - (t35 * t54)) / (t62 - t35)
+    t71 = form.sqrt((t14 * t67) + t18)
+    t74 = form.sqrt((t71 * 2.0) + t16)
+    t75 = t71 * t74
+    t80 = ((t74 * t75) - (t35 * t67)) / (t75 - t35)
+    t84 = form.sqrt((t14 * t80) + t18)
+    t87 = form.sqrt((t84 * 2.0) + t16)
+    t89 = t84 / t1
+    t92 = (t1 * 0.25) / t84
+    t94 = t92 * 0.7777777777777778
+    t99 = (t92 * (t94 + 3.3333333333333335)) + 3.0
+    t107 = (t92 * 3.240740740740741) + 9.074074074074074
+    t111 = t92 * ((t92 * t107) + 7.611111111111111)
+    t115 = (t92 / t99) * ((t111 + 1.6666666666666667) / t99)
+    t118 = (t92 * (t94 + 1.6666666666666667)) + 1.0
+    t121 = t1 / t84
+    t124 = t87 / t2
+    t127 = ((t121 / t99) * t121) * (t124 * (t1 / t10))
+    t129 = t127 * 0.003472222222222222
+    t130 = ((t118 / t99) * 2.0) + t129
+    t137 = (((t87 / t84) / (t84 * t99)) / t2) / t10
+    t139 = (t137 / t1) * 2.0
+    t143 = (t92 * 2.5925925925925926) + 6.222222222222222
+    t146 = ((t92 * t143) + 3.3333333333333335) * t92
+    t149 = (t92 * 1.6666666666666667) + 2.0
+    t155 = ((tracking_index / t10) / t10) * 0.001736111111111111
+    t157 = t139 + t129
+    t161 = t157 + (((t149 * t149) / t99) * 2.0)
+    t163 = (((t146 / t99) * (t149 / t99)) + t155) + (t129 * t161)
+    t164 = t139 * t163
+    t166 = (t115 * (t130 * 4.0)) + (t164 * t161)
+    t173 = (((t149 * t92) / t99) * 10.0) + (t157 * 6.0)
+    t177 = (t92 * 2.3333333333333335) + 3.3333333333333335
+    t182 = (((t92 * t177) + 1.0) / t99) + (t129 * 2.0)
+    t185 = ((t130 * t173) + (t182 * 4.0)) + t139
+    t188 = (t89 * (t99 * 4.0)) * (t166 + (t129 * t185))
+    t191 = t124 * 2.0
+    t195 = t191 * ((t130 * (t130 + 1.0)) + t164)
+    t197 = (((t84 / t87) * (t188 / t2)) + t195) * 0.125
+    t202 = (t92 * 5.041152263374485) + 20.22222222222222
+    t206 = t92 * ((t92 * t202) + 28.51851851851852)
+    t211 = (t92 * (t206 + 18.0)) + 8.333333333333334
+    t217 = ((((t92 * t211) + 4.0) / t99) / t99) + (t164 * t149)
+    t221 = (t92 * 1.2962962962962963) + 3.111111111111111
+    t227 = ((t92 * ((t92 * t221) + 5.0)) + 4.0) / t99
+    t232 = ((t227 * 2.0) + (t149 * t182)) + (t92 * 3.3333333333333335)
+    t235 = (t89 * 4.0) * (t217 + (t129 * t232))
+    t238 = t197 + ((t235 * 0.25) + 0.4166666666666667)
+    t247 = ((t235 + t195) * 0.25) + 0.6666666666666666
+    t248 = t195 * 0.5
+    t242 = t238 - ((t235 * 0.5) + 0.8333333333333334)
+    t249 = t247 - t248
+    t256 = (t248 + 1.0) - (t191 * (((t2 / t87) * 0.5) * 2.0))
+    return (t242, t249, t256)
 
 
 def _updated_covariance_second_derivatives_block(
@@ -4271,6 +5486,7 @@ _UPDATED_COVARIANCE_SECOND_DERIVATIVES = Signature(
     ("updated_22", "updated_23", "updated_33"),
     14,
     _updated_covariance_second_derivatives_block,
+    numbers=_updated_covariance_second_derivatives_of_numbers,
 )
 
 
@@ -4329,7 +5545,90 @@ def closed_loop_poles(
 
     Source: derivation random-jerk
     """
+    if (
+        type(tracking_index) is float
+        and 5e-324 <= tracking_index <= 1.7976931348623157e308
+        and out is None
+        and workers is ONE
+    ):
+        try:
+            return named(ClosedLoopPoles, _closed_loop_poles_of_numbers(tracking_index))
+        except (ArithmeticError, ValueError):
+            pass  # arrays say what is wrong
     return ClosedLoopPoles(*evaluate(_CLOSED_LOOP_POLES, (tracking_index,), out, workers))
+
+
+def _closed_loop_poles_of_numbers(tracking_index: float, form: Form = Double) -> tuple[float, ...]:
+    t1 = form.sqrt(tracking_index)
+    t4 = 1.0 / form.sqrt(t1)
+    t8 = 1.0 / (t4 + (tracking_index * 0.015625))
+    t9 = t8 * t4
+    t13 = (t9 * t9) * ((t9 * t4) * 0.015625)
+    t14 = t8 * t8
+    t17 = (tracking_index * t8) * 0.0023148148148148147
+    t19 = t14 * 0.020833333333333332
+    t20 = t17 * t17
+    t21 = t20 * t17
+    t26 = t13 + ((t17 * t19) + (t21 * 2.0))
+    t29 = (t20 * 3.0) + t19
+    t33 = t13 + ((t14 * t8) * 0.003608439117670059)
+    t39 = t33 + ((t17 * (t19 * 2.0)) + (t21 * 8.0))
+    t40 = form.near_cbrt(t39)
+    t42 = t29 * t40
+    t43 = t42 + t26
+    t45 = form.sqrt(t40 * t43)
+    t46 = form.sqrt(t45)
+    t50 = (t43 * 0.25) + (t42 * 0.25)
+    t51 = t45 * t46
+    t56 = ((t46 * t51) - (t50 * t40)) / (t51 - t50)
+    t58 = t29 * t56
+    t59 = t58 + t26
+    t61 = form.sqrt(t56 * t59)
+    t62 = form.sqrt(t61)
+    t65 = (t59 * 0.25) + (t58 * 0.25)
+    t66 = t61 * t62
+    t71 = ((t62 * t66) - (t65 * t56)) / (t66 - t65)
+    t73 = t29 * t71
+    t74 = t73 + t26
+    t76 = form.sqrt(t71 * t74)
+    t77 = form.sqrt(t76)
+    t80 = (t74 * 0.25) + (t73 * 0.25)
+    t81 = t76 * t77
+    t86 = ((t77 * t81) - (t80 * t71)) / (t81 - t80)
+    t88 = t29 * t86
+    t89 = t88 + t26
+    t91 = form.sqrt(t86 * t89)
+    t92 = form.sqrt(t91)
+    t95 = (t89 * 0.25) + (t88 * 0.25)
+    t96 = t91 * t92
+    t101 = ((t92 * t96) - (t95 * t86)) / (t96 - t95)
+    t106 = form.sqrt(t101 * ((t29 * t101) + t26))
+    t108 = form.sqrt(t106) + t17
+    t109 = t108 / t8
+    t110 = t8 / t108
+    t112 = t110 / tracking_index
+    t114 = form.sqrt(t112 + 1.0)
+    t116 = 2.220446049250313e-16 / tracking_index
+    t118 = tracking_index * 3.854941057726238e-19
+    t123 = (form.sqrt(t116 + t118) * 67108864.0) * 8.0
+    t125 = (t123 / t114) / t1
+    t129 = (t112 * 0.3333333333333333) + 0.1111111111111111
+    t134 = (t125 + 0.6666666666666666) + (t129 / (t112 + t125))
+    t137 = (form.sqrt(t134) + 1.0) + t125
+    t138 = t114 + 1.0
+    t144 = tracking_index * 0.026244520780915007
+    t146 = t109 + ((t110 * 0.012355631892026117) + t144)
+    t147 = (6.172778260761257 - tracking_index) + (
+        1.3118362574005005e-07 if form.single else 2.6682135546293653e-16
+    )
+    t151 = ((t147 / t146) / tracking_index) * (6.172778260761257 + tracking_index)
+    t162 = (t112 + 1.1240937744230048) / (t125 + 1.0)
+    t167 = t112 * ((t112 + 0.8888888888888888) / t134)
+    t155 = (t112 / t138) / t138
+    t158 = ((form.sqrt(t109) / t1) * 8.0) / t137
+    t164 = ((t151 * 0.026244520780915007) * t162) / t137
+    t171 = ((t167 / t137) / t137) * -3.0
+    return (t155, t158, t164, t171)
 
 
 def _closed_loop_poles_block(
@@ -4518,4 +5817,5 @@ _CLOSED_LOOP_POLES = Signature(
     ("real_pole", "modulus", "half_sum", "quarter_discriminant"),
     6,
     _closed_loop_poles_block,
+    numbers=_closed_loop_poles_of_numbers,
 )

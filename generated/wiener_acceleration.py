@@ -6,19 +6,19 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-import numpy as np
 from numpy import add, divide, multiply, negative, sqrt, square, subtract
 
 from gainproof.generated._bits import near_cbrt
+from gainproof.generated._numbers import ONE, Double, filled_by, named
 from gainproof.generated._runtime import evaluate
 from gainproof.generated._signature import Domain, Signature
 
 if TYPE_CHECKING:
     from typing import NamedTuple
 
-    from numpy.typing import ArrayLike
-
-    from gainproof.generated._signature import Arrays, Real
+    from gainproof.generated._double_word import Part
+    from gainproof.generated._numbers import Form
+    from gainproof.generated._signature import ArrayLike, Arrays, Real
 else:
     from gainproof.generated._result import NamedTuple
 
@@ -150,8 +150,53 @@ def gains(
 
     Source: derivation wiener-acceleration
     """
+    if (
+        type(tracking_index) is float
+        and 5e-324 <= tracking_index <= 1.7976931348623157e308
+        and out is None
+        and workers is ONE
+        and not accurate
+    ):
+        try:
+            return named(Gains, _gains_of_numbers(tracking_index))
+        except (ArithmeticError, ValueError):
+            pass  # arrays say what is wrong
     kernel = _ACCURATE_GAINS if accurate else _GAINS
     return Gains(*evaluate(kernel, (tracking_index,), out, workers))
+
+
+def _gains_of_numbers(tracking_index: float, form: Form = Double) -> tuple[float, ...]:
+    t1 = form.sqrt(tracking_index)
+    t2 = form.sqrt(t1)
+    t4 = 1.0 / t1
+    t7 = (t4 * t2) * 2.0
+    t9 = t1 * 0.5
+    t11 = tracking_index * 0.0625
+    t17 = form.near_cbrt(((t1 * t2) * 1.0) + (8.0 / t2))
+    t22 = form.sqrt((t7 * t17) + t11)
+    t25 = form.sqrt((t22 * 2.0) + t9)
+    t26 = t7 * 0.5
+    t27 = t22 * t25
+    t32 = ((t25 * t27) - (t26 * t17)) / (t27 - t26)
+    t36 = form.sqrt((t7 * t32) + t11)
+    t39 = form.sqrt((t36 * 2.0) + t9)
+    t40 = t36 * t39
+    t45 = ((t39 * t40) - (t26 * t32)) / (t40 - t26)
+    t49 = form.sqrt((t7 * t45) + t11)
+    t52 = form.sqrt((t49 * 2.0) + t9)
+    t53 = t49 * t52
+    t58 = ((t52 * t53) - (t26 * t45)) / (t53 - t26)
+    t62 = form.sqrt((t7 * t58) + t11)
+    t65 = form.sqrt((t62 * 2.0) + t9)
+    t66 = t62 * t65
+    t71 = ((t65 * t66) - (t26 * t58)) / (t66 - t26)
+    t75 = form.sqrt((t7 * t71) + t11)
+    t84 = form.sqrt((t75 * 2.0) + t9) * t2
+    t88 = (t4 + (t75 * 0.5)) + ((t84 * 0.25) + (t1 * 0.125))
+    t89 = (t75 + (t1 * 0.25)) / t88
+    t90 = t84 / t88
+    t91 = t1 / t88
+    return (t89, t90, t91)
 
 
 def _gains_block(
@@ -257,23 +302,21 @@ _GAINS = Signature(
     ("alpha", "beta", "gamma"),
     7,
     _gains_block,
+    numbers=_gains_of_numbers,
 )
 
 
-def _gains_in_double_words(given: Arrays, out: Arrays, _work: Arrays, single: bool) -> None:
-    if single:
-        # float64 keeps 29 bits more than come out
-        found = evaluate(_GAINS, (given[0].astype(np.float64),), None, 1)
-        for result, value in zip(out, found, strict=True):
-            result[...] = value
-        return
+def _gains_in_double_words(given: Part, form: Form = Double) -> tuple[Part, ...]:
     # loaded when it is asked for
     from gainproof.generated._double_word import add, divide, exact, multiply, refined, root, scale
 
-    tracking_index = exact(given[0])
+    if form.single:
+        # float64 keeps 29 bits more than come out
+        return evaluate(_GAINS, exact(given)[:1], None, 1)
+    tracking_index = exact(given)
     delta = divide((8.0, 0.0), tracking_index)
     # what the plain kernel gives is near the root
-    near = evaluate(_GAINS, (given[0].astype(np.float64),), None, 1)
+    near = evaluate(_GAINS, exact(given)[:1], None, 1)
     near_xi = exact(2.0 * near[1] / near[2])
     t4 = multiply(delta, near_xi)
     t6 = scale(t4, 2.0)
@@ -298,9 +341,7 @@ def _gains_in_double_words(given: Arrays, out: Arrays, _work: Arrays, single: bo
     t27 = scale(xi, 4.0)
     t28 = divide(t27, nu)
     t29 = divide((8.0, 0.0), nu)
-    out[0][...] = t25[0]
-    out[1][...] = t28[0]
-    out[2][...] = t29[0]
+    return (t25[0], t28[0], t29[0])
 
 
 _ACCURATE_GAINS = Signature(
@@ -308,7 +349,8 @@ _ACCURATE_GAINS = Signature(
     (_ACCURATE_TRACKING_INDEX_DOMAIN,),
     ("alpha", "beta", "gamma"),
     0,
-    _gains_in_double_words,
+    filled_by(_gains_in_double_words),
+    numbers=_gains_in_double_words,
 )
 
 
@@ -358,7 +400,63 @@ def gain_derivatives(
 
     Source: derivation wiener-acceleration
     """
+    if (
+        type(tracking_index) is float
+        and 5e-324 <= tracking_index <= 1.7976931348623157e308
+        and out is None
+        and workers is ONE
+    ):
+        try:
+            return named(GainDerivatives, _gain_derivatives_of_numbers(tracking_index))
+        except (ArithmeticError, ValueError):
+            pass  # arrays say what is wrong
     return GainDerivatives(*evaluate(_GAIN_DERIVATIVES, (tracking_index,), out, workers))
+
+
+def _gain_derivatives_of_numbers(tracking_index: float, form: Form = Double) -> tuple[float, ...]:
+    t1 = form.sqrt(tracking_index)
+    t2 = form.sqrt(t1)
+    t4 = 1.0 / t1
+    t7 = (t4 * t2) * 2.0
+    t9 = t1 * 0.5
+    t11 = tracking_index * 0.0625
+    t17 = form.near_cbrt(((t1 * t2) * 1.0) + (8.0 / t2))
+    t22 = form.sqrt((t7 * t17) + t11)
+    t25 = form.sqrt((t22 * 2.0) + t9)
+    t26 = t7 * 0.5
+    t27 = t22 * t25
+    t32 = ((t25 * t27) - (t26 * t17)) / (t27 - t26)
+    t36 = form.sqrt((t7 * t32) + t11)
+    t39 = form.sqrt((t36 * 2.0) + t9)
+    t40 = t36 * t39
+    t45 = ((t39 * t40) - (t26 * t32)) / (t40 - t26)
+    t49 = form.sqrt((t7 * t45) + t11)
+    t52 = form.sqrt((t49 * 2.0) + t9)
+    t53 = t49 * t52
+    t58 = ((t52 * t53) - (t26 * t45)) / (t53 - t26)
+    t62 = form.sqrt((t7 * t58) + t11)
+    t65 = form.sqrt((t62 * 2.0) + t9)
+    t66 = t62 * t65
+    t71 = ((t65 * t66) - (t26 * t58)) / (t66 - t26)
+    t75 = form.sqrt((t7 * t71) + t11)
+    t78 = form.sqrt((t75 * 2.0) + t9)
+    t81 = t75 + (t1 * 0.25)
+    t82 = t78 * t2
+    t83 = t75 * t75
+    t86 = t1 * t75
+    t90 = tracking_index * 0.015625
+    t91 = ((t83 * 0.75) + (t86 * 0.25)) + t90
+    t93 = t82 * 0.25
+    t96 = (((t81 / t91) * t93) / tracking_index) * 2.0
+    t101 = (t4 + (t75 * 0.5)) + (t93 + (t1 * 0.125))
+    t102 = t1 * t101
+    t111 = (((t83 * 0.25) + (t86 * 0.125)) + t90) + (t82 * (t81 * 0.125))
+    t116 = (((t111 / t91) * 2.0) * (t78 / t2)) / t102
+    t122 = ((t82 / t91) * ((t81 + t93) * 0.5)) + 1.0
+    t104 = (t96 / t102) / t102
+    t117 = t116 / t102
+    t124 = (t122 / t102) / t102
+    return (t104, t117, t124)
 
 
 def _gain_derivatives_block(
@@ -497,6 +595,7 @@ _GAIN_DERIVATIVES = Signature(
     ("alpha", "beta", "gamma"),
     10,
     _gain_derivatives_block,
+    numbers=_gain_derivatives_of_numbers,
 )
 
 
@@ -565,7 +664,69 @@ def gains_with_derivatives(
 
     Source: derivation wiener-acceleration
     """
+    if (
+        type(tracking_index) is float
+        and 5e-324 <= tracking_index <= 1.7976931348623157e308
+        and out is None
+        and workers is ONE
+    ):
+        try:
+            return named(GainsWithDerivatives, _gains_with_derivatives_of_numbers(tracking_index))
+        except (ArithmeticError, ValueError):
+            pass  # arrays say what is wrong
     return GainsWithDerivatives(*evaluate(_GAINS_WITH_DERIVATIVES, (tracking_index,), out, workers))
+
+
+def _gains_with_derivatives_of_numbers(
+    tracking_index: float,
+    form: Form = Double,
+) -> tuple[float, ...]:
+    t1 = form.sqrt(tracking_index)
+    t2 = form.sqrt(t1)
+    t4 = 1.0 / t1
+    t7 = (t4 * t2) * 2.0
+    t9 = t1 * 0.5
+    t11 = tracking_index * 0.0625
+    t17 = form.near_cbrt(((t1 * t2) * 1.0) + (8.0 / t2))
+    t22 = form.sqrt((t7 * t17) + t11)
+    t25 = form.sqrt((t22 * 2.0) + t9)
+    t26 = t7 * 0.5
+    t27 = t22 * t25
+    t32 = ((t25 * t27) - (t26 * t17)) / (t27 - t26)
+    t36 = form.sqrt((t7 * t32) + t11)
+    t39 = form.sqrt((t36 * 2.0) + t9)
+    t40 = t36 * t39
+    t45 = ((t39 * t40) - (t26 * t32)) / (t40 - t26)
+    t49 = form.sqrt((t7 * t45) + t11)
+    t52 = form.sqrt((t49 * 2.0) + t9)
+    t53 = t49 * t52
+    t58 = ((t52 * t53) - (t26 * t45)) / (t53 - t26)
+    t62 = form.sqrt((t7 * t58) + t11)
+    t65 = form.sqrt((t62 * 2.0) + t9)
+    t66 = t62 * t65
+    t71 = ((t65 * t66) - (t26 * t58)) / (t66 - t26)
+    t75 = form.sqrt((t7 * t71) + t11)
+    t78 = form.sqrt((t75 * 2.0) + t9)
+    t81 = t75 + (t1 * 0.25)
+    t84 = t78 * t2
+    t85 = t84 * 0.25
+    t88 = (t4 + (t75 * 0.5)) + (t85 + (t1 * 0.125))
+    t92 = t75 * t75
+    t95 = t1 * t75
+    t99 = tracking_index * 0.015625
+    t100 = ((t92 * 0.75) + (t95 * 0.25)) + t99
+    t103 = ((t81 / t100) * t85) / tracking_index
+    t105 = t1 * t88
+    t114 = (((t92 * 0.25) + (t95 * 0.125)) + t99) + (t84 * (t81 * 0.125))
+    t119 = (((t114 / t100) * 2.0) * (t78 / t2)) / t105
+    t125 = ((t84 / t100) * ((t81 + t85) * 0.5)) + 1.0
+    t89 = t81 / t88
+    t90 = t84 / t88
+    t91 = t1 / t88
+    t107 = ((t103 * 2.0) / t105) / t105
+    t120 = t119 / t105
+    t127 = (t125 / t105) / t105
+    return (t89, t90, t91, t107, t120, t127)
 
 
 def _gains_with_derivatives_block(
@@ -707,6 +868,7 @@ _GAINS_WITH_DERIVATIVES = Signature(
     ("alpha", "beta", "gamma", "d_alpha", "d_beta", "d_gamma"),
     7,
     _gains_with_derivatives_block,
+    numbers=_gains_with_derivatives_of_numbers,
 )
 
 
@@ -756,7 +918,51 @@ def predictor_gains(
 
     Source: derivation wiener-acceleration
     """
+    if (
+        type(tracking_index) is float
+        and 5e-324 <= tracking_index <= 1.7976931348623157e308
+        and out is None
+        and workers is ONE
+    ):
+        try:
+            return named(PredictorGains, _predictor_gains_of_numbers(tracking_index))
+        except (ArithmeticError, ValueError):
+            pass  # arrays say what is wrong
     return PredictorGains(*evaluate(_PREDICTOR_GAINS, (tracking_index,), out, workers))
+
+
+def _predictor_gains_of_numbers(tracking_index: float, form: Form = Double) -> tuple[float, ...]:
+    t1 = form.sqrt(tracking_index)
+    t2 = form.sqrt(t1)
+    t4 = 1.0 / t1
+    t7 = (t4 * t2) * 2.0
+    t9 = t1 * 0.5
+    t11 = tracking_index * 0.0625
+    t17 = form.near_cbrt(((t1 * t2) * 1.0) + (8.0 / t2))
+    t22 = form.sqrt((t7 * t17) + t11)
+    t25 = form.sqrt((t22 * 2.0) + t9)
+    t26 = t7 * 0.5
+    t27 = t22 * t25
+    t32 = ((t25 * t27) - (t26 * t17)) / (t27 - t26)
+    t36 = form.sqrt((t7 * t32) + t11)
+    t39 = form.sqrt((t36 * 2.0) + t9)
+    t40 = t36 * t39
+    t45 = ((t39 * t40) - (t26 * t32)) / (t40 - t26)
+    t49 = form.sqrt((t7 * t45) + t11)
+    t52 = form.sqrt((t49 * 2.0) + t9)
+    t53 = t49 * t52
+    t58 = ((t52 * t53) - (t26 * t45)) / (t53 - t26)
+    t62 = form.sqrt((t7 * t58) + t11)
+    t65 = form.sqrt((t62 * 2.0) + t9)
+    t66 = t62 * t65
+    t71 = ((t65 * t66) - (t26 * t58)) / (t66 - t26)
+    t75 = form.sqrt((t7 * t71) + t11)
+    t79 = form.sqrt((t75 * 2.0) + t9) * t2
+    t90 = (t4 + (t75 * 0.5)) + ((t79 * 0.25) + (t1 * 0.125))
+    t91 = (t75 + (t79 + (t1 * 0.75))) / t90
+    t93 = (t79 + t1) / t90
+    t94 = t1 / t90
+    return (t91, t93, t94)
 
 
 def _predictor_gains_block(
@@ -865,6 +1071,7 @@ _PREDICTOR_GAINS = Signature(
     ("position", "velocity", "acceleration"),
     7,
     _predictor_gains_block,
+    numbers=_predictor_gains_of_numbers,
 )
 
 
@@ -916,9 +1123,66 @@ def predictor_gain_derivatives(
 
     Source: derivation wiener-acceleration
     """
+    if (
+        type(tracking_index) is float
+        and 5e-324 <= tracking_index <= 1.7976931348623157e308
+        and out is None
+        and workers is ONE
+    ):
+        try:
+            return named(
+                PredictorGainDerivatives, _predictor_gain_derivatives_of_numbers(tracking_index)
+            )
+        except (ArithmeticError, ValueError):
+            pass  # arrays say what is wrong
     return PredictorGainDerivatives(
         *evaluate(_PREDICTOR_GAIN_DERIVATIVES, (tracking_index,), out, workers)
     )
+
+
+def _predictor_gain_derivatives_of_numbers(
+    tracking_index: float,
+    form: Form = Double,
+) -> tuple[float, ...]:
+    t1 = form.sqrt(tracking_index)
+    t2 = form.sqrt(t1)
+    t4 = 1.0 / t1
+    t7 = (t4 * t2) * 2.0
+    t9 = t1 * 0.5
+    t11 = tracking_index * 0.0625
+    t17 = form.near_cbrt(((t1 * t2) * 1.0) + (8.0 / t2))
+    t22 = form.sqrt((t7 * t17) + t11)
+    t25 = form.sqrt((t22 * 2.0) + t9)
+    t26 = t7 * 0.5
+    t27 = t22 * t25
+    t32 = ((t25 * t27) - (t26 * t17)) / (t27 - t26)
+    t36 = form.sqrt((t7 * t32) + t11)
+    t39 = form.sqrt((t36 * 2.0) + t9)
+    t40 = t36 * t39
+    t45 = ((t39 * t40) - (t26 * t32)) / (t40 - t26)
+    t49 = form.sqrt((t7 * t45) + t11)
+    t52 = form.sqrt((t49 * 2.0) + t9)
+    t53 = t49 * t52
+    t58 = ((t52 * t53) - (t26 * t45)) / (t53 - t26)
+    t62 = form.sqrt((t7 * t58) + t11)
+    t65 = form.sqrt((t62 * 2.0) + t9)
+    t66 = t62 * t65
+    t71 = ((t65 * t66) - (t26 * t58)) / (t66 - t26)
+    t75 = form.sqrt((t7 * t71) + t11)
+    t78 = form.sqrt((t75 * 2.0) + t9)
+    t83 = (tracking_index / t2) * 0.020833333333333332
+    t87 = t83 + ((t2 * t75) * 0.3333333333333333)
+    t90 = t87 + ((t75 / t2) * t75)
+    t95 = t75 * 0.5
+    t97 = (t78 * 0.6666666666666666) * (t95 + t4)
+    t108 = (t4 + t95) + (((t78 * t2) * 0.25) + (t1 * 0.125))
+    t109 = ((((t97 / t90) + 1.0) * 2.0) / t75) / t108
+    t115 = ((t2 * 0.5) + t78) * ((t1 * 0.25) + t75)
+    t118 = ((t115 * 0.6666666666666666) / t90) + 1.0
+    t92 = ((2.6666666666666665 / t2) / t90) / tracking_index
+    t110 = t109 / tracking_index
+    t121 = ((t118 / t108) / tracking_index) / t108
+    return (t92, t110, t121)
 
 
 def _predictor_gain_derivatives_block(
@@ -1054,6 +1318,7 @@ _PREDICTOR_GAIN_DERIVATIVES = Signature(
     ("position", "velocity", "acceleration"),
     7,
     _predictor_gain_derivatives_block,
+    numbers=_predictor_gain_derivatives_of_numbers,
 )
 
 
@@ -1093,7 +1358,52 @@ def innovation_deviation(
 
     Source: derivation wiener-acceleration
     """
+    if (
+        type(tracking_index) is float
+        and 5e-324 <= tracking_index <= 1.7976931348623157e308
+        and out is None
+        and workers is ONE
+    ):
+        try:
+            return named(InnovationDeviation, _innovation_deviation_of_numbers(tracking_index))
+        except (ArithmeticError, ValueError):
+            pass  # arrays say what is wrong
     return InnovationDeviation(*evaluate(_INNOVATION_DEVIATION, (tracking_index,), out, workers))
+
+
+def _innovation_deviation_of_numbers(
+    tracking_index: float,
+    form: Form = Double,
+) -> tuple[float, ...]:
+    t1 = form.sqrt(tracking_index)
+    t2 = form.sqrt(t1)
+    t4 = 1.0 / t1
+    t7 = (t4 * t2) * 2.0
+    t9 = t1 * 0.5
+    t11 = tracking_index * 0.0625
+    t17 = form.near_cbrt(((t1 * t2) * 1.0) + (8.0 / t2))
+    t22 = form.sqrt((t7 * t17) + t11)
+    t25 = form.sqrt((t22 * 2.0) + t9)
+    t26 = t7 * 0.5
+    t27 = t22 * t25
+    t32 = ((t25 * t27) - (t26 * t17)) / (t27 - t26)
+    t36 = form.sqrt((t7 * t32) + t11)
+    t39 = form.sqrt((t36 * 2.0) + t9)
+    t40 = t36 * t39
+    t45 = ((t39 * t40) - (t26 * t32)) / (t40 - t26)
+    t49 = form.sqrt((t7 * t45) + t11)
+    t52 = form.sqrt((t49 * 2.0) + t9)
+    t53 = t49 * t52
+    t58 = ((t52 * t53) - (t26 * t45)) / (t53 - t26)
+    t62 = form.sqrt((t7 * t58) + t11)
+    t65 = form.sqrt((t62 * 2.0) + t9)
+    t66 = t62 * t65
+    t71 = ((t65 * t66) - (t26 * t58)) / (t66 - t26)
+    t75 = form.sqrt((t7 * t71) + t11)
+    t83 = (form.sqrt((t75 * 2.0) + t9) * t2) * 0.25
+    t86 = (t4 + (t75 * 0.5)) + (t83 + (t1 * 0.125))
+    t87 = t1 * t86
+    return (t87,)
 
 
 def _innovation_deviation_block(
@@ -1195,6 +1505,7 @@ _INNOVATION_DEVIATION = Signature(
     ("innovation_deviation",),
     9,
     _innovation_deviation_block,
+    numbers=_innovation_deviation_of_numbers,
 )
 
 
@@ -1236,7 +1547,49 @@ def pole_product(
 
     Source: derivation wiener-acceleration
     """
+    if (
+        type(tracking_index) is float
+        and 5e-324 <= tracking_index <= 1.7976931348623157e308
+        and out is None
+        and workers is ONE
+    ):
+        try:
+            return named(PoleProduct, _pole_product_of_numbers(tracking_index))
+        except (ArithmeticError, ValueError):
+            pass  # arrays say what is wrong
     return PoleProduct(*evaluate(_POLE_PRODUCT, (tracking_index,), out, workers))
+
+
+def _pole_product_of_numbers(tracking_index: float, form: Form = Double) -> tuple[float, ...]:
+    t1 = form.sqrt(tracking_index)
+    t2 = form.sqrt(t1)
+    t4 = 1.0 / t1
+    t7 = (t4 * t2) * 2.0
+    t9 = t1 * 0.5
+    t11 = tracking_index * 0.0625
+    t17 = form.near_cbrt(((t1 * t2) * 1.0) + (8.0 / t2))
+    t22 = form.sqrt((t7 * t17) + t11)
+    t25 = form.sqrt((t22 * 2.0) + t9)
+    t26 = t7 * 0.5
+    t27 = t22 * t25
+    t32 = ((t25 * t27) - (t26 * t17)) / (t27 - t26)
+    t36 = form.sqrt((t7 * t32) + t11)
+    t39 = form.sqrt((t36 * 2.0) + t9)
+    t40 = t36 * t39
+    t45 = ((t39 * t40) - (t26 * t32)) / (t40 - t26)
+    t49 = form.sqrt((t7 * t45) + t11)
+    t52 = form.sqrt((t49 * 2.0) + t9)
+    t53 = t49 * t52
+    t58 = ((t52 * t53) - (t26 * t45)) / (t53 - t26)
+    t62 = form.sqrt((t7 * t58) + t11)
+    t65 = form.sqrt((t62 * 2.0) + t9)
+    t66 = t62 * t65
+    t71 = ((t65 * t66) - (t26 * t58)) / (t66 - t26)
+    t75 = form.sqrt((t7 * t71) + t11)
+    t83 = (form.sqrt((t75 * 2.0) + t9) * t2) * 0.25
+    t86 = (t4 + (t75 * 0.5)) + (t83 + (t1 * 0.125))
+    t89 = ((1.0 / t86) / tracking_index) / t86
+    return (t89,)
 
 
 def _pole_product_block(
@@ -1340,6 +1693,7 @@ _POLE_PRODUCT = Signature(
     ("pole_product",),
     9,
     _pole_product_block,
+    numbers=_pole_product_of_numbers,
 )
 
 
@@ -1411,7 +1765,63 @@ def predicted_covariance(
 
     Source: derivation wiener-acceleration
     """
+    if (
+        type(tracking_index) is float
+        and 5e-324 <= tracking_index <= 1.7976931348623157e308
+        and out is None
+        and workers is ONE
+    ):
+        try:
+            return named(PredictedCovariance, _predicted_covariance_of_numbers(tracking_index))
+        except (ArithmeticError, ValueError):
+            pass  # arrays say what is wrong
     return PredictedCovariance(*evaluate(_PREDICTED_COVARIANCE, (tracking_index,), out, workers))
+
+
+def _predicted_covariance_of_numbers(
+    tracking_index: float,
+    form: Form = Double,
+) -> tuple[float, ...]:
+    t1 = form.sqrt(tracking_index)
+    t2 = form.sqrt(t1)
+    t4 = 1.0 / t1
+    t7 = (t4 * t2) * 2.0
+    t9 = t1 * 0.5
+    t11 = tracking_index * 0.0625
+    t12 = t1 * t2
+    t17 = form.near_cbrt((t12 * 1.0) + (8.0 / t2))
+    t22 = form.sqrt((t7 * t17) + t11)
+    t25 = form.sqrt((t22 * 2.0) + t9)
+    t26 = t7 * 0.5
+    t27 = t22 * t25
+    t32 = ((t25 * t27) - (t26 * t17)) / (t27 - t26)
+    t36 = form.sqrt((t7 * t32) + t11)
+    t39 = form.sqrt((t36 * 2.0) + t9)
+    t40 = t36 * t39
+    t45 = ((t39 * t40) - (t26 * t32)) / (t40 - t26)
+    t49 = form.sqrt((t7 * t45) + t11)
+    t52 = form.sqrt((t49 * 2.0) + t9)
+    t53 = t49 * t52
+    t58 = ((t52 * t53) - (t26 * t45)) / (t53 - t26)
+    t62 = form.sqrt((t7 * t58) + t11)
+    t65 = form.sqrt((t62 * 2.0) + t9)
+    t66 = t62 * t65
+    t71 = ((t65 * t66) - (t26 * t58)) / (t66 - t26)
+    t75 = form.sqrt((t7 * t71) + t11)
+    t78 = form.sqrt((t75 * 2.0) + t9)
+    t80 = t1 * 0.25
+    t84 = t78 * t2
+    t88 = (t4 + (t75 * 0.5)) + ((t84 * 0.25) + (t1 * 0.125))
+    t102 = (((t4 * 3.0) + t75) + t80) + ((t2 / t78) * (t75 + t80))
+    t106 = t12 * t78
+    t110 = ((t1 * t75) + (t106 * 0.5)) + (tracking_index * 0.25)
+    t90 = ((t80 + t75) * t88) * tracking_index
+    t92 = (t84 * t88) * tracking_index
+    t94 = tracking_index * (t1 * t88)
+    t104 = (t102 * t1) * tracking_index
+    t111 = tracking_index * t110
+    t112 = tracking_index * t106
+    return (t90, t92, t94, t104, t111, t112)
 
 
 def _predicted_covariance_block(
@@ -1545,6 +1955,7 @@ _PREDICTED_COVARIANCE = Signature(
     ),
     6,
     _predicted_covariance_block,
+    numbers=_predicted_covariance_of_numbers,
 )
 
 
@@ -1617,9 +2028,81 @@ def predicted_covariance_derivatives(
 
     Source: derivation wiener-acceleration
     """
+    if (
+        type(tracking_index) is float
+        and 5e-324 <= tracking_index <= 1.0715086071862673e301
+        and out is None
+        and workers is ONE
+    ):
+        try:
+            return named(
+                PredictedCovarianceDerivatives,
+                _predicted_covariance_derivatives_of_numbers(tracking_index),
+            )
+        except (ArithmeticError, ValueError):
+            pass  # arrays say what is wrong
     return PredictedCovarianceDerivatives(
         *evaluate(_PREDICTED_COVARIANCE_DERIVATIVES, (tracking_index,), out, workers)
     )
+
+
+def _predicted_covariance_derivatives_of_numbers(
+    tracking_index: float,
+    form: Form = Double,
+) -> tuple[float, ...]:
+    t1 = form.sqrt(tracking_index)
+    t2 = form.sqrt(t1)
+    t4 = 1.0 / t1
+    t7 = (t4 * t2) * 2.0
+    t9 = t1 * 0.5
+    t11 = tracking_index * 0.0625
+    t12 = t1 * t2
+    t17 = form.near_cbrt((t12 * 1.0) + (8.0 / t2))
+    t22 = form.sqrt((t7 * t17) + t11)
+    t25 = form.sqrt((t22 * 2.0) + t9)
+    t26 = t7 * 0.5
+    t27 = t22 * t25
+    t32 = ((t25 * t27) - (t26 * t17)) / (t27 - t26)
+    t36 = form.sqrt((t7 * t32) + t11)
+    t39 = form.sqrt((t36 * 2.0) + t9)
+    t40 = t36 * t39
+    t45 = ((t39 * t40) - (t26 * t32)) / (t40 - t26)
+    t49 = form.sqrt((t7 * t45) + t11)
+    t52 = form.sqrt((t49 * 2.0) + t9)
+    t53 = t49 * t52
+    t58 = ((t52 * t53) - (t26 * t45)) / (t53 - t26)
+    t62 = form.sqrt((t7 * t58) + t11)
+    t65 = form.sqrt((t62 * 2.0) + t9)
+    t66 = t62 * t65
+    t71 = ((t65 * t66) - (t26 * t58)) / (t66 - t26)
+    t75 = form.sqrt((t7 * t71) + t11)
+    t78 = form.sqrt((t75 * 2.0) + t9)
+    t80 = t1 * 0.25
+    t82 = t78 * t2
+    t83 = t75 * t75
+    t86 = t1 * t75
+    t90 = tracking_index * 0.015625
+    t91 = ((t83 * 0.75) + (t86 * 0.25)) + t90
+    t93 = t82 * 0.25
+    t94 = ((t75 + t80) / t91) * t93
+    t100 = (t4 + (t75 * 0.5)) + (t93 + (t1 * 0.125))
+    t107 = ((t83 * 0.25) + (t86 * 0.125)) + t90
+    t109 = (t107 / t91) * 2.0
+    t112 = t1 * t100
+    t121 = tracking_index * (((t80 / t75) * 2.0) + 2.0)
+    t125 = 1.0 + ((t107 + (t121 * 0.015625)) / t91)
+    t126 = t125 * t75
+    t133 = (((t82 / t91) / tracking_index) / t4) * 0.5
+    t139 = ((t125 + t133) * t75) + (((2.0 + t133) * t1) * 0.25)
+    t141 = (((t4 * 3.0) + t126) + t9) + ((t2 / t78) * t139)
+    t143 = 1.0 + t109
+    t102 = ((t94 * 2.0) * t100) * t100
+    t113 = ((t78 / t2) * (t109 + t94)) * t112
+    t115 = t112 * (t94 + 1.0)
+    t142 = t141 * t1
+    t148 = ((((t143 * t82) * 0.5) + t126) + t9) * t1
+    t150 = (t12 * t78) * t143
+    return (t102, t113, t115, t142, t148, t150)
 
 
 def _predicted_covariance_derivatives_block(
@@ -1791,6 +2274,7 @@ _PREDICTED_COVARIANCE_DERIVATIVES = Signature(
     ),
     12,
     _predicted_covariance_derivatives_block,
+    numbers=_predicted_covariance_derivatives_of_numbers,
 )
 
 
@@ -1862,7 +2346,58 @@ def updated_covariance(
 
     Source: derivation wiener-acceleration
     """
+    if (
+        type(tracking_index) is float
+        and 5e-324 <= tracking_index <= 1.7976931348623157e308
+        and out is None
+        and workers is ONE
+    ):
+        try:
+            return named(UpdatedCovariance, _updated_covariance_of_numbers(tracking_index))
+        except (ArithmeticError, ValueError):
+            pass  # arrays say what is wrong
     return UpdatedCovariance(*evaluate(_UPDATED_COVARIANCE, (tracking_index,), out, workers))
+
+
+def _updated_covariance_of_numbers(tracking_index: float, form: Form = Double) -> tuple[float, ...]:
+    t1 = form.sqrt(tracking_index)
+    t2 = form.sqrt(t1)
+    t4 = 1.0 / t1
+    t7 = (t4 * t2) * 2.0
+    t9 = t1 * 0.5
+    t11 = tracking_index * 0.0625
+    t17 = form.near_cbrt(((t1 * t2) * 1.0) + (8.0 / t2))
+    t22 = form.sqrt((t7 * t17) + t11)
+    t25 = form.sqrt((t22 * 2.0) + t9)
+    t26 = t7 * 0.5
+    t27 = t22 * t25
+    t32 = ((t25 * t27) - (t26 * t17)) / (t27 - t26)
+    t36 = form.sqrt((t7 * t32) + t11)
+    t39 = form.sqrt((t36 * 2.0) + t9)
+    t40 = t36 * t39
+    t45 = ((t39 * t40) - (t26 * t32)) / (t40 - t26)
+    t49 = form.sqrt((t7 * t45) + t11)
+    t52 = form.sqrt((t49 * 2.0) + t9)
+    t53 = t49 * t52
+    t58 = ((t52 * t53) - (t26 * t45)) / (t53 - t26)
+    t62 = form.sqrt((t7 * t58) + t11)
+    t65 = form.sqrt((t62 * 2.0) + t9)
+    t66 = t62 * t65
+    t71 = ((t65 * t66) - (t26 * t58)) / (t66 - t26)
+    t75 = form.sqrt((t7 * t71) + t11)
+    t78 = form.sqrt((t75 * 2.0) + t9)
+    t84 = t78 * t2
+    t88 = (t4 + (t75 * 0.5)) + ((t84 * 0.25) + (t1 * 0.125))
+    t92 = t78 + t2
+    t98 = ((((8.0 / t92) / t78) / t84) + 2.0) * (t78 / t92)
+    t102 = (t2 / t92) * 4.0
+    t89 = (t75 + (t1 * 0.25)) / t88
+    t90 = t84 / t88
+    t91 = t1 / t88
+    t99 = tracking_index * t98
+    t103 = tracking_index * t102
+    t107 = tracking_index * (t102 * ((t2 / t78) * 2.0))
+    return (t89, t90, t91, t99, t103, t107)
 
 
 def _updated_covariance_block(
@@ -1984,6 +2519,7 @@ _UPDATED_COVARIANCE = Signature(
     ("updated_11", "updated_12", "updated_13", "updated_22", "updated_23", "updated_33"),
     4,
     _updated_covariance_block,
+    numbers=_updated_covariance_of_numbers,
 )
 
 
@@ -2055,9 +2591,83 @@ def updated_covariance_derivatives(
 
     Source: derivation wiener-acceleration
     """
+    if (
+        type(tracking_index) is float
+        and 5e-324 <= tracking_index <= 1.0715086071862673e301
+        and out is None
+        and workers is ONE
+    ):
+        try:
+            return named(
+                UpdatedCovarianceDerivatives,
+                _updated_covariance_derivatives_of_numbers(tracking_index),
+            )
+        except (ArithmeticError, ValueError):
+            pass  # arrays say what is wrong
     return UpdatedCovarianceDerivatives(
         *evaluate(_UPDATED_COVARIANCE_DERIVATIVES, (tracking_index,), out, workers)
     )
+
+
+def _updated_covariance_derivatives_of_numbers(
+    tracking_index: float,
+    form: Form = Double,
+) -> tuple[float, ...]:
+    t1 = form.sqrt(tracking_index)
+    t2 = form.sqrt(t1)
+    t4 = 1.0 / t1
+    t7 = (t4 * t2) * 2.0
+    t9 = t1 * 0.5
+    t11 = tracking_index * 0.0625
+    t17 = form.near_cbrt(((t1 * t2) * 1.0) + (8.0 / t2))
+    t22 = form.sqrt((t7 * t17) + t11)
+    t25 = form.sqrt((t22 * 2.0) + t9)
+    t26 = t7 * 0.5
+    t27 = t22 * t25
+    t32 = ((t25 * t27) - (t26 * t17)) / (t27 - t26)
+    t36 = form.sqrt((t7 * t32) + t11)
+    t39 = form.sqrt((t36 * 2.0) + t9)
+    t40 = t36 * t39
+    t45 = ((t39 * t40) - (t26 * t32)) / (t40 - t26)
+    t49 = form.sqrt((t7 * t45) + t11)
+    t52 = form.sqrt((t49 * 2.0) + t9)
+    t53 = t49 * t52
+    t58 = ((t52 * t53) - (t26 * t45)) / (t53 - t26)
+    t62 = form.sqrt((t7 * t58) + t11)
+    t65 = form.sqrt((t62 * 2.0) + t9)
+    t66 = t62 * t65
+    t71 = ((t65 * t66) - (t26 * t58)) / (t66 - t26)
+    t75 = form.sqrt((t7 * t71) + t11)
+    t78 = form.sqrt((t75 * 2.0) + t9)
+    t81 = (t1 * 0.25) + t75
+    t85 = (tracking_index / t2) * 0.020833333333333332
+    t89 = t85 + ((t2 * t75) * 0.3333333333333333)
+    t92 = t89 + ((t75 / t2) * t75)
+    t95 = ((t2 * t81) / t92) * 0.16666666666666666
+    t99 = t2 / t78
+    t100 = ((t95 + 1.0) * 1.3333333333333333) * t99
+    t104 = t78 * t2
+    t108 = (t4 + (t75 * 0.5)) + ((t104 * 0.25) + (t1 * 0.125))
+    t110 = ((t100 / tracking_index) / t108) / t108
+    t115 = (((t2 + t78) * t81) / t92) * 0.16666666666666666
+    t120 = ((t115 + 1.0) + (t78 / t2)) * 0.6666666666666666
+    t127 = (((t2 * 0.5) + t78) * t81) * 0.6666666666666666
+    t131 = (((t127 / t92) + 1.0) / t108) / tracking_index
+    t133 = t99 * 0.5
+    t139 = t78 + t2
+    t142 = ((8.0 / t139) / t78) / t104
+    t146 = ((t133 * t133) * ((t133 * 8.0) + 4.0)) + ((t142 * 7.0) + 2.0)
+    t150 = (t142 * ((t133 * 2.0) + 1.0)) + 2.0
+    t158 = (((t142 * (t133 + 1.0)) + 1.0) / t150) * 2.0
+    t160 = (t2 / t139) * 4.0
+    t169 = ((t142 * ((t133 * 4.0) + 3.0)) + 2.0) / t150
+    t111 = t110 / tracking_index
+    t123 = ((t120 / t108) / t108) / tracking_index
+    t132 = t131 / t108
+    t153 = (t146 / t150) * (t78 / t139)
+    t161 = t158 * t160
+    t170 = (t160 * (t99 * 2.0)) * t169
+    return (t111, t123, t132, t153, t161, t170)
 
 
 def _updated_covariance_derivatives_block(
@@ -2242,6 +2852,7 @@ _UPDATED_COVARIANCE_DERIVATIVES = Signature(
     ("updated_11", "updated_12", "updated_13", "updated_22", "updated_23", "updated_33"),
     8,
     _updated_covariance_derivatives_block,
+    numbers=_updated_covariance_derivatives_of_numbers,
 )
 
 
@@ -2294,9 +2905,83 @@ def gain_second_derivatives(
 
     Source: derivation wiener-acceleration
     """
+    if (
+        type(tracking_index) is float
+        and 5e-324 <= tracking_index <= 1.7976931348623157e308
+        and out is None
+        and workers is ONE
+    ):
+        try:
+            return named(GainSecondDerivatives, _gain_second_derivatives_of_numbers(tracking_index))
+        except (ArithmeticError, ValueError):
+            pass  # arrays say what is wrong
     return GainSecondDerivatives(
         *evaluate(_GAIN_SECOND_DERIVATIVES, (tracking_index,), out, workers)
     )
+
+
+def _gain_second_derivatives_of_numbers(
+    tracking_index: float,
+    form: Form = Double,
+) -> tuple[float, ...]:
+    t1 = form.sqrt(tracking_index)
+    t2 = form.sqrt(t1)
+    t4 = 1.0 / t1
+    t7 = (t4 * t2) * 2.0
+    t9 = t1 * 0.5
+    t11 = tracking_index * 0.0625
+    t17 = form.near_cbrt(((t1 * t2) * 1.0) + (8.0 / t2))
+    t22 = form.sqrt((t7 * t17) + t11)
+    t25 = form.sqrt((t22 * 2.0) + t9)
+    t26 = t7 * 0.5
+    t27 = t22 * t25
+    t32 = ((t25 * t27) - (t26 * t17)) / (t27 - t26)
+    t36 = form.sqrt((t7 * t32) + t11)
+    t39 = form.sqrt((t36 * 2.0) + t9)
+    t40 = t36 * t39
+    t45 = ((t39 * t40) - (t26 * t32)) / (t40 - t26)
+    t49 = form.sqrt((t7 * t45) + t11)
+    t52 = form.sqrt((t49 * 2.0) + t9)
+    t53 = t49 * t52
+    t58 = ((t52 * t53) - (t26 * t45)) / (t53 - t26)
+    t62 = form.sqrt((t7 * t58) + t11)
+    t65 = form.sqrt((t62 * 2.0) + t9)
+    t66 = t62 * t65
+    t71 = ((t65 * t66) - (t26 * t58)) / (t66 - t26)
+    t75 = form.sqrt((t7 * t71) + t11)
+    t78 = form.sqrt((t75 * 2.0) + t9)
+    t80 = (t78 / t2) * 2.0
+    t83 = (t1 * 0.25) / t75
+    t84 = t83 + 1.0
+    t90 = (t83 * (t83 + 4.0)) + 3.0
+    t92 = ((t84 * t83) / t90) * 2.0
+    t93 = t92 * t80
+    t98 = (t83 * 2.0) + 2.0
+    t108 = t83 * ((t83 * ((t83 * 0.75) + 2.0)) + 2.5)
+    t113 = (((t83 / t90) * (t98 / t90)) / t90) * (((t83 * (t108 + 2.0)) + 0.75) * 8.0)
+    t118 = (((t78 / t75) / (t75 * t90)) / t2) * 2.0
+    t123 = (t80 * (((t92 * t93) * 2.0) + t113)) * 2.0
+    t127 = t78 * t2
+    t131 = (t4 + (t75 * 0.5)) + ((t127 * 0.25) + (t1 * 0.125))
+    t132 = t1 * t131
+    t134 = ((t123 / tracking_index) / t132) / t132
+    t137 = t127 / t131
+    t151 = t83 * ((t83 * ((t83 * 2.5) + 9.0)) + 12.0)
+    t158 = (t84 / t90) * (((t83 * (t151 + 7.0)) + 1.5) / t90)
+    t168 = ((t83 * ((t83 * 3.0) + 6.0)) + 3.0) / t90
+    t171 = t98 + (((t4 / t75) * 2.0) * (t168 * 2.0))
+    t173 = (((t93 * t84) * 2.0) + (t158 * 4.0)) + (t118 * t171)
+    t177 = ((t137 / tracking_index) * 0.5) * ((t118 * (t75 / t131)) * t173)
+    t183 = (((t75 / t1) * 4.0) * (t90 * 0.5)) / t98
+    t187 = t92 * ((t137 * 0.25) * ((t183 + 1.0) + t80))
+    t192 = (((t118 * t83) * (t84 + t98)) / t90) * 2.0
+    t193 = ((t98 * t83) / t90) * 2.0
+    t197 = t80 * (t187 + (t192 + (t193 * t193)))
+    t200 = ((t118 * t197) / t132) / tracking_index
+    t136 = -(t134 / tracking_index)
+    t179 = -(t177 / tracking_index)
+    t201 = -t200
+    return (t136, t179, t201)
 
 
 def _gain_second_derivatives_block(
@@ -2512,6 +3197,7 @@ _GAIN_SECOND_DERIVATIVES = Signature(
     ("alpha", "beta", "gamma"),
     16,
     _gain_second_derivatives_block,
+    numbers=_gain_second_derivatives_of_numbers,
 )
 
 
@@ -2565,9 +3251,88 @@ def predictor_gain_second_derivatives(
 
     Source: derivation wiener-acceleration
     """
+    if (
+        type(tracking_index) is float
+        and 5e-324 <= tracking_index <= 1.7976931348623157e308
+        and out is None
+        and workers is ONE
+    ):
+        try:
+            return named(
+                PredictorGainSecondDerivatives,
+                _predictor_gain_second_derivatives_of_numbers(tracking_index),
+            )
+        except (ArithmeticError, ValueError):
+            pass  # arrays say what is wrong
     return PredictorGainSecondDerivatives(
         *evaluate(_PREDICTOR_GAIN_SECOND_DERIVATIVES, (tracking_index,), out, workers)
     )
+
+
+def _predictor_gain_second_derivatives_of_numbers(
+    tracking_index: float,
+    form: Form = Double,
+) -> tuple[float, ...]:
+    t1 = form.sqrt(tracking_index)
+    t2 = form.sqrt(t1)
+    t4 = 1.0 / t1
+    t7 = (t4 * t2) * 2.0
+    t9 = t1 * 0.5
+    t11 = tracking_index * 0.0625
+    t17 = form.near_cbrt(((t1 * t2) * 1.0) + (8.0 / t2))
+    t22 = form.sqrt((t7 * t17) + t11)
+    t25 = form.sqrt((t22 * 2.0) + t9)
+    t26 = t7 * 0.5
+    t27 = t22 * t25
+    t32 = ((t25 * t27) - (t26 * t17)) / (t27 - t26)
+    t36 = form.sqrt((t7 * t32) + t11)
+    t39 = form.sqrt((t36 * 2.0) + t9)
+    t40 = t36 * t39
+    t45 = ((t39 * t40) - (t26 * t32)) / (t40 - t26)
+    t49 = form.sqrt((t7 * t45) + t11)
+    t52 = form.sqrt((t49 * 2.0) + t9)
+    t53 = t49 * t52
+    t58 = ((t52 * t53) - (t26 * t45)) / (t53 - t26)
+    t62 = form.sqrt((t7 * t58) + t11)
+    t65 = form.sqrt((t62 * 2.0) + t9)
+    t66 = t62 * t65
+    t71 = ((t65 * t66) - (t26 * t58)) / (t66 - t26)
+    t75 = form.sqrt((t7 * t71) + t11)
+    t78 = form.sqrt((t75 * 2.0) + t9)
+    t80 = (t78 / t2) * 2.0
+    t83 = (t1 * 0.25) / t75
+    t84 = t83 + 1.0
+    t90 = (t83 * (t83 + 4.0)) + 3.0
+    t92 = ((t84 * t83) / t90) * 2.0
+    t93 = t92 * t80
+    t98 = (t83 * 2.0) + 2.0
+    t108 = t83 * ((t83 * ((t83 * 0.75) + 2.0)) + 2.5)
+    t113 = (((t83 / t90) * (t98 / t90)) / t90) * (((t83 * (t108 + 2.0)) + 0.75) * 8.0)
+    t118 = (((t78 / t75) / (t75 * t90)) / t2) * 2.0
+    t123 = (t80 * (((t92 * t93) * 2.0) + t113)) * 2.0
+    t127 = t78 * t2
+    t131 = (t4 + (t75 * 0.5)) + ((t127 * 0.25) + (t1 * 0.125))
+    t132 = t1 * t131
+    t134 = ((t123 / tracking_index) / t132) / t132
+    t136 = t127 / t131
+    t150 = t83 * ((t83 * ((t83 * 2.5) + 9.0)) + 12.0)
+    t157 = (t84 / t90) * (((t83 * (t150 + 7.0)) + 1.5) / t90)
+    t167 = ((t83 * ((t83 * 3.0) + 6.0)) + 3.0) / t90
+    t170 = t98 + (((t4 / t75) * 2.0) * (t167 * 2.0))
+    t172 = (((t93 * t84) * 2.0) + (t157 * 4.0)) + (t118 * t170)
+    t176 = ((t136 / tracking_index) * 0.5) * ((t118 * (t75 / t131)) * t172)
+    t177 = t176 / tracking_index
+    t181 = (((t75 / t1) * 4.0) * (t90 * 0.5)) / t98
+    t185 = t92 * ((t136 * 0.25) * ((t181 + 1.0) + t80))
+    t190 = (((t118 * t83) * (t84 + t98)) / t90) * 2.0
+    t191 = ((t98 * t83) / t90) * 2.0
+    t195 = t80 * (t185 + (t190 + (t191 * t191)))
+    t198 = ((t118 * t195) / t132) / tracking_index
+    t201 = (t134 / tracking_index) + (t177 + (t198 * 0.5))
+    t202 = -t201
+    t204 = -(t177 + t198)
+    t205 = -t198
+    return (t202, t204, t205)
 
 
 def _predictor_gain_second_derivatives_block(
@@ -2787,6 +3552,7 @@ _PREDICTOR_GAIN_SECOND_DERIVATIVES = Signature(
     ("position", "velocity", "acceleration"),
     16,
     _predictor_gain_second_derivatives_block,
+    numbers=_predictor_gain_second_derivatives_of_numbers,
 )
 
 
@@ -2847,9 +3613,84 @@ def predicted_covariance_second_derivatives(
 
     Source: derivation wiener-acceleration
     """
+    if (
+        type(tracking_index) is float
+        and 5e-324 <= tracking_index <= 1.0715086071862673e301
+        and out is None
+        and workers is ONE
+    ):
+        try:
+            return named(
+                PredictedCovarianceSecondDerivatives,
+                _predicted_covariance_second_derivatives_of_numbers(tracking_index),
+            )
+        except (ArithmeticError, ValueError):
+            pass  # arrays say what is wrong
     return PredictedCovarianceSecondDerivatives(
         *evaluate(_PREDICTED_COVARIANCE_SECOND_DERIVATIVES, (tracking_index,), out, workers)
     )
+
+
+def _predicted_covariance_second_derivatives_of_numbers(
+    tracking_index: float,
+    form: Form = Double,
+) -> tuple[float, ...]:
+    t1 = form.sqrt(tracking_index)
+    t2 = form.sqrt(t1)
+    t4 = 1.0 / t1
+    t7 = (t4 * t2) * 2.0
+    t9 = t1 * 0.5
+    t11 = tracking_index * 0.0625
+    t17 = form.near_cbrt(((t1 * t2) * 1.0) + (8.0 / t2))
+    t22 = form.sqrt((t7 * t17) + t11)
+    t25 = form.sqrt((t22 * 2.0) + t9)
+    t26 = t7 * 0.5
+    t27 = t22 * t25
+    t32 = ((t25 * t27) - (t26 * t17)) / (t27 - t26)
+    t36 = form.sqrt((t7 * t32) + t11)
+    t39 = form.sqrt((t36 * 2.0) + t9)
+    t40 = t36 * t39
+    t45 = ((t39 * t40) - (t26 * t32)) / (t40 - t26)
+    t49 = form.sqrt((t7 * t45) + t11)
+    t52 = form.sqrt((t49 * 2.0) + t9)
+    t53 = t49 * t52
+    t58 = ((t52 * t53) - (t26 * t45)) / (t53 - t26)
+    t62 = form.sqrt((t7 * t58) + t11)
+    t65 = form.sqrt((t62 * 2.0) + t9)
+    t66 = t62 * t65
+    t71 = ((t65 * t66) - (t26 * t58)) / (t66 - t26)
+    t75 = form.sqrt((t7 * t71) + t11)
+    t78 = form.sqrt((t75 * 2.0) + t9)
+    t81 = (t1 * 0.25) / t75
+    t82 = t81 + 1.0
+    t88 = (t81 * (t81 + 4.0)) + 3.0
+    t92 = (t78 / t2) * 2.0
+    t93 = (((t82 * t81) / t88) * 2.0) * t92
+    t100 = (((t78 / t75) / (t75 * t88)) / t2) * 2.0
+    t103 = (t81 * 2.0) + 2.0
+    t107 = (((t100 * t81) * (t82 + t103)) / t88) * 2.0
+    t110 = ((t103 * t81) / t88) * 2.0
+    t121 = (((t81 * (t81 + 2.0)) + 1.0) / t88) * 2.0
+    t123 = (t100 * (t107 + (t110 * t110))) * t92
+    t131 = (t4 + (t75 * 0.5)) + (((t78 * t2) * 0.25) + (t1 * 0.125))
+    t133 = ((t93 * (t93 + 1.0)) + t123) * (t1 * t131)
+    t136 = t75 / t1
+    t147 = t81 * ((t81 * ((t81 * 6.0) + 14.0)) + 10.0)
+    t152 = ((t81 / t88) * ((t147 + 2.0) / t88)) * (t121 * 4.0)
+    t157 = ((t81 * ((t81 * 4.0) + 8.0)) + 4.0) * t81
+    t161 = t100 * ((t157 / t88) * (t103 / t88))
+    t162 = t161 * (t100 + (((t103 * t103) / t88) * 2.0))
+    t165 = ((t136 * (t88 * 4.0)) * (t152 + t162)) / t2
+    t170 = t92 * ((t121 * (t121 + 1.0)) + t161)
+    t172 = (((t75 / t78) * t165) + t170) * 0.125
+    t180 = t81 * ((t81 * ((t81 * 10.0) + 36.0)) + 44.0)
+    t186 = (t81 * ((t81 * (t180 + 24.0)) + 10.0)) + 4.0
+    t191 = (t136 * 4.0) * (((t186 / t88) / t88) + (t161 * t103))
+    t134 = t133 / tracking_index
+    t194 = t172 + ((t191 * 0.25) + 0.5)
+    t197 = ((t191 + t170) * 0.25) + 0.5
+    t198 = t170 * 0.5
+    return (t134, t194, t197, t198)
 
 
 def _predicted_covariance_second_derivatives_block(
@@ -3062,6 +3903,7 @@ _PREDICTED_COVARIANCE_SECOND_DERIVATIVES = Signature(
     ("predicted_13", "predicted_22", "predicted_23", "predicted_33"),
     11,
     _predicted_covariance_second_derivatives_block,
+    numbers=_predicted_covariance_second_derivatives_of_numbers,
 )
 
 
@@ -3116,9 +3958,78 @@ def predicted_position_second_derivatives(
 
     Source: derivation wiener-acceleration
     """
+    if (
+        type(tracking_index) is float
+        and 1.688508503057271e-226 <= tracking_index <= 1.0715086071862673e301
+        and out is None
+        and workers is ONE
+    ):
+        try:
+            return named(
+                PredictedPositionSecondDerivatives,
+                _predicted_position_second_derivatives_of_numbers(tracking_index),
+            )
+        except (ArithmeticError, ValueError):
+            pass  # arrays say what is wrong
     return PredictedPositionSecondDerivatives(
         *evaluate(_PREDICTED_POSITION_SECOND_DERIVATIVES, (tracking_index,), out, workers)
     )
+
+
+def _predicted_position_second_derivatives_of_numbers(
+    tracking_index: float,
+    form: Form = Double,
+) -> tuple[float, ...]:
+    t1 = form.sqrt(tracking_index)
+    t2 = form.sqrt(t1)
+    t4 = 1.0 / t1
+    t7 = (t4 * t2) * 2.0
+    t9 = t1 * 0.5
+    t11 = tracking_index * 0.0625
+    t17 = form.near_cbrt(((t1 * t2) * 1.0) + (8.0 / t2))
+    t22 = form.sqrt((t7 * t17) + t11)
+    t25 = form.sqrt((t22 * 2.0) + t9)
+    t26 = t7 * 0.5
+    t27 = t22 * t25
+    t32 = ((t25 * t27) - (t26 * t17)) / (t27 - t26)
+    t36 = form.sqrt((t7 * t32) + t11)
+    t39 = form.sqrt((t36 * 2.0) + t9)
+    t40 = t36 * t39
+    t45 = ((t39 * t40) - (t26 * t32)) / (t40 - t26)
+    t49 = form.sqrt((t7 * t45) + t11)
+    t52 = form.sqrt((t49 * 2.0) + t9)
+    t53 = t49 * t52
+    t58 = ((t52 * t53) - (t26 * t45)) / (t53 - t26)
+    t62 = form.sqrt((t7 * t58) + t11)
+    t65 = form.sqrt((t62 * 2.0) + t9)
+    t66 = t62 * t65
+    t71 = ((t65 * t66) - (t26 * t58)) / (t66 - t26)
+    t75 = form.sqrt((t7 * t71) + t11)
+    t78 = form.sqrt((t75 * 2.0) + t9)
+    t81 = (t1 * 0.25) / t75
+    t82 = t81 + 1.0
+    t88 = (t81 * (t81 + 4.0)) + 3.0
+    t91 = t78 / t2
+    t92 = t91 * 2.0
+    t93 = (((t82 * t81) / t88) * 2.0) * t92
+    t101 = (t4 + (t75 * 0.5)) + (((t78 * t2) * 0.25) + (t1 * 0.125))
+    t103 = (t1 * t101) / tracking_index
+    t109 = (t81 * 2.0) + 2.0
+    t110 = t109 / t88
+    t119 = t81 * ((t81 * ((t81 * 0.75) + 2.0)) + 2.5)
+    t124 = (((t81 / t88) * t110) / t88) * (((t81 * (t119 + 2.0)) + 0.75) * 8.0)
+    t129 = (((t78 / t75) / (t75 * t88)) / t2) * 2.0
+    t138 = t91 * t103
+    t143 = (((t81 * (t81 + 2.0)) + 1.0) / t88) * 2.0
+    t144 = t143 + t93
+    t150 = (((t129 * t81) * (t82 + t109)) / t88) * 2.0
+    t151 = ((t109 * t81) / t88) * 2.0
+    t155 = (t129 * (t150 + (t151 * t151))) * t92
+    t161 = ((t81 * ((t81 * 4.0) + 8.0)) + 4.0) * t81
+    t165 = ((t144 * t93) + t155) + (t129 * ((t161 / t88) * t110))
+    t136 = (((t93 * t93) * t103) * (t103 * 4.0)) - (((t124 * t92) * t103) * (t103 * 2.0))
+    t169 = (t138 * t165) - (t138 * (t144 * t129))
+    return (t136, t169)
 
 
 def _predicted_position_second_derivatives_block(
@@ -3301,6 +4212,7 @@ _PREDICTED_POSITION_SECOND_DERIVATIVES = Signature(
     ("predicted_11", "predicted_12"),
     13,
     _predicted_position_second_derivatives_block,
+    numbers=_predicted_position_second_derivatives_of_numbers,
 )
 
 
@@ -3354,9 +4266,69 @@ def updated_covariance_second_derivatives(
 
     Source: derivation wiener-acceleration
     """
+    if (
+        type(tracking_index) is float
+        and 5e-324 <= tracking_index <= 1.7976931348623157e308
+        and out is None
+        and workers is ONE
+    ):
+        try:
+            return named(
+                UpdatedCovarianceSecondDerivatives,
+                _updated_covariance_second_derivatives_of_numbers(tracking_index),
+            )
+        except (ArithmeticError, ValueError):
+            pass  # arrays say what is wrong
     return UpdatedCovarianceSecondDerivatives(
         *evaluate(_UPDATED_COVARIANCE_SECOND_DERIVATIVES, (tracking_index,), out, workers)
     )
+
+
+def _updated_covariance_second_derivatives_of_numbers(
+    tracking_index: float,
+    form: Form = Double,
+) -> tuple[float, ...]:
+    t1 = form.sqrt(tracking_index)
+    t2 = form.sqrt(t1)
+    t7 = ((1.0 / t1) * t2) * 2.0
+    t9 = t1 * 0.5
+    t11 = tracking_index * 0.0625
+    t17 = form.near_cbrt(((t1 * t2) * 1.0) + (8.0 / t2))
+    t21 = form.sqrt((t7 * t17) + t11)
+    t24 = form.sqrt((t21 * 2.0) + t9)
+    t25 = t7 * 0.5
+    t26 = t21 * t24
+    t31 = ((t24 * t26) - (t25 * t17)) / (t26 - t25)
+    t35 = form.sqrt((t7 * t31) + t11)
+    t38 = form.sqrt((t35 * 2.0) + t9)
+    t39 = t35 * t38
+    t44 = ((t38 * t39) - (t25 * t31)) / (t39 - t25)
+    t48 = form.sqrt((t7 * t44) + t11)
+    t51 = form.sqrt((t48 * 2.0) + t9)
+    t52 = t48 * t51
+    t57 = ((t51 * t52) - (t25 * t44)) / (t52 - t25)
+    t61 = form.sqrt((t7 * t57) + t11)
+    t64 = form.sqrt((t61 * 2.0) + t9)
+    t65 = t61 * t64
+    t70 = ((t64 * t65) - (t25 * t57)) / (t65 - t25)
+    t76 = (form.sqrt((t7 * t70) + t11) * 2.0) + t9
+    t77 = form.sqrt(t76)
+    t78 = t77 + t2
+    t82 = ((8.0 / t78) / t77) / (t77 * t2)
+    t83 = t2 / t77
+    t84 = t83 * 0.5
+    t88 = (t82 * ((t84 * 2.0) + 1.0)) + 2.0
+    t89 = t82 / t88
+    t90 = t89 * t89
+    t96 = t90 * ((((t82 + 2.0) * t84) + 3.0) / t88)
+    t99 = (t2 / t78) * 4.0
+    t102 = (t96 * (t99 * 4.0)) / tracking_index
+    t113 = (t82 * t84) * ((((t84 * 4.0) + 2.0) * t84) + 1.0)
+    t115 = ((t82 * (t84 * t84)) * 12.0) + (t113 * 2.0)
+    t122 = t90 * ((t115 + ((t84 * 34.0) + 15.0)) / t88)
+    t103 = -t102
+    t127 = (t122 * ((t99 * (t83 * 2.0)) * 2.0)) / tracking_index
+    return (t103, t102, t127)
 
 
 def _updated_covariance_second_derivatives_block(
@@ -3498,6 +4470,7 @@ _UPDATED_COVARIANCE_SECOND_DERIVATIVES = Signature(
     ("updated_22", "updated_23", "updated_33"),
     6,
     _updated_covariance_second_derivatives_block,
+    numbers=_updated_covariance_second_derivatives_of_numbers,
 )
 
 
@@ -3556,7 +4529,67 @@ def closed_loop_poles(
 
     Source: derivation wiener-acceleration
     """
+    if (
+        type(tracking_index) is float
+        and 5e-324 <= tracking_index <= 1.7976931348623157e308
+        and out is None
+        and workers is ONE
+    ):
+        try:
+            return named(ClosedLoopPoles, _closed_loop_poles_of_numbers(tracking_index))
+        except (ArithmeticError, ValueError):
+            pass  # arrays say what is wrong
     return ClosedLoopPoles(*evaluate(_CLOSED_LOOP_POLES, (tracking_index,), out, workers))
+
+
+def _closed_loop_poles_of_numbers(tracking_index: float, form: Form = Double) -> tuple[float, ...]:
+    t1 = form.sqrt(tracking_index)
+    t2 = form.sqrt(t1)
+    t4 = 1.0 / t1
+    t7 = (t4 * t2) * 2.0
+    t9 = t1 * 0.5
+    t11 = tracking_index * 0.0625
+    t17 = form.near_cbrt(((t1 * t2) * 1.0) + (8.0 / t2))
+    t22 = form.sqrt((t7 * t17) + t11)
+    t25 = form.sqrt((t22 * 2.0) + t9)
+    t26 = t7 * 0.5
+    t27 = t22 * t25
+    t32 = ((t25 * t27) - (t26 * t17)) / (t27 - t26)
+    t36 = form.sqrt((t7 * t32) + t11)
+    t39 = form.sqrt((t36 * 2.0) + t9)
+    t40 = t36 * t39
+    t45 = ((t39 * t40) - (t26 * t32)) / (t40 - t26)
+    t49 = form.sqrt((t7 * t45) + t11)
+    t52 = form.sqrt((t49 * 2.0) + t9)
+    t53 = t49 * t52
+    t58 = ((t52 * t53) - (t26 * t45)) / (t53 - t26)
+    t62 = form.sqrt((t7 * t58) + t11)
+    t65 = form.sqrt((t62 * 2.0) + t9)
+    t66 = t62 * t65
+    t71 = ((t65 * t66) - (t26 * t58)) / (t66 - t26)
+    t75 = form.sqrt((t7 * t71) + t11)
+    t78 = form.sqrt((t75 * 2.0) + t9)
+    t80 = (t78 / t2) * 2.0
+    t88 = (t4 + (t75 * 0.5)) + (((t78 * t2) * 0.25) + (t1 * 0.125))
+    t89 = t1 * t88
+    t96 = t80 + 2.8284271247461903
+    t99 = (5.656854249492381 - tracking_index) + (
+        9.681293988705875e-08 if form.single else -3.8669173253811654e-16
+    )
+    t101 = (t99 / ((t80 * t96) + 4.0)) / tracking_index
+    t106 = t80 + 2.309401076758503
+    t109 = (20.784609690826528 - tracking_index) + (
+        8.498841452819761e-07 if form.single else -5.721467327834222e-16
+    )
+    t110 = t109 / ((t80 * t106) + 1.3333333333333333)
+    t113 = (t110 / tracking_index) * 3.079201435678004
+    t115 = t80 + 2.0
+    t123 = (((t113 / t80) / t115) * (t106 / t80)) / t115
+    t116 = 1.0 / t89
+    t117 = 1.0 / form.sqrt(t89)
+    t119 = ((t101 * 11.313708498984761) / t80) * (t96 / t115)
+    t125 = t123 * -12.0
+    return (t116, t117, t119, t125)
 
 
 def _closed_loop_poles_block(
@@ -3704,6 +4737,7 @@ _CLOSED_LOOP_POLES = Signature(
     ("real_pole", "modulus", "half_sum", "quarter_discriminant"),
     6,
     _closed_loop_poles_block,
+    numbers=_closed_loop_poles_of_numbers,
 )
 
 
@@ -3741,7 +4775,25 @@ def index_from_alpha(
 
     Source: derivation wiener-acceleration
     """
+    if (
+        type(alpha) is float
+        and 4.5719495651291e-100 <= alpha <= 0.9999999999999999
+        and out is None
+        and workers is ONE
+    ):
+        try:
+            return named(IndexFromAlpha, _index_from_alpha_of_numbers(alpha))
+        except (ArithmeticError, ValueError):
+            pass  # arrays say what is wrong
     return IndexFromAlpha(*evaluate(_INDEX_FROM_ALPHA, (alpha,), out, workers))
+
+
+def _index_from_alpha_of_numbers(alpha: float, form: Form = Double) -> tuple[float, ...]:
+    t3 = form.sqrt(1.0 - alpha)
+    t4 = t3 + 1.0
+    t5 = alpha / t4
+    t11 = (((t5 * t5) * 2.0) * (t5 / t4)) / t3
+    return (t11,)
 
 
 def _index_from_alpha_block(
@@ -3767,6 +4819,7 @@ _INDEX_FROM_ALPHA = Signature(
     ("tracking_index",),
     3,
     _index_from_alpha_block,
+    numbers=_index_from_alpha_of_numbers,
 )
 
 
@@ -3809,7 +4862,25 @@ def gains_from_alpha(
 
     Source: derivation wiener-acceleration
     """
+    if (
+        type(alpha) is float
+        and 4.5719495651291e-100 <= alpha <= 0.9999999999999999
+        and out is None
+        and workers is ONE
+    ):
+        try:
+            return named(GainsFromAlpha, _gains_from_alpha_of_numbers(alpha))
+        except (ArithmeticError, ValueError):
+            pass  # arrays say what is wrong
     return GainsFromAlpha(*evaluate(_GAINS_FROM_ALPHA, (alpha,), out, workers))
+
+
+def _gains_from_alpha_of_numbers(alpha: float, form: Form = Double) -> tuple[float, ...]:
+    t4 = form.sqrt(1.0 - alpha) + 1.0
+    t5 = alpha / t4
+    t8 = (t5 * t5) * 2.0
+    t10 = t8 * (t5 / t4)
+    return (t8, t10)
 
 
 def _gains_from_alpha_block(
@@ -3834,4 +4905,5 @@ _GAINS_FROM_ALPHA = Signature(
     ("beta", "gamma"),
     1,
     _gains_from_alpha_block,
+    numbers=_gains_from_alpha_of_numbers,
 )

@@ -96,9 +96,10 @@ def kernel_values(
     for this model; FormulaError for what a formula cannot hold.
     """
     formulas: dict[str, Formula] = {}
+    given = _Values(known, {})
     for section in sections:
         if all(
-            _RELATIONS[each.relation](_value(each.left, known), _value(each.right, known))
+            _RELATIONS[each.relation](_value(each.left, given), _value(each.right, given))
             for each in section.conditions
         ):
             formulas |= section.formulas

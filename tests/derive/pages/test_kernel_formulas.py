@@ -123,6 +123,7 @@ def test_a_name_without_a_formula_is_left_out() -> None:
         ("prose\n\n    x = (a)", "line 3: read as"),
         ("    x = a\n    x = b", "line 2: x has a formula here already"),
         ("    x = a\n## Where m > 0", "line 2: wanted a condition such as m2 = 0"),
+        ("    x = a\n## Where k = 0\n    x = b", "'k' has no formula"),
         ("    x = z", "'z' has no formula, or one that needs itself"),
         ("    x = y + a\n    y = x b", "'x' has no formula, or one that needs itself"),
         ("    x = sqrt(a)", "no sum, product or quotient"),

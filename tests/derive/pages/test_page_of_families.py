@@ -124,7 +124,13 @@ def test_what_is_not_true_is_rejected(
         ("poles turn real", PAGE, "from 0 to {pole_limit}", "from 0 to {pole}", "no slot 'pole'"),
         ("poles turn real", PAGE, "(in index_below, ", "(in index, ", "no setting 'index' above"),
         ("decay", FIRST, "steps large-index", "steps large", "no steps 'large' of the program"),
-        ("decay", "model-in-units", "has {count} entries", "has {number} entries", "'{number}' is"),
+        (
+            "decay",
+            "model-in-units",
+            "`x` {measured} measured",
+            "`x` {number} measured",
+            "'{number}' is",
+        ),
     ],
 )
 def test_a_mistake_is_told_with_file_and_line(
