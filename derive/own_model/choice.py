@@ -13,6 +13,7 @@ from gainproof.derive.any_two_state import names as two_states
 from gainproof.derive.any_two_state.any_two_state import derive_any_two_state
 from gainproof.derive.any_two_state.scaling import scale_free
 from gainproof.derive.any_two_state.shape import require_first_measured
+from gainproof.derive.derivation import PageError
 from gainproof.derive.model import Model, ModelError, ScaledModel, scale
 from gainproof.derive.own_model.checks import require_steady_state, require_written_well
 from gainproof.derive.own_model.one_state import derive_one_state
@@ -122,15 +123,31 @@ def _three_states(model: Model, scaled: ScaledModel) -> Subject:
     """Kinematic ones by the method of the catalogue where that reaches."""
     require_first_measured(model, scaled)
     if scaled.transition == KINEMATIC_3 and _counts_rates(model) and not model.parameters:
-        # tried whole, evidence and bounds too: it refuses late, with errors of several kinds;
-        # the other method names the reason
-        with suppress(ValueError, ArithmeticError, TypeError):
-            if _is_as_written(scale(model)):
-                subject = derive_three_state(model, ())
-                subject.certificate()
-                prove_all(subject.module.kernels)
-                return subject
+        subject = _kinematic(model)
+        if subject is not None:
+            return subject
     return derive_any_three_state(model)
+
+
+def _kinematic(model: Model) -> Subject | None:
+    """By the method of the catalogue; none where it refuses, the other method names the reason.
+
+    It is tried whole, evidence and bounds too: it refuses late, with errors of several kinds.
+    """
+    subject = None
+    try:
+        if _is_as_written(scale(model)):
+            subject = derive_three_state(model, ())
+    except PageError:
+        raise  # a mistake of the page, which is none of the model
+    except (ValueError, ArithmeticError, TypeError):
+        return None
+    with suppress(ValueError, ArithmeticError, TypeError):
+        if subject is not None:
+            subject.certificate()
+            prove_all(subject.module.kernels)
+            return subject
+    return None
 
 
 def require_names_of_their_own(model: Model) -> None:

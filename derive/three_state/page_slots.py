@@ -13,7 +13,7 @@ from gainproof.derive.algebra.derivative import derivative
 from gainproof.derive.algebra.limits import End
 from gainproof.derive.algebra.tower import Fraction, Tower
 from gainproof.derive.expression import real
-from gainproof.derive.model import ScaledModel
+from gainproof.derive.model import ModelError, ScaledModel
 from gainproof.derive.pages.model_slots import model_slots, plain
 from gainproof.derive.steady_state.spectrum import V
 from gainproof.derive.three_state import bending, covariance_entries, kernel_tower, pole_tower
@@ -147,7 +147,10 @@ def _constants(c: Context) -> Slots:
 
 
 def _ends(c: Context) -> Slots:
-    """What gains and covariances tend to for a large index, and what they grow like."""
+    """What gains and covariances tend to for a large index, and what they grow like.
+
+    Raises ModelError where X22'' over eta tends to nothing.
+    """
     k, whole = c.constants, c.constants.least + c.constants.c
     turns = not c.spectrum.rational_in_root
     found: Slots = {
@@ -160,6 +163,11 @@ def _ends(c: Context) -> Slots:
         "rooted": turns,
     }
     if turns:
+        if k.b + k.c == 0:
+            raise ModelError(
+                f"model {c.model.name}: a process noise is wanted whose spectrum has no double "
+                "zero at z = -1, as a polynomial in v = 2 - z - 1/z"
+            )
         found["far_bend_over_eta"] = plain_number(2 * over_square(c)["updated_22"] / (k.b + k.c))
     for name, value in over_square(c).items():
         whole_square = not c.tower.is_zero(value)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from pathlib import Path
 from typing import Any
 
 import pytest
@@ -11,12 +12,16 @@ from one_of_each import cases
 from own_models import DEVIATION, SHAKE, T, free_number, own_model
 
 from gainproof.derive.any_two_state import printed
+from gainproof.derive.derivation import PageError
 from gainproof.derive.expression import real
 from gainproof.derive.families.random_acceleration import STRENGTH
 from gainproof.derive.model import Model, ModelError
+from gainproof.derive.own_model import choice
 from gainproof.derive.own_model.choice import derive_own_model
+from gainproof.derive.pages.derivation import FOLDER
 from gainproof.derive.quantity import METRE
 from gainproof.derive.subject import Subject
+from gainproof.derive.three_state.three_state import PAGE, derive_three_state
 from gainproof.derive.vector_measurement.model import measured_model
 
 KINEMATIC = [[1, 1], [0, 1]]
@@ -82,6 +87,32 @@ def test_three_states_whose_narrow_method_fails_late_go_to_the_other(noise: sp.M
     assert kernels(subject) >= {"gains", "predicted_covariance", "gain_derivatives"}
     assert "pole_product" not in kernels(subject)
     assert subject.certificate()["statements"]
+
+
+@pytest.mark.parametrize(
+    ("right", "wrong", "said"),
+    [
+        ("    equation-xi: xi^2 = a1 + 2 eta\n", "    equation-xi: xi^2 = a1 + 2 eat\n", "'eat'"),
+        ("{end_of_gamma} as", "{end_of_gama} as", "no slot 'end_of_gama'"),
+    ],
+)
+def test_a_mistake_of_the_page_is_told_and_hides_behind_no_other_method(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, right: str, wrong: str, said: str
+) -> None:
+    text = (FOLDER / f"{PAGE}.md").read_text(encoding="utf-8")
+    assert text.count(right) == 1
+    (tmp_path / f"{PAGE}.md").write_text(text.replace(right, wrong), encoding="utf-8")
+    monkeypatch.setattr(
+        choice,
+        "derive_three_state",
+        lambda model, keys: derive_three_state(model, keys, folder=tmp_path),
+    )
+    third = sp.Rational(1, 6), HALF, sp.Integer(1)
+    model = own_model([[1, 1, HALF], [0, 1, 1], [0, 0, 1]], [[a * b for a in third] for b in third])
+    with pytest.raises(PageError, match=said) as caught:
+        derive_own_model(model)
+    line = text[: text.index(right)].count("\n") + 1
+    assert f"/{PAGE}.md, line {line}: " in str(caught.value)
 
 
 NUMBERS = [1, sp.Rational(1, 9), sp.Rational(1, 2), 7]

@@ -87,6 +87,12 @@ def test_a_noise_with_a_negative_coefficient_is_refused() -> None:
         context(model(sp.Integer(1), sp.Rational(1, 2), sp.Integer(1)))
 
 
+def test_a_noise_whose_updated_velocity_bends_no_more_is_refused_by_name() -> None:
+    # a double zero at z = -1: eta tends to 0 for a large index
+    with pytest.raises(ModelError, match="no double zero at z = -1"):
+        derive_three_state(model(sp.Rational(1, 4), sp.Rational(1, 2), sp.Integer(1)), ())
+
+
 def test_another_transition_is_refused() -> None:
     kinematic = model(sp.Integer(0), sp.Integer(0), sp.Integer(1))
     step = SAMPLING_INTERVAL.symbol
