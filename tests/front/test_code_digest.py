@@ -1,5 +1,7 @@
 """The digest of a stage covers what its modules import, and nothing else."""
 
+from __future__ import annotations
+
 import ast
 import shutil
 from pathlib import Path
@@ -7,6 +9,7 @@ from pathlib import Path
 import pytest
 from one_of_each import cases
 
+from gainproof.derive.catalogue import CATALOGUE
 from gainproof.files import places
 from gainproof.jobs import code_digest, tasks
 from gainproof.jobs.code_digest import imports_of, modules_below, of_modules
@@ -162,3 +165,28 @@ def _exists(name: str) -> bool:
 
 def _is_for_types(node: ast.If) -> bool:
     return isinstance(node.test, ast.Name) and node.test.id == "TYPE_CHECKING"
+
+
+SUBJECTS = [entry.name for entry in CATALOGUE]
+
+
+@pytest.mark.alike
+@pytest.mark.parametrize("name", SUBJECTS)
+def test_each_page_that_is_read_belongs_to_the_key(
+    name: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """A page that is read and not in the key would leave a stale derivation in the cache."""
+    (entry,) = (each for each in CATALOGUE if each.name == name)
+    read: set[Path] = set()
+    plain = Path.read_text
+
+    def noted(path: Path, encoding: str | None = None) -> str:
+        read.add(path)
+        return plain(path, encoding)
+
+    monkeypatch.setattr(Path, "read_text", noted)
+    entry.build()
+    pages = {path.stem for path in read if path.suffix == ".md"}
+    known = code_digest.pages_of(*tasks.modules_of("print_one", {"name": name}))
+    assert pages <= known
+    assert "interacting-gains" not in known or name == "interacting-gains"

@@ -27,26 +27,39 @@ _IMPORT = re.compile(
 _COMMENT = re.compile(r"#[^\n]*|\\\n")
 """Also a line's end that is none."""
 _FOR_TYPES = re.compile(r"^if TYPE_CHECKING:.*\n(?:(?:[ \t]+.*)?\n)+", re.MULTILINE)
+_PAGES = f"{_NAME}.derive.pages"
 _FOLDERS = ("derive", "verify", "generated")
 
 
 @cache
 def of_modules(*names: str) -> str:
     """Digest of the files of modules and of all modules of ours that these import, also within
-    functions, with the files of data beside them.
+    functions, with the files of data beside them. Of pages (.md) those count that are named in a
+    file that counts: an edit of one page makes anew what is derived from it and nothing else.
 
     `gainproof` itself does not count, which hands names on, and its folders do with their own text
     alone: what their functions import when somebody calls them is no part of a module below.
 
     Raises LookupError for a module that does not exist.
     """
-    files = sorted(modules_below(*names).items())
     digest = hashlib.sha256()
-    for name, path in files:
-        for each in (path, *_data_beside(path)):
-            content = _content(each)
-            digest.update(f"{name} {each.name} {len(content)}\n".encode() + content)
+    for name, path in _files_of(*names):
+        content = _content(path)
+        digest.update(f"{name} {path.name} {len(content)}\n".encode() + content)
     return digest.hexdigest()
+
+
+def pages_of(*names: str) -> set[str]:
+    """The names of the pages among these files. Raises LookupError for a missing module."""
+    return {path.stem for _, path in _files_of(*names) if path.suffix == ".md"}
+
+
+def _files_of(*names: str) -> list[tuple[str, Path]]:
+    """The files that count, each with the module that it is or lies beside."""
+    files = sorted(modules_below(*names).items())
+    every = [(name, each) for name, path in files for each in (path, *_data_beside(path))]
+    unnamed = _unnamed_pages([path for _, path in files], [path for _, path in every])
+    return [(name, path) for name, path in every if path not in unnamed]
 
 
 def is_as_read(*names: str) -> bool:
@@ -151,6 +164,30 @@ def _stamp(path: Path) -> tuple[int, int]:
 def _stamp_now(path: Path) -> tuple[int, int]:
     found = path.stat()
     return found.st_mtime_ns, found.st_size
+
+
+def _unnamed_pages(files: Iterable[Path], data: Iterable[Path]) -> set[Path]:
+    """The pages among the data whose names stand in none of the files, nor on a page that does."""
+    unnamed = {path for path in data if path.suffix == ".md"}
+    waiting = list(files)
+    while waiting and unnamed:
+        named = _pages_named(waiting.pop())
+        found = {page for page in unnamed if page.stem in named}
+        unnamed -= found
+        waiting += found
+    return unnamed
+
+
+@cache
+def _pages_named(path: Path) -> frozenset[str]:
+    """What a file may name pages by: texts in quotation marks in Python that imports what reads
+    pages, parts on pages.
+    """
+    if path.suffix == ".py" and not any(_PAGES in name for name in imports_of(path)):
+        return frozenset()
+    text = _content(path).decode("utf-8")
+    pattern = r"^include ([\w-]+)" if path.suffix == ".md" else r"""["']([\w-]+)(?:\.md)?["']"""
+    return frozenset(re.findall(pattern, text, re.MULTILINE))
 
 
 @cache

@@ -53,7 +53,7 @@ TASKS: Mapping[str, Task] = {
     "print_one": Task(f"{_SUBJECTS}.generating", "print_one", derives=True, with_state=True),
     "package_one": Task(f"{_SUBJECTS}.generating", "package_one", derives=True, with_state=True),
     "derive_file": Task(f"{_SUBJECTS}.own_file", "derive_file", derives=True, executes=True),
-    "package_file": Task(f"{_SUBJECTS}.generating", "package_file", derives=True, executes=True),
+    "package_file": Task(f"{_SUBJECTS}.own_file", "package_file", derives=True, executes=True),
     "picture": Task("gainproof.book.sampled_kernel", "sampled"),
     "recheck": Task(f"{_SUBJECTS}.rechecking", "recheck"),
     "recheck_proofs": Task("gainproof.claims.claim_proofs", "recheck"),

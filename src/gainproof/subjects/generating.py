@@ -32,8 +32,7 @@ from gainproof.jobs.code_digest import of_modules
 from gainproof.jobs.worker_state import WorkerState
 from gainproof.subjects import bounds_ledger
 from gainproof.subjects.chosen_kernels import options
-from gainproof.subjects.deriving import derive, outline, plain_subject, subject_of
-from gainproof.subjects.own_file import kept_by_value
+from gainproof.subjects.deriving import derive, outline, subject_of
 
 BOUNDING = (
     "gainproof.derive.printer.together",
@@ -95,23 +94,6 @@ def package_one(
     derived, subject = derive(state, name), subject_of(state, name)
     part = packaged(subject, derived["certificate"], bounds, kernels, only)
     return {"derived": derived, "part": part}
-
-
-def package_file(
-    path: str,
-    kernels: Sequence[str] = (),
-    only: str = "",
-    cache: str | None = None,
-    fresh: bool = False,
-) -> dict[str, Any]:
-    """The same of what a user's file defines, kept as what `own_file.derive_file` answers is."""
-
-    def both(subject: Subject) -> dict[str, Any]:
-        derived = plain_subject(subject).plain()
-        part = packaged(subject, derived["certificate"], {}, kernels, only, own=True)
-        return {"derived": derived, "part": part}
-
-    return kept_by_value("package_file", path, cache, fresh, both, (*kernels, only))
 
 
 def printed(

@@ -30,6 +30,7 @@ from gainproof.jobs import code_digest
 from gainproof.jobs.cache import Cache, key_of
 from gainproof.jobs.tasks import code_of, is_as_read
 from gainproof.subjects.deriving import plain_subject
+from gainproof.subjects.generating import packaged
 
 KINDS: Mapping[str, tuple[type, Callable[[Any], Subject]]] = {
     "MODEL": (Model, derive_own_model),
@@ -47,6 +48,24 @@ def derive_file(path: str, cache: str | None = None, fresh: bool = False) -> dic
     of what it defines is kept in the folder `cache`, and taken from there unless `fresh`.
     """
     return kept_by_value("derive_file", path, cache, fresh, lambda own: plain_subject(own).plain())
+
+
+def package_file(
+    path: str,
+    kernels: Sequence[str] = (),
+    only: str = "",
+    cache: str | None = None,
+    fresh: bool = False,
+) -> dict[str, Any]:
+    """What `generating.package_one` gives, of what a user's file defines; kept as the answers of
+    `derive_file` are."""
+
+    def both(subject: Subject) -> dict[str, Any]:
+        derived = plain_subject(subject).plain()
+        part = packaged(subject, derived["certificate"], {}, kernels, only, own=True)
+        return {"derived": derived, "part": part}
+
+    return kept_by_value("package_file", path, cache, fresh, both, (*kernels, only))
 
 
 def kept_by_value(
