@@ -58,7 +58,8 @@ def package_file(
     fresh: bool = False,
 ) -> dict[str, Any]:
     """What `generating.package_one` gives, of what a user's file defines; kept as the answers of
-    `derive_file` are."""
+    `derive_file` are.
+    """
 
     def both(subject: Subject) -> dict[str, Any]:
         derived = plain_subject(subject).plain()
