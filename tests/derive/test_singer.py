@@ -18,7 +18,7 @@ from gainproof.bench.subjects import measured_kernels
 from gainproof.derive.expression import ExpressionError, graph_of, real
 from gainproof.derive.families.singer import NAME, build
 from gainproof.derive.pages.derivation import FOLDER
-from gainproof.standalone import making
+from gainproof.subjects import derivations
 from gainproof.verify.certificate import check, check_statement
 
 TEXT = (FOLDER / f"{NAME}.md").read_text(encoding="utf-8")
@@ -123,7 +123,7 @@ def test_no_kernels_no_module(
     assert cli.main(["generate", NAME, "--out", str(out)]) == 2
     assert f"{NAME}: has no kernels" in capsys.readouterr().err
     assert list(measured_kernels([NAME])) == []
-    monkeypatch.setattr(making.derivations, "catalogue", lambda: ["filter-step", NAME])
+    monkeypatch.setattr(derivations, "catalogue", lambda: ["filter-step", NAME])
     assert cli.main(["generate", "--out", str(out), "--target", "c"]) == 0
     names = {path.name for path in out.iterdir()}
     assert "filter_step.py" in names
