@@ -91,7 +91,7 @@ def test_as_written_everything_is_proved(tmp_path: Path) -> None:
         ("transition-equation", "(alpha t - 1 + r)/alpha^2", "(alpha t - 1 - r)/alpha^2"),
         ("transition-equation", "- alpha rho derivative(f, rho)", "+ alpha rho derivative(f, rho)"),
         ("transition-start", "at(at(f, T, 0), rho, 1)", "at(at(f, T, 0), rho, 2)"),
-        ("two-intervals", "= moved(T + U, rho kappa)\n    either", "= moved(T, rho)\n    either"),
+        ("two-intervals", "= moved(T + U, rho kappa)\n    back", "= moved(T, rho)\n    back"),
         ("noise-equation", "- 4 alpha t r)/(2 alpha^5)", "- 2 alpha t r)/(2 alpha^5)"),
         ("noise-12", "    noise-12: Q_12 = q (rho^2 + 1", "    noise-12: Q_12 = q (rho^2 - 1"),
         ("two-noises", "Q moved(U, kappa)' + W", "Q moved(U, kappa)' - W"),
