@@ -49,6 +49,7 @@ CATALOGUE: tuple[Entry, ...] = (
         f"{_FAMILIES}.position_velocity_random_acceleration",
     ),
     Entry("position-velocity-random-velocity", f"{_FAMILIES}.position_velocity_random_velocity"),
+    Entry("singer", f"{_FAMILIES}.singer"),
     Entry("recursion-two-states", "gainproof.derive.recursion.two_states"),
     Entry("recursion-three-states", "gainproof.derive.recursion.three_states"),
     Entry("alpha-beta", f"{_FAMILIES}.fixed_gain_alpha_beta"),

@@ -73,8 +73,13 @@ class _Writer:
                 number = self._put("derivative", number, variable.name)
             return number
         if isinstance(value, sp.Subs):
-            (name,), (point,) = value.variables, value.point
-            return self._put("at", self.write(value.expr), name.name, self.write(point))
+            number, later = self.write(value.expr), set(value.variables)
+            for name, point in zip(value.variables, value.point, strict=True):
+                later.remove(name)
+                if later & point.free_symbols:  # all at once is not one after the other
+                    raise ExpressionError(f"a value free of {later} is wanted, {point} came")
+                number = self._put("at", number, name.name, self.write(point))
+            return number
         raise ExpressionError(f"no node for {type(value).__name__}: {value}")
 
     def _product(self, value: sp.Mul) -> int:

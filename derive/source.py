@@ -97,7 +97,14 @@ MATRICES = Source(
     "P. Lancaster, M. Tismenetsky",
     "The Theory of Matrices",
     "Academic Press, 1985",
-    "the linear equation of a covariance has one solution if the filter is stable",
+    "solutions of linear equations, of covariances and of time; eigenvectors of a matrix",
+)
+SINGER = Source(
+    "singer-1970",
+    "R. A. Singer",
+    "Estimating Optimal Tracking Filter Performance for Manned Maneuvering Targets",
+    "IEEE Transactions on Aerospace and Electronic Systems AES-6 (1970), 473-483",
+    "the model of acceleration that fades exponentially, with its transition and process noise",
 )
 UPDATED = Source(
     "patent-4869403",
@@ -154,4 +161,5 @@ SOURCES: tuple[Source, ...] = (
     MODIFIED,
     TRACKER_LIBRARY,
     UPDATED,
+    SINGER,
 )

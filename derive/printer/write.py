@@ -26,7 +26,7 @@ def all_files(
     names = [module.name for module in modules]
     if len(set(names)) < len(names) or set(certificates) - set(names):
         raise ValueError(f"modules {sorted(names)} and certificates {sorted(certificates)} differ")
-    files = shared_files({module.name: module.title for module in modules})
+    files = shared_files({module.name: module.title for module in modules if module.kernels})
     for module in sorted(modules, key=lambda module: module.name):
         own = module_files(module, certificates[module.name], prove_all(module.kernels))
         for name, text in own.items():
@@ -44,10 +44,10 @@ def module_files(
     only: str = "",
 ) -> dict[str, str]:
     """Texts by file name of one module from bounds already proved: itself, its certificate, and its
-    results where these are a file of their own. `only`: the one format that is wanted.
+    results where these are a file of their own; without kernels the certificate alone. `only`: the
+    one format that is wanted.
     """
-    files = {
-        f"{module.name}.py": printed(module, bounds, only),
-        f"{module.name}.json": canonical_json(certificate),
-    }
+    files = {f"{module.name}.json": canonical_json(certificate)}
+    if module.kernels:
+        files[f"{module.name}.py"] = printed(module, bounds, only)
     return files | ({f"{module.results}.py": results_source(module)} if module.results else {})

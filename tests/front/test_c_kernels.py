@@ -100,6 +100,8 @@ def _everywhere(domain: Any, size: int, kind: type[Any]) -> Any:
 @pytest.mark.parametrize(("entry", "size"), SUBJECTS)
 def test_the_bits_are_those_of_numpy(entry: Any, size: int, tmp_path: Path) -> None:
     module = entry.build().module
+    if not module.kernels:
+        pytest.skip("a page without kernels")
     loaded = library(module, [domains_only(module, each) for each in module.kernels], tmp_path)
     compared = 0
     for kernel in module.kernels:

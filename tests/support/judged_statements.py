@@ -21,7 +21,7 @@ DEGREES = {"least-squares-mean": 0, "least-squares-line": 1, "least-squares-para
 SEVERAL = (
     *("position-velocity", "recursion", "interacting", "polar", "alpha-beta", "filter-step"),
     *("range-doppler", "bearings-only", "multipath-location", "converted-measurements"),
-    "updated-gains",
+    *("updated-gains", "singer"),
 )
 OF_ONE_INDEX: tuple[Entry, ...] = tuple(
     entry for entry in CATALOGUE if not entry.name.startswith(SEVERAL)

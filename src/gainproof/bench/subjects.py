@@ -55,6 +55,8 @@ def measured_kernels(
         if entry.name not in names:
             continue
         subject = entry.build()
+        if not subject.module.kernels:
+            continue
         module = import_module(f"gainproof.generated.{subject.module.name}")
         textbook = subject.textbook()
         entries = known.get(subject.module.name, {})

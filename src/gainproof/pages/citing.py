@@ -29,7 +29,7 @@ def listing(columns: int = WIDTH) -> str:
     for subject in subjects:
         parts += filled(f"{subject['name']}: {subject['title']}", "  ", "    ", columns=columns)
         modules = sorted({kernel["module"] for kernel in subject["kernels"]})
-        parts.append(f"      gainproof.generated.{', '.join(modules)}")
+        parts += [f"      gainproof.generated.{name}" for name in modules]
         parts += filled(
             ", ".join(kernel["name"] for kernel in subject["kernels"]), "      ", columns=columns
         )

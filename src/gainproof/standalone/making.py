@@ -60,6 +60,9 @@ def fresh(
     chosen = list(subjects) or derivations.catalogue()
     derivations.require_names([each for each in chosen if not derivations.is_file(each)])
     found = _packaged(chosen, session, {"kernels": list(kernels), "only": only})
+    if not subjects:
+        chosen = [x for x, each in zip(chosen, found, strict=True) if each["part"]["kernels"]]
+        found = [each for each in found if each["part"]["kernels"]]
     chosen_kernels.require_found(chosen, [each["part"] for each in found], kernels)
     derived = [derived_from(each["derived"]) for each in found]
     pairs = [(each.certificate, each) for each in derived]

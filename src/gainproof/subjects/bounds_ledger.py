@@ -66,7 +66,7 @@ def joined(parts: Sequence[Plain], folder: Path, *, whole: bool) -> str:
         others = usable(folder)
         if not others:
             others = {module: _unsealed(kernels) for module, kernels in committed(folder).items()}
-    return text({**others, **{part["module"]: part["bounds"] for part in parts}})
+    return text({**others, **{part["module"]: part["bounds"] for part in parts if part["bounds"]}})
 
 
 def sealed(rests_on: str, entry: Plain) -> dict[str, Any]:

@@ -28,6 +28,8 @@ def require_found(
             said = " ".join([str(error), *(part["left_out"] for part in parts)]).strip()
             raise BadInputError(said)
     for subject, part in zip(subjects, parts, strict=True):
+        if not part["kernels"]:
+            raise BadInputError(f"{subject}: has no kernels, `gainproof derive {subject}` shows it")
         if kernels and not set(kernels) & set(part["kernels"]):
             raise BadInputError(
                 f"{subject}: has none of the kernels asked for; it has {', '.join(part['kernels'])}"

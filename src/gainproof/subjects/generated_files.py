@@ -38,7 +38,8 @@ def together(parts: Sequence[Mapping[str, Any]]) -> dict[str, bytes]:
 
     Raises ValueError for a file of several subjects who do not agree on it.
     """
-    files = shared_files({part["module"]: part["title"] for part in parts})
+    modules = [part for part in parts if f"{part['module']}.py" in part["files"]]
+    files = shared_files({part["module"]: part["title"] for part in modules})
     for part in parts:
         for name, text in part["files"].items():
             if files.setdefault(name, text) != text:
