@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from pathlib import Path
 
 from gainproof.derive.catalogue_module import catalogue_module
 from gainproof.derive.printer.graph import Graph, symbols_of
 from gainproof.derive.printer.kernel import Input, Kernel, Module, Output, closed, signed
-from gainproof.derive.sensors.converted_graphs import PLANE
+from gainproof.derive.sensors.kernel_page import PLANE, page_graphs
 
+FORMULAS = Path(__file__).with_name("converted_kernels.md")
 MEANINGS = {
     "x": "converted x, m",
     "y": "converted y, m",
@@ -40,10 +42,11 @@ _CORRELATED = {
     "given the measurement, noises correlated.",
 }
 SUMMARIES = {
-    **_CORRELATED,
-    **_IN_SPACE,
     **{f"{name}{PLANE}": text for name, text in _IN_PLANE.items()},
+    **_IN_SPACE,
+    **_CORRELATED,
 }
+"""In the order of the module."""
 
 EQUATIONS: dict[str, tuple[str, ...]] = {
     "correlated_unbiased_conversion_in_plane": (
@@ -120,6 +123,12 @@ DOMAINS: dict[str, Input] = {
     ),
 }
 """The arguments in their order."""
+
+
+def graphs() -> dict[str, Graph]:
+    """The graph of each kernel by its name."""
+    found = page_graphs(FORMULAS, lambda _: {name: name for name in DOMAINS})
+    return {name: found[name] for name in SUMMARIES}
 
 
 def kernel_module(name: str, title: str, graphs: Mapping[str, Graph]) -> Module:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from pathlib import Path
 
 from gainproof.derive.catalogue_module import catalogue_module
 from gainproof.derive.printer.graph import Graph, symbols_of
@@ -15,8 +16,9 @@ from gainproof.derive.printer.kernel import (
     closed,
     signed,
 )
-from gainproof.derive.sensors.polar_graphs import PLANE
+from gainproof.derive.sensors.kernel_page import PLANE, page_graphs
 
+FORMULAS = Path(__file__).with_name("polar_kernels.md")
 MEANINGS = {
     "x": "distance east, m",
     "y": "distance north, m",
@@ -177,6 +179,23 @@ AXIS = Requirement("horizontal_distance", "distance from the vertical axis", "1e
 POINT = Requirement("slant_range", "distance from the origin", "1e-20", "1e-3")
 DIVIDES = ("polar_derivatives", "straight_course_rates")
 """Kernels that divide by distances: x, y, z are in a narrower domain, and apart from the axis."""
+
+
+FROM_PLACE = ("to_polar", *DIVIDES)
+
+
+def graphs() -> dict[str, Graph]:
+    """The graph of each kernel by its name."""
+    return page_graphs(FORMULAS, _inputs)
+
+
+def _inputs(kernel: str) -> dict[str, str]:
+    place = kernel in FROM_PLACE
+    return {
+        name: name
+        for name in DOMAINS
+        if (name in ("x", "y", "z") or name.startswith("velocity_")) is place
+    }
 
 
 def kernel_module(name: str, title: str, graphs: Mapping[str, Graph]) -> Module:

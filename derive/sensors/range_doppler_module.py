@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
+from pathlib import Path
 
 from gainproof.derive.catalogue_module import catalogue_module
 from gainproof.derive.printer.graph import Graph, symbols_of
@@ -15,10 +16,18 @@ from gainproof.derive.printer.kernel import (
     closed,
     signed,
 )
-from gainproof.derive.sensors.range_doppler_graphs import RANGE
-from gainproof.derive.sensors.range_doppler_names import PLANE
-from gainproof.derive.sensors.range_doppler_pair_graphs import OTHER
+from gainproof.derive.sensors.kernel_page import PLANE, page_graphs
+from gainproof.derive.sensors.range_doppler_names import SPACE_AXES, places, velocities
 
+FORMULAS = Path(__file__).with_name("range_doppler_kernels.md")
+RANGE, OTHER = "slant_range", "other_range"
+PAIRS = ("bistatic_range_doppler", "range_doppler_difference")
+"""The kernels of two stations."""
+NAMED = (
+    "(other_)?((place|velocity|turning)_[xyz]|range_rate)|(baseline|drift|reach)_[xyz]"
+    "|range_(rate_)?difference(_D_[xyz])?"
+)
+"""What proofs put names for."""
 LENGTH = ("0", "1e60", ("0", "1e12"))
 SPEED = ("0", "1e60", ("0", "1e9"))
 NEAR, SLOW = ("0", "1e40", ("0", "1e10")), ("0", "1e30", ("0", "1e6"))
@@ -37,6 +46,32 @@ def apart(kernel: str, ranges: Iterable[str]) -> tuple[Requirement, ...]:
         Requirement(name, f"distance of the target from the {which} station", "1e-20", single)
         for name, which in WHICH.items()
     )
+
+
+def graphs() -> dict[str, Graph]:
+    """The graph of each kernel by its name, those of two stations last."""
+    found = page_graphs(FORMULAS, _inputs, NAMED)
+    return {name: found[name] for name in sorted(found, key=of_two_stations)}
+
+
+def of_two_stations(kernel: str) -> bool:
+    """Whether a kernel has a second station."""
+    return kernel.removesuffix(PLANE) in PAIRS
+
+
+def _inputs(kernel: str) -> dict[str, str]:
+    who = {"target": "target", "station": "station"}
+    if of_two_stations(kernel):
+        who |= {"station": "first_station", "other_station": "second_station"}
+    found = {
+        name: argument
+        for called, whose in who.items()
+        for vector in (places, velocities)
+        for name, argument in zip(
+            vector(called, SPACE_AXES), vector(whose, SPACE_AXES), strict=True
+        )
+    }
+    return {**found, "carrier_frequency": "carrier_frequency"}
 
 
 def kernel_module(name: str, title: str, made: Mapping[str, Graph]) -> Module:
