@@ -3,6 +3,7 @@
 A page is one of `pages.kernel_formulas` where a line `NAME_kernel = [...]` is a kernel, a row of
 the names of its outputs. In the conditions of headings `plane` is 1 in the plane and 0 in space,
 and `NAME_kernel` is 1 where that is made, else 0. What is a number is neither input nor output.
+Headings `### NAME` begin what is said of a kernel.
 """
 
 from __future__ import annotations
@@ -25,6 +26,9 @@ from gainproof.derive.printer.graph import Graph, GraphBuilder, Node
 ROW = "_kernel"
 PLANE = "_in_plane"
 """The end of the names of kernels in the plane."""
+_WORDS = re.compile(r"^### (\w+)\n\n((?:\S.*\n)+)\n((?:\S.*\n)+)", re.MULTILINE)
+Words = tuple[str, tuple[str, ...]]
+"""The summary of a kernel, and the lines of its equations as they are printed."""
 Inputs = Callable[[str], Mapping[str, str]]
 """The inputs of a kernel by what formulas call them, in the order of arguments."""
 
@@ -49,6 +53,24 @@ def page_graphs(page: Path, inputs: Inputs, named: str = "") -> dict[str, Graph]
                 kernel = row.removesuffix(ROW)
                 made = _graph(sections, row, numbers, inputs(kernel), named)
                 found[f"{kernel}{PLANE * plane}"] = made
+    return found
+
+
+def kernel_words(page: Path, kernels: Iterable[str]) -> dict[str, Words]:
+    """What a page says of kernels: the paragraphs that begin what stands below `### NAME`.
+
+    Raises FormulaError for a kernel without them.
+    """
+    found = {
+        name: (" ".join(summary.split()), tuple(equations.splitlines()))
+        for name, summary, equations in _WORDS.findall(page.read_text(encoding="utf-8"))
+    }
+    for name in kernels:
+        if name not in found:
+            raise FormulaError(
+                f"{page.name}: wanted a heading `### {name}`, below it a paragraph that says what "
+                "the kernel is and one with its equations"
+            )
     return found
 
 

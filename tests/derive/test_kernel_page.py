@@ -13,7 +13,7 @@ from gainproof.derive.pages.formula import FormulaError
 from gainproof.derive.printer.graph import Graph, GraphBuilder, symbols_of
 from gainproof.derive.sensors import converted_module, polar_module, range_doppler_module
 from gainproof.derive.sensors.algebraic import algebraic
-from gainproof.derive.sensors.kernel_page import page_graphs
+from gainproof.derive.sensors.kernel_page import kernel_words, page_graphs
 from gainproof.verify.certificate import check_statement
 
 PAGE = """
@@ -61,6 +61,20 @@ def test_a_heading_may_be_of_one_kernel(tmp_path: Path) -> None:
 def test_what_is_named_besides_values_of_functions(tmp_path: Path) -> None:
     graph = made(tmp_path, PAGE, "square|r_D_[xy]")["near"]
     assert set(graph.get("names", {})) == {"r", "square", "r_D_x"}
+
+
+def test_what_is_said_of_kernels(tmp_path: Path) -> None:
+    page = tmp_path / "page.md"
+    page.write_text(
+        "### near\n\nThe distance\nfrom here.\n\nr = |x|,\nx = (x, z)\n\n    near_kernel = [r]\n"
+        "## Where plane = 1\n\n### far\n\nTwice.\n\n2 r\n"
+    )
+    assert kernel_words(page, ["near"]) == {
+        "near": ("The distance from here.", ("r = |x|,", "x = (x, z)")),
+        "far": ("Twice.", ("2 r",)),
+    }
+    with pytest.raises(FormulaError, match="wanted a heading `### flat`"):
+        kernel_words(page, ["near", "flat"])
 
 
 @pytest.mark.parametrize(
