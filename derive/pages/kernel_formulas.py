@@ -20,8 +20,10 @@ from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 from functools import reduce
+from pathlib import Path
 from typing import Any
 
+from gainproof.derive.derivation import PageError
 from gainproof.derive.pages.formula import NAME, Formula, FormulaError, read_formula
 from gainproof.derive.printer.graph import Node
 
@@ -68,6 +70,19 @@ def read_sections(text: str) -> tuple[Section, ...]:
         except FormulaError as error:
             raise FormulaError(f"line {number}: {error}") from error
     return tuple(Section(*each) for each in found)
+
+
+def read_page(page: Path) -> tuple[Section, ...]:
+    """The sections of a file. Raises PageError, with file and line, for what is no formula."""
+    try:
+        return read_sections(page.read_text(encoding="utf-8"))
+    except FormulaError as error:
+        raise PageError(f"{place_of(page)}, {error}") from None
+
+
+def place_of(page: Path) -> str:
+    """A page as errors call it, from `derive` on."""
+    return "/".join(page.parts[-3:])
 
 
 def _joined(text: str) -> list[tuple[int, str]]:

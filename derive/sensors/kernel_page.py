@@ -13,13 +13,15 @@ from collections.abc import Callable, Iterable, Mapping
 from fractions import Fraction
 from pathlib import Path
 
+from gainproof.derive.derivation import PageError
 from gainproof.derive.pages.formula import Formula, FormulaError
 from gainproof.derive.pages.kernel_formulas import (
     Section,
     Value,
     formulas_that_hold,
     kernel_values,
-    read_sections,
+    place_of,
+    read_page,
 )
 from gainproof.derive.printer.graph import Graph, GraphBuilder, Node
 
@@ -38,9 +40,9 @@ def page_graphs(page: Path, inputs: Inputs, named: str = "") -> dict[str, Graph]
 
     `inputs`: what a kernel may use; what it does not need is left out. `named`: a regular
     expression of what is named in graphs besides values of functions.
-    Raises FormulaError for what is no formula, and for a name without one.
+    Raises PageError for what is no formula, a name without one, and a kernel without outputs.
     """
-    sections = read_sections(page.read_text(encoding="utf-8"))
+    sections = read_page(page)
     rows = dict.fromkeys(
         row for section in sections for row in section.formulas if row.endswith(ROW)
     )
@@ -51,15 +53,18 @@ def page_graphs(page: Path, inputs: Inputs, named: str = "") -> dict[str, Graph]
             numbers["plane"] = Fraction(plane)
             if row in formulas_that_hold(sections, numbers):
                 kernel = row.removesuffix(ROW)
-                made = _graph(sections, row, numbers, inputs(kernel), named)
-                found[f"{kernel}{PLANE * plane}"] = made
+                name = f"{kernel}{PLANE * plane}"
+                try:
+                    found[name] = _graph(sections, row, numbers, inputs(kernel), named)
+                except ValueError as error:
+                    raise PageError(f"{place_of(page)}: {name}: {error}") from None
     return found
 
 
 def kernel_words(page: Path, kernels: Iterable[str]) -> dict[str, Words]:
-    """What a page says of kernels: the paragraphs that begin what stands below `### NAME`.
+    """What a page says of kernels: the two paragraphs below `### NAME`.
 
-    Raises FormulaError for a kernel without them.
+    Raises PageError for a kernel without them.
     """
     found = {
         name: (" ".join(summary.split()), tuple(equations.splitlines()))
@@ -67,9 +72,9 @@ def kernel_words(page: Path, kernels: Iterable[str]) -> dict[str, Words]:
     }
     for name in kernels:
         if name not in found:
-            raise FormulaError(
-                f"{page.name}: wanted a heading `### {name}`, below it a paragraph that says what "
-                "the kernel is and one with its equations"
+            raise PageError(
+                f"{place_of(page)}: wanted a heading `### {name}`, below it a paragraph that says "
+                "what the kernel is and one with its equations"
             )
     return found
 

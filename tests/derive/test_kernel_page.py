@@ -9,7 +9,7 @@ from typing import Any
 import pytest
 from catalogue_subjects import certificate
 
-from gainproof.derive.pages.formula import FormulaError
+from gainproof.derive.derivation import PageError
 from gainproof.derive.printer.graph import Graph, GraphBuilder, symbols_of
 from gainproof.derive.sensors import converted_module, polar_module, range_doppler_module
 from gainproof.derive.sensors.algebraic import algebraic
@@ -73,23 +73,28 @@ def test_what_is_said_of_kernels(tmp_path: Path) -> None:
         "near": ("The distance from here.", ("r = |x|,", "x = (x, z)")),
         "far": ("Twice.", ("2 r",)),
     }
-    with pytest.raises(FormulaError, match="wanted a heading `### flat`"):
+    with pytest.raises(PageError, match="wanted a heading `### flat`"):
         kernel_words(page, ["near", "flat"])
 
 
 @pytest.mark.parametrize(
     ("line", "message"),
     [
-        ("    r_D_z = w/r", "'w' has no formula"),
-        ("    far_kernel = [twice, thrice]", "'thrice' has no formula"),
-        ("    twice = r + again\n    again = twice", "has no formula, or one that needs itself"),
-        ("    twice = log(r)", "function that is known"),
+        ("    r_D_z = w/r", "page.md: near: 'w' has no formula"),
+        ("    far_kernel = [twice, thrice]", "page.md: far: 'thrice' has no formula"),
+        (
+            "    twice = r + again\n    again = twice",
+            "far: .* has no formula, or one that needs itself",
+        ),
+        ("    twice = log(r)", "far: .*function that is known"),
+        ("    twice = z^2", "far_in_plane: a graph needs at least one output"),
+        ("    twice = (r)", "page.md, line 8: read as"),
     ],
 )
 def test_what_has_no_formula_is_refused(line: str, message: str, tmp_path: Path) -> None:
     name = line.partition(" = ")[0]
     page = "\n".join(line if each.startswith(f"{name} = ") else each for each in PAGE.splitlines())
-    with pytest.raises(FormulaError, match=message):
+    with pytest.raises(PageError, match=message):
         made(tmp_path, page)
 
 
