@@ -213,17 +213,17 @@ def _classical_conversion_in_plane_of_numbers(
 ) -> tuple[float, ...]:
     t4 = form.cos(azimuth)
     t5 = form.sin(azimuth)
-    t6 = slant_range * azimuth_deviation
-    t7 = range_deviation * range_deviation
-    t8 = t6 * t6
-    t9 = t4 * t4
-    t10 = t5 * t5
-    t11 = slant_range * t4
-    t12 = slant_range * t5
-    t15 = (t9 * t7) + (t10 * t8)
-    t18 = (t5 * t4) * (t7 - t8)
-    t21 = (t10 * t7) + (t9 * t8)
-    return (t11, t12, t15, t18, t21, t7, t8)
+    t6 = range_deviation * range_deviation
+    t7 = slant_range * azimuth_deviation
+    t8 = t7 * t7
+    t11 = t4 * t4
+    t12 = t5 * t5
+    t9 = slant_range * t4
+    t10 = slant_range * t5
+    t16 = (t11 * t6) + (t12 * t8)
+    t18 = (t5 * t4) * (t6 - t8)
+    t21 = (t12 * t6) + (t11 * t8)
+    return (t9, t10, t16, t18, t21, t6, t8)
 
 
 def _classical_conversion_in_plane_block(
@@ -234,21 +234,21 @@ def _classical_conversion_in_plane_block(
     w0, w1, w2, w3, w4, w5, w6, w7 = work
     cos_azimuth = cos(azimuth, w0)
     sin_azimuth = sin(azimuth, w1)
-    t6 = multiply(slant_range, azimuth_deviation, w2)
     square(range_deviation, radial_variance)
-    square(t6, cross_variance)
-    t9 = square(cos_azimuth, w2)
-    t10 = square(sin_azimuth, w3)
-    t13 = multiply(t9, radial_variance, w4)
-    t14 = multiply(t10, cross_variance, w5)
-    t16 = multiply(sin_azimuth, cos_azimuth, w6)
+    t7 = multiply(slant_range, azimuth_deviation, w2)
+    square(t7, cross_variance)
+    t11 = square(cos_azimuth, w2)
+    t12 = square(sin_azimuth, w3)
+    t13 = multiply(sin_azimuth, cos_azimuth, w4)
+    t14 = multiply(t11, radial_variance, w5)
+    t15 = multiply(t12, cross_variance, w6)
     t17 = subtract(radial_variance, cross_variance, w7)
-    t19 = multiply(t10, radial_variance, w3)
-    t20 = multiply(t9, cross_variance, w2)
+    t19 = multiply(t12, radial_variance, w3)
+    t20 = multiply(t11, cross_variance, w2)
     multiply(slant_range, cos_azimuth, x)
     multiply(slant_range, sin_azimuth, y)
-    add(t13, t14, covariance_xx)
-    multiply(t16, t17, covariance_xy)
+    add(t14, t15, covariance_xx)
+    multiply(t13, t17, covariance_xy)
     add(t19, t20, covariance_yy)
 
 
@@ -397,27 +397,27 @@ def _debiased_conversion_in_plane_of_numbers(
     t7 = -t6
     t10 = form.exp(t7 * 0.5)
     t11 = form.expm1(t7)
-    t12 = range_deviation * range_deviation
-    t13 = t10 * t10
-    t14 = -t11
-    t19 = slant_range * ((t10 * t14) / (1.0 + t10))
-    t20 = slant_range + t19
-    t21 = t13 * t13
+    t12 = t10 * t10
+    t13 = -t11
+    t18 = slant_range * ((t10 * t13) / (1.0 + t10))
+    t19 = slant_range + t18
+    t20 = t12 * t12
+    t21 = range_deviation * range_deviation
     t22 = slant_range * slant_range
-    t25 = 1.0 + t13
-    t28 = (t22 + t12) * ((t14 * t14) * (t25 + t21))
-    t37 = t12 * (t25 * ((1.0 - t11) + (t21 * 2.0)))
-    t42 = t14 * ((t22 * (1.0 + (t21 * t13))) + t37)
-    t43 = (t28 + (t12 * (1.0 + (t21 * t21)))) * 0.5
-    t44 = t42 * 0.5
-    t45 = t4 * t4
-    t46 = t5 * t5
-    t47 = t20 * t4
-    t48 = t20 * t5
-    t51 = (t45 * t43) + (t46 * t44)
-    t54 = (t5 * t4) * (t43 - t44)
-    t57 = (t46 * t43) + (t45 * t44)
-    return (t47, t48, t51, t54, t57, t43, t44)
+    t25 = 1.0 + t12
+    t28 = (t22 + t21) * ((t13 * t13) * (t25 + t20))
+    t33 = (t28 + (t21 * (1.0 + (t20 * t20)))) * 0.5
+    t41 = t21 * (t25 * ((1.0 - t11) + (t20 * 2.0)))
+    t43 = t13 * ((t22 * (1.0 + (t20 * t12))) + t41)
+    t44 = t43 * 0.5
+    t47 = t4 * t4
+    t48 = t5 * t5
+    t45 = t19 * t4
+    t46 = t19 * t5
+    t52 = (t47 * t33) + (t48 * t44)
+    t54 = (t5 * t4) * (t33 - t44)
+    t57 = (t48 * t33) + (t47 * t44)
+    return (t45, t46, t52, t54, t57, t33, t44)
 
 
 def _debiased_conversion_in_plane_block(
@@ -439,50 +439,50 @@ def _debiased_conversion_in_plane_block(
     t9 = multiply(t7, n0, w3)
     kept_azimuth = exp(t9, w3)
     change_azimuth = expm1(t7, w2)
-    t12 = square(range_deviation, w4)
-    t13 = square(kept_azimuth, w5)
-    t14 = negative(change_azimuth, w6)
-    t15 = multiply(kept_azimuth, t14, w7)
-    t17 = add(n1, kept_azimuth, w3)
-    t18 = divide(t15, t17, radial_variance)
-    t19 = multiply(slant_range, t18, radial_variance)
-    t20 = add(slant_range, t19, w3)
-    t21 = square(t13, w7)
-    t22 = square(slant_range, radial_variance)
-    t23 = add(t22, t12, w8)
-    t24 = square(t14, w9)
-    t25 = add(n1, t13, w10)
-    t26 = add(t25, t21, w11)
+    t12 = square(kept_azimuth, w4)
+    t13 = negative(change_azimuth, w5)
+    t14 = multiply(kept_azimuth, t13, w6)
+    t16 = add(n1, kept_azimuth, w3)
+    t17 = divide(t14, t16, radial_variance)
+    t18 = multiply(slant_range, t17, radial_variance)
+    t19 = add(slant_range, t18, w3)
+    t20 = square(t12, w6)
+    t21 = square(range_deviation, w7)
+    t22 = square(slant_range, w8)
+    t23 = add(t22, t21, radial_variance)
+    t24 = square(t13, w9)
+    t25 = add(n1, t12, w10)
+    t26 = add(t25, t20, w11)
     t27 = multiply(t24, t26, w9)
-    t28 = multiply(t23, t27, w8)
-    t29 = square(t21, w9)
+    t28 = multiply(t23, t27, radial_variance)
+    t29 = square(t20, w9)
     t30 = add(n1, t29, w9)
-    t31 = multiply(t12, t30, w9)
-    t32 = add(t28, t31, w8)
-    t33 = subtract(n1, change_azimuth, w2)
-    t34 = multiply(t21, n2, w9)
-    t35 = add(t33, t34, w2)
-    t36 = multiply(t25, t35, w10)
-    t37 = multiply(t12, t36, w4)
-    t38 = multiply(t21, t13, w7)
-    t39 = add(n1, t38, w7)
-    t40 = multiply(t22, t39, radial_variance)
-    t41 = add(t40, t37, radial_variance)
-    t42 = multiply(t14, t41, w6)
+    t31 = multiply(t21, t30, w9)
+    t32 = add(t28, t31, radial_variance)
     multiply(t32, n0, radial_variance)
-    multiply(t42, n0, cross_variance)
-    t45 = square(cos_azimuth, w2)
-    t46 = square(sin_azimuth, w4)
-    t49 = multiply(t45, radial_variance, w5)
-    t50 = multiply(t46, cross_variance, w6)
-    t52 = multiply(sin_azimuth, cos_azimuth, w7)
+    t34 = multiply(t20, t12, w4)
+    t35 = add(n1, t34, w4)
+    t36 = multiply(t22, t35, w8)
+    t37 = subtract(n1, change_azimuth, w2)
+    t38 = multiply(t20, n2, w6)
+    t39 = add(t37, t38, w2)
+    t40 = multiply(t25, t39, w10)
+    t41 = multiply(t21, t40, w7)
+    t42 = add(t36, t41, w8)
+    t43 = multiply(t13, t42, w5)
+    multiply(t43, n0, cross_variance)
+    t47 = square(cos_azimuth, w2)
+    t48 = square(sin_azimuth, w4)
+    t49 = multiply(sin_azimuth, cos_azimuth, w5)
+    t50 = multiply(t47, radial_variance, w6)
+    t51 = multiply(t48, cross_variance, w7)
     t53 = subtract(radial_variance, cross_variance, w8)
-    t55 = multiply(t46, radial_variance, w4)
-    t56 = multiply(t45, cross_variance, w2)
-    multiply(t20, cos_azimuth, x)
-    multiply(t20, sin_azimuth, y)
-    add(t49, t50, covariance_xx)
-    multiply(t52, t53, covariance_xy)
+    t55 = multiply(t48, radial_variance, w4)
+    t56 = multiply(t47, cross_variance, w2)
+    multiply(t19, cos_azimuth, x)
+    multiply(t19, sin_azimuth, y)
+    add(t50, t51, covariance_xx)
+    multiply(t49, t53, covariance_xy)
     add(t55, t56, covariance_yy)
 
 
@@ -633,24 +633,24 @@ def _unbiased_conversion_in_plane_of_numbers(
     t6 = azimuth_deviation * azimuth_deviation
     t7 = -t6
     t10 = form.exp(t7 * 0.5)
-    t12 = range_deviation * range_deviation
-    t13 = t10 * t10
-    t14 = -form.expm1(t7)
-    t15 = slant_range / t10
-    t16 = slant_range * t14
-    t17 = t16 * t16
-    t23 = (t17 + (t12 * (1.0 + (t13 * t13)))) * 0.5
-    t28 = ((slant_range * slant_range) + t12) * (t14 * (1.0 + t13))
-    t29 = t28 * 0.5
-    t31 = t23 + (t17 / t13)
-    t32 = t4 * t4
-    t33 = t5 * t5
-    t34 = t15 * t4
-    t35 = t15 * t5
-    t38 = (t32 * t31) + (t33 * t29)
-    t41 = (t5 * t4) * (t31 - t29)
-    t44 = (t33 * t31) + (t32 * t29)
-    return (t34, t35, t38, t41, t44, t31, t29)
+    t12 = t10 * t10
+    t13 = -form.expm1(t7)
+    t14 = slant_range / t10
+    t16 = range_deviation * range_deviation
+    t19 = slant_range * t13
+    t20 = t19 * t19
+    t25 = (t20 + (t16 * (1.0 + (t12 * t12)))) * 0.5
+    t27 = t25 + (t20 / t12)
+    t30 = ((slant_range * slant_range) + t16) * (t13 * (1.0 + t12))
+    t31 = t30 * 0.5
+    t34 = t4 * t4
+    t35 = t5 * t5
+    t32 = t14 * t4
+    t33 = t14 * t5
+    t39 = (t34 * t27) + (t35 * t31)
+    t41 = (t5 * t4) * (t27 - t31)
+    t44 = (t35 * t27) + (t34 * t31)
+    return (t32, t33, t39, t41, t44, t27, t31)
 
 
 def _unbiased_conversion_in_plane_block(
@@ -666,37 +666,37 @@ def _unbiased_conversion_in_plane_block(
     t9 = multiply(t7, n0, w3)
     kept_azimuth = exp(t9, w3)
     change_azimuth = expm1(t7, w2)
-    t12 = square(range_deviation, w4)
-    t13 = square(kept_azimuth, w5)
-    t14 = negative(change_azimuth, w2)
-    t15 = divide(slant_range, kept_azimuth, y)
-    t16 = multiply(slant_range, t14, w3)
-    t17 = square(t16, w3)
-    t18 = square(t13, w6)
-    t20 = add(n1, t18, w6)
-    t21 = multiply(t12, t20, w6)
-    t22 = add(t17, t21, w6)
-    t23 = multiply(t22, n0, w6)
-    t24 = square(slant_range, w7)
-    t25 = add(t24, t12, w7)
-    t26 = add(n1, t13, w4)
-    t27 = multiply(t14, t26, w2)
-    t28 = multiply(t25, t27, w7)
-    multiply(t28, n0, cross_variance)
-    t30 = divide(t17, t13, radial_variance)
-    add(t23, t30, radial_variance)
-    t32 = square(cos_azimuth, w2)
-    t33 = square(sin_azimuth, w3)
-    t36 = multiply(t32, radial_variance, w4)
-    t37 = multiply(t33, cross_variance, w5)
-    t39 = multiply(sin_azimuth, cos_azimuth, w6)
+    t12 = square(kept_azimuth, w4)
+    t13 = negative(change_azimuth, w2)
+    t14 = divide(slant_range, kept_azimuth, y)
+    t15 = square(t12, w3)
+    t16 = square(range_deviation, w5)
+    t17 = square(slant_range, w6)
+    t18 = add(t17, t16, w6)
+    t19 = multiply(slant_range, t13, w7)
+    t20 = square(t19, w7)
+    t22 = add(n1, t15, w3)
+    t23 = multiply(t16, t22, w5)
+    t24 = add(t20, t23, w5)
+    t25 = multiply(t24, n0, w5)
+    t26 = divide(t20, t12, radial_variance)
+    add(t25, t26, radial_variance)
+    t28 = add(n1, t12, w4)
+    t29 = multiply(t13, t28, w2)
+    t30 = multiply(t18, t29, w6)
+    multiply(t30, n0, cross_variance)
+    t34 = square(cos_azimuth, w2)
+    t35 = square(sin_azimuth, w3)
+    t36 = multiply(sin_azimuth, cos_azimuth, w4)
+    t37 = multiply(t34, radial_variance, w5)
+    t38 = multiply(t35, cross_variance, w6)
     t40 = subtract(radial_variance, cross_variance, w7)
-    t42 = multiply(t33, radial_variance, w3)
-    t43 = multiply(t32, cross_variance, w2)
-    multiply(t15, cos_azimuth, x)
-    multiply(t15, sin_azimuth, y)
-    add(t36, t37, covariance_xx)
-    multiply(t39, t40, covariance_xy)
+    t42 = multiply(t35, radial_variance, w3)
+    t43 = multiply(t34, cross_variance, w2)
+    multiply(t14, cos_azimuth, x)
+    multiply(t14, sin_azimuth, y)
+    add(t37, t38, covariance_xx)
+    multiply(t36, t40, covariance_xy)
     add(t42, t43, covariance_yy)
 
 
@@ -846,23 +846,23 @@ def _modified_unbiased_conversion_in_plane_of_numbers(
     t6 = azimuth_deviation * azimuth_deviation
     t7 = -t6
     t10 = form.exp(t7 * 0.5)
-    t12 = range_deviation * range_deviation
-    t13 = t10 * t10
-    t14 = -form.expm1(t7)
-    t15 = slant_range * t10
-    t16 = slant_range * t14
-    t22 = (t16 * t16) + (t12 * (1.0 + (t13 * t13)))
-    t23 = t22 * 0.5
-    t28 = ((slant_range * slant_range) + t12) * (t14 * (1.0 + t13))
+    t12 = t10 * t10
+    t13 = -form.expm1(t7)
+    t14 = slant_range * t10
+    t16 = range_deviation * range_deviation
+    t19 = slant_range * t13
+    t24 = (t19 * t19) + (t16 * (1.0 + (t12 * t12)))
+    t25 = t24 * 0.5
+    t28 = ((slant_range * slant_range) + t16) * (t13 * (1.0 + t12))
     t29 = t28 * 0.5
-    t30 = t4 * t4
-    t31 = t5 * t5
-    t32 = t15 * t4
-    t33 = t15 * t5
-    t36 = (t30 * t23) + (t31 * t29)
-    t39 = (t5 * t4) * (t23 - t29)
-    t42 = (t31 * t23) + (t30 * t29)
-    return (t32, t33, t36, t39, t42, t23, t29)
+    t32 = t4 * t4
+    t33 = t5 * t5
+    t30 = t14 * t4
+    t31 = t14 * t5
+    t37 = (t32 * t25) + (t33 * t29)
+    t39 = (t5 * t4) * (t25 - t29)
+    t42 = (t33 * t25) + (t32 * t29)
+    return (t30, t31, t37, t39, t42, t25, t29)
 
 
 def _modified_unbiased_conversion_in_plane_block(
@@ -878,35 +878,35 @@ def _modified_unbiased_conversion_in_plane_block(
     t9 = multiply(t7, n0, w3)
     kept_azimuth = exp(t9, w3)
     change_azimuth = expm1(t7, w2)
-    t12 = square(range_deviation, w4)
-    t13 = square(kept_azimuth, w5)
-    t14 = negative(change_azimuth, w2)
-    t15 = multiply(slant_range, kept_azimuth, w3)
-    t16 = multiply(slant_range, t14, w6)
-    t17 = square(t16, w6)
-    t18 = square(t13, w7)
-    t20 = add(n1, t18, w7)
-    t21 = multiply(t12, t20, w7)
-    t22 = add(t17, t21, w6)
-    multiply(t22, n0, radial_variance)
-    t24 = square(slant_range, w6)
-    t25 = add(t24, t12, w6)
-    t26 = add(n1, t13, w5)
-    t27 = multiply(t14, t26, w2)
-    t28 = multiply(t25, t27, w6)
+    t12 = square(kept_azimuth, w4)
+    t13 = negative(change_azimuth, w2)
+    t14 = multiply(slant_range, kept_azimuth, w3)
+    t15 = square(t12, w5)
+    t16 = square(range_deviation, w6)
+    t17 = square(slant_range, w7)
+    t18 = add(t17, t16, w7)
+    t19 = multiply(slant_range, t13, w8)
+    t20 = square(t19, w8)
+    t22 = add(n1, t15, w5)
+    t23 = multiply(t16, t22, w6)
+    t24 = add(t20, t23, w8)
+    multiply(t24, n0, radial_variance)
+    t26 = add(n1, t12, w4)
+    t27 = multiply(t13, t26, w2)
+    t28 = multiply(t18, t27, w7)
     multiply(t28, n0, cross_variance)
-    t30 = square(cos_azimuth, w2)
-    t31 = square(sin_azimuth, w4)
-    t34 = multiply(t30, radial_variance, w5)
-    t35 = multiply(t31, cross_variance, w6)
-    t37 = multiply(sin_azimuth, cos_azimuth, w7)
+    t32 = square(cos_azimuth, w2)
+    t33 = square(sin_azimuth, w4)
+    t34 = multiply(sin_azimuth, cos_azimuth, w5)
+    t35 = multiply(t32, radial_variance, w6)
+    t36 = multiply(t33, cross_variance, w7)
     t38 = subtract(radial_variance, cross_variance, w8)
-    t40 = multiply(t31, radial_variance, w4)
-    t41 = multiply(t30, cross_variance, w2)
-    multiply(t15, cos_azimuth, x)
-    multiply(t15, sin_azimuth, y)
-    add(t34, t35, covariance_xx)
-    multiply(t37, t38, covariance_xy)
+    t40 = multiply(t33, radial_variance, w4)
+    t41 = multiply(t32, cross_variance, w2)
+    multiply(t14, cos_azimuth, x)
+    multiply(t14, sin_azimuth, y)
+    add(t35, t36, covariance_xx)
+    multiply(t34, t38, covariance_xy)
     add(t40, t41, covariance_yy)
 
 
@@ -1093,32 +1093,32 @@ def _classical_conversion_of_numbers(
     azimuth_deviation: float,
     form: Form = Double,
 ) -> tuple[float, ...]:
-    t5 = form.cos(elevation)
-    t6 = form.sin(elevation)
+    t6 = form.cos(elevation)
+    t7 = form.sin(elevation)
     t8 = form.cos(azimuth)
     t9 = form.sin(azimuth)
-    t10 = range_deviation * range_deviation
-    t11 = slant_range * elevation_deviation
-    t12 = slant_range * t5
-    t13 = t12 * azimuth_deviation
-    t14 = t11 * t11
-    t15 = t5 * t5
-    t16 = t6 * t6
-    t19 = (t15 * t10) + (t16 * t14)
-    t25 = (t5 * t6) * (t10 - t14)
-    t26 = t13 * t13
+    t10 = slant_range * t6
+    t12 = range_deviation * range_deviation
+    t13 = slant_range * elevation_deviation
+    t14 = t13 * t13
+    t15 = t6 * t6
+    t16 = t7 * t7
+    t19 = (t15 * t12) + (t16 * t14)
+    t25 = (t6 * t7) * (t12 - t14)
+    t26 = t10 * azimuth_deviation
+    t27 = t26 * t26
     t30 = t8 * t8
     t31 = t9 * t9
-    t22 = (t16 * t10) + (t15 * t14)
-    t27 = slant_range * t6
-    t28 = t12 * t8
-    t29 = t12 * t9
-    t34 = (t30 * t19) + (t31 * t26)
-    t37 = (t9 * t8) * (t19 - t26)
+    t11 = slant_range * t7
+    t22 = (t16 * t12) + (t15 * t14)
+    t28 = t10 * t8
+    t29 = t10 * t9
+    t35 = (t30 * t19) + (t31 * t27)
+    t37 = (t9 * t8) * (t19 - t27)
     t38 = t8 * t25
-    t41 = (t31 * t19) + (t30 * t26)
+    t41 = (t31 * t19) + (t30 * t27)
     t42 = t9 * t25
-    return (t28, t29, t27, t34, t37, t38, t41, t42, t22)
+    return (t28, t29, t11, t35, t37, t38, t41, t42, t22)
 
 
 def _classical_conversion_block(given: Arrays, out: Arrays, work: Arrays, _single: bool) -> None:
@@ -1139,36 +1139,36 @@ def _classical_conversion_block(given: Arrays, out: Arrays, work: Arrays, _singl
     sin_elevation = sin(elevation, w1)
     cos_azimuth = cos(azimuth, w2)
     sin_azimuth = sin(azimuth, w3)
-    t10 = square(range_deviation, w4)
-    t11 = multiply(slant_range, elevation_deviation, w5)
-    t12 = multiply(slant_range, cos_elevation, w6)
-    t13 = multiply(t12, azimuth_deviation, w7)
-    t14 = square(t11, w5)
-    t15 = square(cos_elevation, w8)
-    t16 = square(sin_elevation, w9)
-    t17 = multiply(t15, t10, w10)
-    t18 = multiply(t16, t14, w11)
-    t19 = add(t17, t18, w10)
-    t20 = multiply(t16, t10, w9)
-    t21 = multiply(t15, t14, w8)
+    t10 = multiply(slant_range, cos_elevation, w4)
+    t12 = square(range_deviation, w5)
+    t13 = multiply(slant_range, elevation_deviation, w6)
+    t14 = square(t13, w6)
+    t15 = square(cos_elevation, w7)
+    t16 = square(sin_elevation, w8)
+    t17 = multiply(t15, t12, w9)
+    t18 = multiply(t16, t14, w10)
+    t19 = add(t17, t18, w9)
+    t20 = multiply(t16, t12, w8)
+    t21 = multiply(t15, t14, w7)
     t23 = multiply(cos_elevation, sin_elevation, w0)
-    t24 = subtract(t10, t14, w4)
+    t24 = subtract(t12, t14, w5)
     t25 = multiply(t23, t24, w0)
-    t26 = square(t13, w7)
-    t30 = square(cos_azimuth, w4)
-    t31 = square(sin_azimuth, w5)
-    t32 = multiply(t30, t19, w11)
-    t33 = multiply(t31, t26, w12)
-    t35 = multiply(sin_azimuth, cos_azimuth, w13)
-    t36 = subtract(t19, t26, w14)
-    t39 = multiply(t31, t19, w5)
-    t40 = multiply(t30, t26, w4)
-    add(t20, t21, covariance_zz)
+    t26 = multiply(t10, azimuth_deviation, w5)
+    t27 = square(t26, w5)
+    t30 = square(cos_azimuth, w6)
+    t31 = square(sin_azimuth, w10)
+    t32 = multiply(sin_azimuth, cos_azimuth, w11)
+    t33 = multiply(t30, t19, w12)
+    t34 = multiply(t31, t27, w13)
+    t36 = subtract(t19, t27, w14)
+    t39 = multiply(t31, t19, w10)
+    t40 = multiply(t30, t27, w6)
     multiply(slant_range, sin_elevation, z)
-    multiply(t12, cos_azimuth, x)
-    multiply(t12, sin_azimuth, y)
-    add(t32, t33, covariance_xx)
-    multiply(t35, t36, covariance_xy)
+    add(t20, t21, covariance_zz)
+    multiply(t10, cos_azimuth, x)
+    multiply(t10, sin_azimuth, y)
+    add(t33, t34, covariance_xx)
+    multiply(t32, t36, covariance_xy)
     multiply(cos_azimuth, t25, covariance_xz)
     add(t39, t40, covariance_yy)
     multiply(sin_azimuth, t25, covariance_yz)
@@ -1368,59 +1368,59 @@ def _debiased_conversion_of_numbers(
     azimuth_deviation: float,
     form: Form = Double,
 ) -> tuple[float, ...]:
-    t5 = form.cos(elevation)
-    t6 = form.sin(elevation)
+    t6 = form.cos(elevation)
+    t7 = form.sin(elevation)
     t8 = form.cos(azimuth)
     t9 = form.sin(azimuth)
     t10 = elevation_deviation * elevation_deviation
     t11 = -t10
     t14 = form.exp(t11 * 0.5)
     t15 = form.expm1(t11)
-    t16 = t14 * t14
-    t17 = -t15
-    t18 = azimuth_deviation * azimuth_deviation
-    t19 = -t18
-    t21 = form.exp(t19 * 0.5)
-    t22 = form.expm1(t19)
-    t23 = t21 * t21
-    t24 = -t22
-    t25 = range_deviation * range_deviation
-    t26 = t21 * t14
-    t33 = (t26 * ((t23 * t17) - t22)) / (1.0 + t26)
-    t35 = (slant_range * t5) * (1.0 + t33)
-    t42 = t16 * t16
-    t43 = 1.0 + t16
-    t47 = slant_range * slant_range
-    t48 = t47 + t25
-    t51 = t5 * t5
-    t52 = 1.0 + (t42 * t42)
-    t54 = t6 * t6
-    t56 = (t51 * t52) + (t54 * ((t17 * t43) * (1.0 + t42)))
-    t58 = (t48 + t25) * (t56 * 0.5)
-    t64 = (t48 * ((t17 * t17) * (t43 + t42))) + (t25 * t52)
-    t69 = t25 * (t43 * ((1.0 - t15) + (t42 * 2.0)))
-    t74 = t17 * ((t47 * (1.0 + (t42 * t16))) + t69)
-    t75 = t64 * 0.5
-    t76 = t74 * 0.5
-    t90 = (t23 * ((t51 * t75) + (t54 * t76))) + (((t24 * t24) * t58) * 0.5)
+    t16 = azimuth_deviation * azimuth_deviation
+    t17 = -t16
+    t19 = form.exp(t17 * 0.5)
+    t20 = form.expm1(t17)
+    t21 = t14 * t14
+    t22 = -t15
+    t23 = t19 * t19
+    t24 = -t20
+    t25 = t19 * t14
+    t32 = (t25 * ((t23 * t22) - t20)) / (1.0 + t25)
+    t34 = (slant_range * t6) * (1.0 + t32)
+    t41 = t21 * t21
+    t42 = range_deviation * range_deviation
+    t43 = slant_range * slant_range
+    t44 = t43 + t42
+    t46 = 1.0 + t21
+    t51 = 1.0 + (t41 * t41)
+    t53 = (t44 * ((t22 * t22) * (t46 + t41))) + (t42 * t51)
+    t54 = t53 * 0.5
+    t62 = t42 * (t46 * ((1.0 - t15) + (t41 * 2.0)))
+    t64 = t22 * ((t43 * (1.0 + (t41 * t21))) + t62)
+    t65 = t64 * 0.5
+    t66 = t6 * t6
+    t67 = t7 * t7
+    t83 = (t66 * t51) + (t67 * ((t22 * t46) * (1.0 + t41)))
+    t85 = (t44 + t42) * (t83 * 0.5)
+    t90 = (t23 * ((t66 * t54) + (t67 * t65))) + (((t24 * t24) * t85) * 0.5)
     t92 = t24 * (1.0 + t23)
-    t94 = (t58 * t92) * 0.5
-    t97 = 1.0 + (t23 * t23)
-    t101 = ((t90 * t97) + (t94 * t92)) * 0.5
-    t105 = ((t90 * t92) + (t94 * t97)) * 0.5
-    t106 = t21 * (t21 * ((t5 * t6) * (t75 - t76)))
+    t94 = (t85 * t92) * 0.5
+    t96 = 1.0 + (t23 * t23)
+    t100 = ((t90 * t96) + (t94 * t92)) * 0.5
+    t104 = ((t90 * t92) + (t94 * t96)) * 0.5
+    t106 = t19 * (t19 * ((t6 * t7) * (t54 - t65)))
     t109 = t8 * t8
     t110 = t9 * t9
-    t41 = (slant_range * t6) * (1.0 + ((t14 * t17) / (1.0 + t14)))
-    t82 = (t54 * t75) + (t51 * t76)
-    t107 = t35 * t8
-    t108 = t35 * t9
-    t113 = (t109 * t101) + (t110 * t105)
-    t116 = (t9 * t8) * (t101 - t105)
+    t40 = (slant_range * t7) * (1.0 + ((t14 * t22) / (1.0 + t14)))
+    t73 = (t67 * t54) + (t66 * t65)
+    t107 = t34 * t8
+    t108 = t34 * t9
+    t114 = (t109 * t100) + (t110 * t104)
+    t116 = (t9 * t8) * (t100 - t104)
     t117 = t8 * t106
-    t120 = (t110 * t101) + (t109 * t105)
+    t120 = (t110 * t100) + (t109 * t104)
     t121 = t9 * t106
-    return (t107, t108, t41, t113, t116, t117, t120, t121, t82)
+    return (t107, t108, t40, t114, t116, t117, t120, t121, t73)
 
 
 def _debiased_conversion_block(
@@ -1466,7 +1466,6 @@ def _debiased_conversion_block(
         w18,
         w19,
         w20,
-        w21,
     ) = work
     cos_elevation = cos(elevation, w0)
     sin_elevation = sin(elevation, w1)
@@ -1477,108 +1476,108 @@ def _debiased_conversion_block(
     t13 = multiply(t11, n0, w5)
     kept_elevation = exp(t13, w5)
     change_elevation = expm1(t11, w4)
-    t16 = square(kept_elevation, w6)
-    t17 = negative(change_elevation, w7)
-    t18 = square(azimuth_deviation, w8)
-    t19 = negative(t18, w8)
-    t20 = multiply(t19, n0, w9)
-    kept_azimuth = exp(t20, w9)
-    change_azimuth = expm1(t19, w8)
+    t16 = square(azimuth_deviation, w6)
+    t17 = negative(t16, w6)
+    t18 = multiply(t17, n0, w7)
+    kept_azimuth = exp(t18, w7)
+    change_azimuth = expm1(t17, w6)
+    t21 = square(kept_elevation, w8)
+    t22 = negative(change_elevation, w9)
     t23 = square(kept_azimuth, w10)
     t24 = negative(change_azimuth, w11)
-    t25 = square(range_deviation, w12)
-    t26 = multiply(kept_azimuth, kept_elevation, w13)
-    t27 = multiply(slant_range, cos_elevation, w14)
-    t28 = multiply(t23, t17, w15)
-    t29 = subtract(t28, change_azimuth, w15)
-    t30 = multiply(t26, t29, w15)
-    t32 = add(n1, t26, w13)
-    t33 = divide(t30, t32, z)
-    t34 = add(n1, t33, z)
-    t35 = multiply(t27, t34, w14)
-    t36 = multiply(slant_range, sin_elevation, w8)
-    t37 = multiply(kept_elevation, t17, w13)
-    t38 = add(n1, kept_elevation, w5)
-    t39 = divide(t37, t38, covariance_zz)
-    t40 = add(n1, t39, covariance_zz)
-    t42 = square(t16, w5)
-    t43 = add(n1, t16, w13)
-    t44 = multiply(t17, t43, w15)
-    t45 = add(n1, t42, z)
-    t46 = multiply(t44, t45, w15)
-    t47 = square(slant_range, z)
-    t48 = add(t47, t25, w16)
-    t49 = add(t48, t25, w17)
-    t50 = square(t42, w18)
-    t51 = square(cos_elevation, w19)
-    t52 = add(n1, t50, w18)
-    t53 = multiply(t51, t52, w20)
-    t54 = square(sin_elevation, w21)
-    t55 = multiply(t54, t46, w15)
-    t56 = add(t53, t55, w20)
-    t57 = multiply(t56, n0, w20)
-    t58 = multiply(t49, t57, w17)
-    t59 = square(t17, w15)
-    t60 = add(t43, t42, w20)
-    t61 = multiply(t59, t60, w15)
-    t62 = multiply(t48, t61, w16)
-    t63 = multiply(t25, t52, w18)
-    t64 = add(t62, t63, w16)
-    t65 = subtract(n1, change_elevation, w4)
-    t66 = multiply(t42, n2, w15)
-    t67 = add(t65, t66, w4)
-    t68 = multiply(t43, t67, w13)
-    t69 = multiply(t25, t68, w12)
-    t70 = multiply(t42, t16, w5)
-    t71 = add(n1, t70, w5)
-    t72 = multiply(t47, t71, z)
-    t73 = add(t72, t69, z)
-    t74 = multiply(t17, t73, w7)
-    t75 = multiply(t64, n0, w16)
-    t76 = multiply(t74, n0, w7)
-    t77 = multiply(t51, t75, w4)
-    t78 = multiply(t54, t76, w5)
-    t79 = add(t77, t78, w4)
-    t80 = multiply(t54, t75, w21)
-    t81 = multiply(t51, t76, w19)
-    t83 = multiply(cos_elevation, sin_elevation, w0)
-    t84 = subtract(t75, t76, w16)
-    t85 = multiply(t83, t84, w0)
-    t86 = multiply(t23, t79, w4)
+    t25 = multiply(kept_azimuth, kept_elevation, w12)
+    t26 = multiply(t23, t22, w13)
+    t27 = subtract(t26, change_azimuth, w13)
+    t28 = multiply(slant_range, cos_elevation, w6)
+    t29 = multiply(t25, t27, w13)
+    t31 = add(n1, t25, w12)
+    t32 = divide(t29, t31, z)
+    t33 = add(n1, t32, z)
+    t34 = multiply(t28, t33, w6)
+    t35 = multiply(slant_range, sin_elevation, w12)
+    t36 = multiply(kept_elevation, t22, w13)
+    t37 = add(n1, kept_elevation, w5)
+    t38 = divide(t36, t37, covariance_zz)
+    t39 = add(n1, t38, covariance_zz)
+    t41 = square(t21, w5)
+    t42 = square(range_deviation, w13)
+    t43 = square(slant_range, z)
+    t44 = add(t43, t42, w14)
+    t45 = square(t22, w15)
+    t46 = add(n1, t21, w16)
+    t47 = add(t46, t41, w17)
+    t48 = multiply(t45, t47, w15)
+    t49 = multiply(t44, t48, w15)
+    t50 = square(t41, w17)
+    t51 = add(n1, t50, w17)
+    t52 = multiply(t42, t51, w18)
+    t53 = add(t49, t52, w15)
+    t54 = multiply(t53, n0, w15)
+    t55 = multiply(t41, t21, w8)
+    t56 = add(n1, t55, w8)
+    t57 = multiply(t43, t56, z)
+    t58 = subtract(n1, change_elevation, w4)
+    t59 = multiply(t41, n2, w8)
+    t60 = add(t58, t59, w4)
+    t61 = multiply(t46, t60, w4)
+    t62 = multiply(t42, t61, w4)
+    t63 = add(t57, t62, z)
+    t64 = multiply(t22, t63, z)
+    t65 = multiply(t64, n0, z)
+    t66 = square(cos_elevation, w4)
+    t67 = square(sin_elevation, w8)
+    t68 = multiply(t66, t54, w18)
+    t69 = multiply(t67, t65, w19)
+    t70 = add(t68, t69, w18)
+    t71 = multiply(t67, t54, w19)
+    t72 = multiply(t66, t65, w20)
+    t74 = multiply(cos_elevation, sin_elevation, w0)
+    t75 = subtract(t54, t65, w15)
+    t76 = multiply(t74, t75, w0)
+    t77 = add(t44, t42, w14)
+    t78 = multiply(t66, t51, w4)
+    t79 = multiply(t22, t46, w9)
+    t80 = add(n1, t41, w5)
+    t81 = multiply(t79, t80, w9)
+    t82 = multiply(t67, t81, w8)
+    t83 = add(t78, t82, w4)
+    t84 = multiply(t83, n0, w4)
+    t85 = multiply(t77, t84, w14)
+    t86 = multiply(t23, t70, w18)
     t87 = square(t24, w1)
-    t88 = multiply(t87, t58, w1)
+    t88 = multiply(t87, t85, w1)
     t89 = multiply(t88, n0, w1)
-    t90 = add(t86, t89, w4)
+    t90 = add(t86, t89, w18)
     t91 = add(n1, t23, w1)
     t92 = multiply(t24, t91, w11)
-    t93 = multiply(t58, t92, w17)
-    t94 = multiply(t93, n0, w17)
-    t95 = multiply(kept_azimuth, t85, w0)
-    t96 = square(t23, w10)
-    t97 = add(n1, t96, w10)
-    t98 = multiply(t90, t97, w1)
-    t99 = multiply(t94, t92, w5)
-    t100 = add(t98, t99, w1)
-    t101 = multiply(t100, n0, w1)
-    t102 = multiply(t90, t92, w4)
-    t103 = multiply(t94, t97, w17)
-    t104 = add(t102, t103, w4)
-    t105 = multiply(t104, n0, w4)
-    t106 = multiply(kept_azimuth, t95, w9)
+    t93 = multiply(t85, t92, w14)
+    t94 = multiply(t93, n0, w14)
+    t95 = square(t23, w10)
+    t96 = add(n1, t95, w10)
+    t97 = multiply(t90, t96, w1)
+    t98 = multiply(t94, t92, w4)
+    t99 = add(t97, t98, w1)
+    t100 = multiply(t99, n0, w1)
+    t101 = multiply(t90, t92, w18)
+    t102 = multiply(t94, t96, w14)
+    t103 = add(t101, t102, w18)
+    t104 = multiply(t103, n0, w18)
+    t105 = multiply(kept_azimuth, t76, w0)
+    t106 = multiply(kept_azimuth, t105, w7)
     t109 = square(cos_azimuth, w0)
-    t110 = square(sin_azimuth, w5)
-    t111 = multiply(t109, t101, w6)
-    t112 = multiply(t110, t105, w7)
-    t114 = multiply(sin_azimuth, cos_azimuth, w10)
-    t115 = subtract(t101, t105, w11)
-    t118 = multiply(t110, t101, w5)
-    t119 = multiply(t109, t105, w0)
-    multiply(t36, t40, z)
-    add(t80, t81, covariance_zz)
-    multiply(t35, cos_azimuth, x)
-    multiply(t35, sin_azimuth, y)
-    add(t111, t112, covariance_xx)
-    multiply(t114, t115, covariance_xy)
+    t110 = square(sin_azimuth, w4)
+    t111 = multiply(sin_azimuth, cos_azimuth, w5)
+    t112 = multiply(t109, t100, w8)
+    t113 = multiply(t110, t104, w9)
+    t115 = subtract(t100, t104, w10)
+    t118 = multiply(t110, t100, w4)
+    t119 = multiply(t109, t104, w0)
+    multiply(t35, t39, z)
+    add(t71, t72, covariance_zz)
+    multiply(t34, cos_azimuth, x)
+    multiply(t34, sin_azimuth, y)
+    add(t112, t113, covariance_xx)
+    multiply(t111, t115, covariance_xy)
     multiply(cos_azimuth, t106, covariance_xz)
     add(t118, t119, covariance_yy)
     multiply(sin_azimuth, t106, covariance_yz)
@@ -1605,7 +1604,7 @@ _DEBIASED_CONVERSION = Signature(
         "covariance_yz",
         "covariance_zz",
     ),
-    22,
+    21,
     _debiased_conversion_block,
     numbers=_debiased_conversion_of_numbers,
 )
@@ -1783,53 +1782,53 @@ def _unbiased_conversion_of_numbers(
     azimuth_deviation: float,
     form: Form = Double,
 ) -> tuple[float, ...]:
-    t5 = form.cos(elevation)
-    t6 = form.sin(elevation)
+    t6 = form.cos(elevation)
+    t7 = form.sin(elevation)
     t8 = form.cos(azimuth)
     t9 = form.sin(azimuth)
     t10 = elevation_deviation * elevation_deviation
     t11 = -t10
     t14 = form.exp(t11 * 0.5)
-    t16 = t14 * t14
-    t17 = -form.expm1(t11)
-    t18 = azimuth_deviation * azimuth_deviation
-    t19 = -t18
-    t21 = form.exp(t19 * 0.5)
-    t22 = form.expm1(t19)
-    t23 = t21 * t21
-    t24 = -t22
-    t25 = range_deviation * range_deviation
-    t26 = slant_range * t5
-    t27 = t21 * t14
-    t28 = t26 / t27
-    t29 = slant_range * t6
-    t33 = (slant_range * slant_range) + t25
-    t36 = t17 * (1.0 + t16)
-    t37 = t5 * t5
-    t38 = 1.0 + (t16 * t16)
-    t40 = t6 * t6
-    t44 = t33 * (((t37 * t38) + (t40 * t36)) * 0.5)
-    t45 = slant_range * t17
-    t49 = ((t45 * t45) + (t25 * t38)) * 0.5
-    t51 = (t33 * t36) * 0.5
-    t65 = (t23 * ((t37 * t49) + (t40 * t51))) + (((t24 * t24) * t44) * 0.5)
-    t69 = (t44 * (t24 * (1.0 + t23))) * 0.5
-    t74 = (t26 * ((t23 * t17) - t22)) / t27
-    t76 = (t29 * t17) / t14
-    t78 = t65 + (t74 * t74)
-    t82 = (t21 * ((t5 * t6) * (t49 - t51))) + (t74 * t76)
+    t16 = azimuth_deviation * azimuth_deviation
+    t17 = -t16
+    t19 = form.exp(t17 * 0.5)
+    t20 = form.expm1(t17)
+    t21 = t14 * t14
+    t22 = -form.expm1(t11)
+    t23 = t19 * t19
+    t24 = -t20
+    t25 = t19 * t14
+    t28 = slant_range * t6
+    t29 = t28 / t25
+    t30 = slant_range * t7
+    t33 = range_deviation * range_deviation
+    t35 = (slant_range * slant_range) + t33
+    t36 = slant_range * t22
+    t39 = 1.0 + (t21 * t21)
+    t42 = ((t36 * t36) + (t33 * t39)) * 0.5
+    t44 = t22 * (1.0 + t21)
+    t46 = (t35 * t44) * 0.5
+    t47 = t6 * t6
+    t48 = t7 * t7
+    t56 = (t30 * t22) / t14
+    t66 = t35 * (((t47 * t39) + (t48 * t44)) * 0.5)
+    t71 = (t23 * ((t47 * t42) + (t48 * t46))) + (((t24 * t24) * t66) * 0.5)
+    t75 = (t66 * (t24 * (1.0 + t23))) * 0.5
+    t77 = (t28 * ((t23 * t22) - t20)) / t25
+    t79 = t71 + (t77 * t77)
+    t82 = (t19 * ((t6 * t7) * (t42 - t46))) + (t77 * t56)
     t85 = t8 * t8
     t86 = t9 * t9
-    t30 = t29 / t14
-    t80 = ((t40 * t49) + (t37 * t51)) + (t76 * t76)
-    t83 = t28 * t8
-    t84 = t28 * t9
-    t89 = (t85 * t78) + (t86 * t69)
-    t92 = (t9 * t8) * (t78 - t69)
+    t31 = t30 / t14
+    t58 = ((t48 * t42) + (t47 * t46)) + (t56 * t56)
+    t83 = t29 * t8
+    t84 = t29 * t9
+    t90 = (t85 * t79) + (t86 * t75)
+    t92 = (t9 * t8) * (t79 - t75)
     t93 = t8 * t82
-    t96 = (t86 * t78) + (t85 * t69)
+    t96 = (t86 * t79) + (t85 * t75)
     t97 = t9 * t82
-    return (t83, t84, t30, t89, t92, t93, t96, t97, t80)
+    return (t83, t84, t31, t90, t92, t93, t96, t97, t58)
 
 
 def _unbiased_conversion_block(
@@ -1869,6 +1868,8 @@ def _unbiased_conversion_block(
         w18,
         w19,
         w20,
+        w21,
+        w22,
     ) = work
     cos_elevation = cos(elevation, w0)
     sin_elevation = sin(elevation, w1)
@@ -1879,84 +1880,84 @@ def _unbiased_conversion_block(
     t13 = multiply(t11, n0, w5)
     kept_elevation = exp(t13, w5)
     change_elevation = expm1(t11, w4)
-    t16 = square(kept_elevation, w6)
-    t17 = negative(change_elevation, w4)
-    t18 = square(azimuth_deviation, w7)
-    t19 = negative(t18, w7)
-    t20 = multiply(t19, n0, w8)
-    kept_azimuth = exp(t20, w8)
-    change_azimuth = expm1(t19, w7)
+    t16 = square(azimuth_deviation, w6)
+    t17 = negative(t16, w6)
+    t18 = multiply(t17, n0, w7)
+    kept_azimuth = exp(t18, w7)
+    change_azimuth = expm1(t17, w6)
+    t21 = square(kept_elevation, w8)
+    t22 = negative(change_elevation, w4)
     t23 = square(kept_azimuth, w9)
     t24 = negative(change_azimuth, w10)
-    t25 = square(range_deviation, w11)
-    t26 = multiply(slant_range, cos_elevation, w12)
-    t27 = multiply(kept_azimuth, kept_elevation, w13)
-    t28 = divide(t26, t27, y)
-    t29 = multiply(slant_range, sin_elevation, w14)
-    t31 = square(t16, w15)
-    t32 = square(slant_range, w16)
-    t33 = add(t32, t25, w16)
-    t35 = add(n1, t16, w6)
-    t36 = multiply(t17, t35, w6)
-    t37 = square(cos_elevation, w17)
-    t38 = add(n1, t31, w15)
-    t39 = multiply(t37, t38, w18)
-    t40 = square(sin_elevation, w19)
-    t41 = multiply(t40, t36, w20)
-    t42 = add(t39, t41, w18)
-    t43 = multiply(t42, n0, w18)
-    t44 = multiply(t33, t43, w18)
-    t45 = multiply(slant_range, t17, w20)
-    t46 = square(t45, w20)
-    t47 = multiply(t25, t38, w11)
-    t48 = add(t46, t47, w20)
-    t49 = multiply(t48, n0, w20)
-    t50 = multiply(t33, t36, w16)
-    t51 = multiply(t50, n0, w16)
-    t52 = multiply(t37, t49, w6)
-    t53 = multiply(t40, t51, w11)
-    t54 = add(t52, t53, w6)
-    t55 = multiply(t40, t49, w19)
-    t56 = multiply(t37, t51, w17)
-    t57 = add(t55, t56, w19)
-    t58 = multiply(cos_elevation, sin_elevation, w0)
-    t59 = subtract(t49, t51, w20)
-    t60 = multiply(t58, t59, w0)
-    t61 = multiply(t23, t54, w6)
-    t62 = square(t24, w1)
-    t63 = multiply(t62, t44, w1)
-    t64 = multiply(t63, n0, w1)
-    t65 = add(t61, t64, w6)
-    t66 = add(n1, t23, w1)
-    t67 = multiply(t24, t66, w10)
-    t68 = multiply(t44, t67, w18)
-    t69 = multiply(t68, n0, w18)
-    t70 = multiply(kept_azimuth, t60, w8)
-    t71 = multiply(t23, t17, w9)
-    t72 = subtract(t71, change_azimuth, w9)
-    t73 = multiply(t26, t72, w12)
-    t74 = divide(t73, t27, z)
-    t75 = multiply(t29, t17, w4)
-    t76 = divide(t75, kept_elevation, covariance_zz)
-    t77 = square(t74, w0)
-    t78 = add(t65, t77, w6)
-    t79 = square(t76, w0)
-    t81 = multiply(t74, t76, z)
-    t82 = add(t70, t81, w8)
-    t85 = square(cos_azimuth, w1)
-    t86 = square(sin_azimuth, w4)
-    t87 = multiply(t85, t78, w7)
-    t88 = multiply(t86, t69, w9)
-    t90 = multiply(sin_azimuth, cos_azimuth, w10)
-    t91 = subtract(t78, t69, w11)
-    t94 = multiply(t86, t78, w4)
-    t95 = multiply(t85, t69, w1)
-    divide(t29, kept_elevation, z)
-    add(t57, t79, covariance_zz)
-    multiply(t28, cos_azimuth, x)
-    multiply(t28, sin_azimuth, y)
-    add(t87, t88, covariance_xx)
-    multiply(t90, t91, covariance_xy)
+    t25 = multiply(kept_azimuth, kept_elevation, w11)
+    t26 = multiply(t23, t22, w12)
+    t27 = subtract(t26, change_azimuth, w12)
+    t28 = multiply(slant_range, cos_elevation, w6)
+    t29 = divide(t28, t25, y)
+    t30 = multiply(slant_range, sin_elevation, w13)
+    t32 = square(t21, w14)
+    t33 = square(range_deviation, w15)
+    t34 = square(slant_range, w16)
+    t35 = add(t34, t33, w16)
+    t36 = multiply(slant_range, t22, w17)
+    t37 = square(t36, w17)
+    t39 = add(n1, t32, w14)
+    t40 = multiply(t33, t39, w15)
+    t41 = add(t37, t40, w17)
+    t42 = multiply(t41, n0, w17)
+    t43 = add(n1, t21, w8)
+    t44 = multiply(t22, t43, w8)
+    t45 = multiply(t35, t44, w15)
+    t46 = multiply(t45, n0, w15)
+    t47 = square(cos_elevation, w18)
+    t48 = square(sin_elevation, w19)
+    t49 = multiply(t47, t42, w20)
+    t50 = multiply(t48, t46, w21)
+    t51 = add(t49, t50, w20)
+    t52 = multiply(t48, t42, w21)
+    t53 = multiply(t47, t46, w22)
+    t54 = add(t52, t53, w21)
+    t55 = multiply(t30, t22, w4)
+    t56 = divide(t55, kept_elevation, z)
+    t57 = square(t56, w4)
+    t59 = multiply(cos_elevation, sin_elevation, w0)
+    t60 = subtract(t42, t46, w17)
+    t61 = multiply(t59, t60, w0)
+    t62 = multiply(t47, t39, w18)
+    t63 = multiply(t48, t44, w19)
+    t64 = add(t62, t63, w18)
+    t65 = multiply(t64, n0, w18)
+    t66 = multiply(t35, t65, w16)
+    t67 = multiply(t23, t51, w20)
+    t68 = square(t24, w1)
+    t69 = multiply(t68, t66, w1)
+    t70 = multiply(t69, n0, w1)
+    t71 = add(t67, t70, w20)
+    t72 = add(n1, t23, w9)
+    t73 = multiply(t24, t72, w10)
+    t74 = multiply(t66, t73, w16)
+    t75 = multiply(t74, n0, w16)
+    t76 = multiply(t28, t27, w6)
+    t77 = divide(t76, t25, covariance_zz)
+    t78 = square(t77, w1)
+    t79 = add(t71, t78, w20)
+    t80 = multiply(kept_azimuth, t61, w7)
+    t81 = multiply(t77, t56, covariance_zz)
+    t82 = add(t80, t81, w7)
+    t85 = square(cos_azimuth, w0)
+    t86 = square(sin_azimuth, w1)
+    t87 = multiply(sin_azimuth, cos_azimuth, w6)
+    t88 = multiply(t85, t79, w8)
+    t89 = multiply(t86, t75, w9)
+    t91 = subtract(t79, t75, w10)
+    t94 = multiply(t86, t79, w1)
+    t95 = multiply(t85, t75, w0)
+    divide(t30, kept_elevation, z)
+    add(t54, t57, covariance_zz)
+    multiply(t29, cos_azimuth, x)
+    multiply(t29, sin_azimuth, y)
+    add(t88, t89, covariance_xx)
+    multiply(t87, t91, covariance_xy)
     multiply(cos_azimuth, t82, covariance_xz)
     add(t94, t95, covariance_yy)
     multiply(sin_azimuth, t82, covariance_yz)
@@ -1983,7 +1984,7 @@ _UNBIASED_CONVERSION = Signature(
         "covariance_yz",
         "covariance_zz",
     ),
-    21,
+    23,
     _unbiased_conversion_block,
     numbers=_unbiased_conversion_of_numbers,
 )
@@ -2159,46 +2160,46 @@ def _modified_unbiased_conversion_of_numbers(
     azimuth_deviation: float,
     form: Form = Double,
 ) -> tuple[float, ...]:
-    t5 = form.cos(elevation)
-    t6 = form.sin(elevation)
+    t6 = form.cos(elevation)
+    t7 = form.sin(elevation)
     t8 = form.cos(azimuth)
     t9 = form.sin(azimuth)
     t10 = elevation_deviation * elevation_deviation
     t11 = -t10
     t14 = form.exp(t11 * 0.5)
-    t16 = t14 * t14
-    t17 = -form.expm1(t11)
-    t18 = azimuth_deviation * azimuth_deviation
-    t19 = -t18
-    t21 = form.exp(t19 * 0.5)
-    t23 = t21 * t21
-    t24 = -form.expm1(t19)
-    t25 = range_deviation * range_deviation
-    t28 = (slant_range * t5) * (t21 * t14)
-    t33 = (slant_range * slant_range) + t25
-    t36 = t17 * (1.0 + t16)
-    t37 = t5 * t5
-    t38 = 1.0 + (t16 * t16)
-    t40 = t6 * t6
-    t44 = t33 * (((t37 * t38) + (t40 * t36)) * 0.5)
-    t45 = slant_range * t17
-    t49 = ((t45 * t45) + (t25 * t38)) * 0.5
-    t51 = (t33 * t36) * 0.5
-    t65 = (t23 * ((t37 * t49) + (t40 * t51))) + (((t24 * t24) * t44) * 0.5)
-    t69 = (t44 * (t24 * (1.0 + t23))) * 0.5
-    t70 = t21 * ((t5 * t6) * (t49 - t51))
+    t16 = azimuth_deviation * azimuth_deviation
+    t17 = -t16
+    t19 = form.exp(t17 * 0.5)
+    t21 = t14 * t14
+    t22 = -form.expm1(t11)
+    t23 = t19 * t19
+    t24 = -form.expm1(t17)
+    t27 = (slant_range * t6) * (t19 * t14)
+    t31 = range_deviation * range_deviation
+    t33 = (slant_range * slant_range) + t31
+    t34 = slant_range * t22
+    t37 = 1.0 + (t21 * t21)
+    t40 = ((t34 * t34) + (t31 * t37)) * 0.5
+    t42 = t22 * (1.0 + t21)
+    t44 = (t33 * t42) * 0.5
+    t45 = t6 * t6
+    t46 = t7 * t7
+    t60 = t33 * (((t45 * t37) + (t46 * t42)) * 0.5)
+    t65 = (t23 * ((t45 * t40) + (t46 * t44))) + (((t24 * t24) * t60) * 0.5)
+    t69 = (t60 * (t24 * (1.0 + t23))) * 0.5
+    t70 = t19 * ((t6 * t7) * (t40 - t44))
     t73 = t8 * t8
     t74 = t9 * t9
-    t30 = (slant_range * t6) * t14
-    t57 = (t40 * t49) + (t37 * t51)
-    t71 = t28 * t8
-    t72 = t28 * t9
-    t77 = (t73 * t65) + (t74 * t69)
+    t29 = (slant_range * t7) * t14
+    t52 = (t46 * t40) + (t45 * t44)
+    t71 = t27 * t8
+    t72 = t27 * t9
+    t78 = (t73 * t65) + (t74 * t69)
     t80 = (t9 * t8) * (t65 - t69)
     t81 = t8 * t70
     t84 = (t74 * t65) + (t73 * t69)
     t85 = t9 * t70
-    return (t71, t72, t30, t77, t80, t81, t84, t85, t57)
+    return (t71, t72, t29, t78, t80, t81, t84, t85, t52)
 
 
 def _modified_unbiased_conversion_block(
@@ -2216,7 +2217,7 @@ def _modified_unbiased_conversion_block(
         covariance_yz,
         covariance_zz,
     ) = out
-    w0, w1, w2, w3, w4, w5, w6, w7, w8, w9, w10, w11, w12, w13, w14, w15, w16, w17, w18 = work
+    w0, w1, w2, w3, w4, w5, w6, w7, w8, w9, w10, w11, w12, w13, w14, w15, w16, w17, w18, w19 = work
     cos_elevation = cos(elevation, w0)
     sin_elevation = sin(elevation, w1)
     cos_azimuth = cos(azimuth, w2)
@@ -2226,72 +2227,72 @@ def _modified_unbiased_conversion_block(
     t13 = multiply(t11, n0, w5)
     kept_elevation = exp(t13, w5)
     change_elevation = expm1(t11, w4)
-    t16 = square(kept_elevation, w6)
-    t17 = negative(change_elevation, w4)
-    t18 = square(azimuth_deviation, w7)
-    t19 = negative(t18, w7)
-    t20 = multiply(t19, n0, w8)
-    kept_azimuth = exp(t20, w8)
-    change_azimuth = expm1(t19, w7)
+    t16 = square(azimuth_deviation, w6)
+    t17 = negative(t16, w6)
+    t18 = multiply(t17, n0, w7)
+    kept_azimuth = exp(t18, w7)
+    change_azimuth = expm1(t17, w6)
+    t21 = square(kept_elevation, w8)
+    t22 = negative(change_elevation, w4)
     t23 = square(kept_azimuth, w9)
-    t24 = negative(change_azimuth, w7)
-    t25 = square(range_deviation, w10)
+    t24 = negative(change_azimuth, w6)
+    t25 = multiply(kept_azimuth, kept_elevation, w10)
     t26 = multiply(slant_range, cos_elevation, w11)
-    t27 = multiply(kept_azimuth, kept_elevation, w12)
-    t28 = multiply(t26, t27, w11)
-    t29 = multiply(slant_range, sin_elevation, w12)
-    t31 = square(t16, w13)
+    t27 = multiply(t26, t25, w11)
+    t28 = multiply(slant_range, sin_elevation, w10)
+    t30 = square(t21, w12)
+    t31 = square(range_deviation, w13)
     t32 = square(slant_range, w14)
-    t33 = add(t32, t25, w14)
-    t35 = add(n1, t16, w6)
-    t36 = multiply(t17, t35, w6)
-    t37 = square(cos_elevation, w15)
-    t38 = add(n1, t31, w13)
-    t39 = multiply(t37, t38, w16)
-    t40 = square(sin_elevation, w17)
-    t41 = multiply(t40, t36, w18)
-    t42 = add(t39, t41, w16)
-    t43 = multiply(t42, n0, w16)
-    t44 = multiply(t33, t43, w16)
-    t45 = multiply(slant_range, t17, w4)
-    t46 = square(t45, w4)
-    t47 = multiply(t25, t38, w10)
-    t48 = add(t46, t47, w4)
-    t49 = multiply(t48, n0, w4)
-    t50 = multiply(t33, t36, w14)
-    t51 = multiply(t50, n0, w14)
-    t52 = multiply(t37, t49, w6)
-    t53 = multiply(t40, t51, w10)
-    t54 = add(t52, t53, w6)
-    t55 = multiply(t40, t49, w17)
-    t56 = multiply(t37, t51, w15)
-    t58 = multiply(cos_elevation, sin_elevation, w0)
-    t59 = subtract(t49, t51, w4)
-    t60 = multiply(t58, t59, w0)
-    t61 = multiply(t23, t54, w6)
+    t33 = add(t32, t31, w14)
+    t34 = multiply(slant_range, t22, w15)
+    t35 = square(t34, w15)
+    t37 = add(n1, t30, w12)
+    t38 = multiply(t31, t37, w13)
+    t39 = add(t35, t38, w15)
+    t40 = multiply(t39, n0, w15)
+    t41 = add(n1, t21, w8)
+    t42 = multiply(t22, t41, w4)
+    t43 = multiply(t33, t42, w8)
+    t44 = multiply(t43, n0, w8)
+    t45 = square(cos_elevation, w13)
+    t46 = square(sin_elevation, w16)
+    t47 = multiply(t45, t40, w17)
+    t48 = multiply(t46, t44, w18)
+    t49 = add(t47, t48, w17)
+    t50 = multiply(t46, t40, w18)
+    t51 = multiply(t45, t44, w19)
+    t53 = multiply(cos_elevation, sin_elevation, w0)
+    t54 = subtract(t40, t44, w15)
+    t55 = multiply(t53, t54, w0)
+    t56 = multiply(t45, t37, w13)
+    t57 = multiply(t46, t42, w16)
+    t58 = add(t56, t57, w13)
+    t59 = multiply(t58, n0, w13)
+    t60 = multiply(t33, t59, w14)
+    t61 = multiply(t23, t49, w17)
     t62 = square(t24, w1)
-    t63 = multiply(t62, t44, w1)
+    t63 = multiply(t62, t60, w1)
     t64 = multiply(t63, n0, w1)
-    t65 = add(t61, t64, w6)
+    t65 = add(t61, t64, w17)
     t66 = add(n1, t23, w9)
-    t67 = multiply(t24, t66, w7)
-    t68 = multiply(t44, t67, w16)
-    t69 = multiply(t68, n0, w16)
-    t70 = multiply(kept_azimuth, t60, w8)
+    t67 = multiply(t24, t66, w6)
+    t68 = multiply(t60, t67, w14)
+    t69 = multiply(t68, n0, w14)
+    t70 = multiply(kept_azimuth, t55, w7)
     t73 = square(cos_azimuth, w0)
     t74 = square(sin_azimuth, w1)
-    t75 = multiply(t73, t65, w4)
-    t76 = multiply(t74, t69, w7)
-    t78 = multiply(sin_azimuth, cos_azimuth, w9)
-    t79 = subtract(t65, t69, w10)
+    t75 = multiply(sin_azimuth, cos_azimuth, w4)
+    t76 = multiply(t73, t65, w6)
+    t77 = multiply(t74, t69, w8)
+    t79 = subtract(t65, t69, w9)
     t82 = multiply(t74, t65, w1)
     t83 = multiply(t73, t69, w0)
-    multiply(t29, kept_elevation, z)
-    add(t55, t56, covariance_zz)
-    multiply(t28, cos_azimuth, x)
-    multiply(t28, sin_azimuth, y)
-    add(t75, t76, covariance_xx)
-    multiply(t78, t79, covariance_xy)
+    multiply(t28, kept_elevation, z)
+    add(t50, t51, covariance_zz)
+    multiply(t27, cos_azimuth, x)
+    multiply(t27, sin_azimuth, y)
+    add(t76, t77, covariance_xx)
+    multiply(t75, t79, covariance_xy)
     multiply(cos_azimuth, t70, covariance_xz)
     add(t82, t83, covariance_yy)
     multiply(sin_azimuth, t70, covariance_yz)
@@ -2318,7 +2319,7 @@ _MODIFIED_UNBIASED_CONVERSION = Signature(
         "covariance_yz",
         "covariance_zz",
     ),
-    19,
+    20,
     _modified_unbiased_conversion_block,
     numbers=_modified_unbiased_conversion_of_numbers,
 )
@@ -2455,39 +2456,39 @@ def _correlated_unbiased_conversion_in_plane_of_numbers(
     correlation: float,
     form: Form = Double,
 ) -> tuple[float, ...]:
-    t4 = form.cos(azimuth)
-    t5 = form.sin(azimuth)
+    t5 = form.cos(azimuth)
+    t6 = form.sin(azimuth)
     t7 = azimuth_deviation * azimuth_deviation
     t8 = -t7
     t11 = form.exp(t8 * 0.5)
-    t13 = range_deviation * range_deviation
-    t14 = t11 * t11
-    t15 = -form.expm1(t8)
-    t17 = (range_deviation * azimuth_deviation) * correlation
-    t18 = t14 * t14
-    t21 = 1.0 - (t14 * 2.0)
-    t22 = slant_range * t15
-    t27 = ((t22 * t22) + (t13 * (1.0 + t18))) * 0.5
-    t28 = t17 * t17
-    t34 = 1.0 + t14
-    t36 = ((slant_range * slant_range) + t13) * (t15 * t34)
-    t44 = slant_range / t11
-    t46 = -(t17 / t11)
-    t47 = t22 / t11
-    t50 = -((t17 * t34) / t11)
-    t52 = (t27 - ((t18 * t28) * 2.0)) + (t47 * t47)
-    t54 = ((t36 * 0.5) - ((t14 * t28) * t21)) + (t50 * t50)
-    t56 = (t47 * t50) - ((t14 * (slant_range * t17)) * t21)
-    t57 = t4 * t4
+    t13 = t11 * t11
+    t14 = -form.expm1(t8)
+    t15 = slant_range / t11
+    t16 = t13 * t13
+    t17 = range_deviation * range_deviation
+    t20 = slant_range * t14
+    t26 = ((t20 * t20) + (t17 * (1.0 + t16))) * 0.5
+    t28 = (range_deviation * azimuth_deviation) * correlation
+    t29 = t28 * t28
+    t33 = t20 / t11
+    t35 = (t26 - ((t16 * t29) * 2.0)) + (t33 * t33)
+    t36 = 1.0 + t13
+    t38 = ((slant_range * slant_range) + t17) * (t14 * t36)
+    t42 = 1.0 - (t13 * 2.0)
+    t47 = -((t28 * t36) / t11)
+    t49 = ((t38 * 0.5) - ((t13 * t29) * t42)) + (t47 * t47)
+    t52 = -(t28 / t11)
     t58 = t5 * t5
-    t59 = t5 * t4
-    t70 = (t59 * t56) * 2.0
-    t62 = (t44 * t4) - (t46 * t5)
-    t65 = (t44 * t5) + (t46 * t4)
-    t71 = ((t57 * t52) + (t58 * t54)) - t70
-    t76 = (t59 * (t52 - t54)) + ((t57 - t58) * t56)
-    t80 = ((t58 * t52) + (t57 * t54)) + t70
-    return (t62, t65, t71, t76, t80)
+    t59 = t6 * t6
+    t60 = t6 * t5
+    t68 = (t33 * t47) - ((t13 * (slant_range * t28)) * t42)
+    t70 = (t60 * t68) * 2.0
+    t54 = (t15 * t5) - (t52 * t6)
+    t57 = (t15 * t6) + (t52 * t5)
+    t71 = ((t58 * t35) + (t59 * t49)) - t70
+    t76 = (t60 * (t35 - t49)) + ((t58 - t59) * t68)
+    t80 = ((t59 * t35) + (t58 * t49)) + t70
+    return (t54, t57, t71, t76, t80)
 
 
 def _correlated_unbiased_conversion_in_plane_block(
@@ -2496,8 +2497,8 @@ def _correlated_unbiased_conversion_in_plane_block(
     work: Arrays,
     _single: bool,
     n0: float = 0.5,
-    n1: float = 2.0,
-    n2: float = 1.0,
+    n1: float = 1.0,
+    n2: float = 2.0,
 ) -> None:
     slant_range, azimuth, range_deviation, azimuth_deviation, correlation = given
     x, y, covariance_xx, covariance_xy, covariance_yy = out
@@ -2509,71 +2510,71 @@ def _correlated_unbiased_conversion_in_plane_block(
     t10 = multiply(t8, n0, w3)
     kept_azimuth = exp(t10, w3)
     change_azimuth = expm1(t8, w2)
-    t13 = square(range_deviation, w4)
-    t14 = square(kept_azimuth, w5)
-    t15 = negative(change_azimuth, w2)
-    t16 = multiply(range_deviation, azimuth_deviation, w6)
-    t17 = multiply(t16, correlation, w6)
-    t18 = square(t14, w7)
-    t19 = multiply(t14, n1, w8)
-    t21 = subtract(n2, t19, w8)
-    t22 = multiply(slant_range, t15, w9)
-    t23 = square(t22, w10)
-    t24 = add(n2, t18, w11)
-    t25 = multiply(t13, t24, w11)
-    t26 = add(t23, t25, w10)
-    t27 = multiply(t26, n0, w10)
-    t28 = square(t17, w11)
-    t29 = multiply(t18, t28, w7)
-    t30 = multiply(t29, n1, w7)
-    t31 = subtract(t27, t30, w10)
-    t32 = square(slant_range, w7)
-    t33 = add(t32, t13, w7)
-    t34 = add(n2, t14, w4)
-    t35 = multiply(t15, t34, w2)
-    t36 = multiply(t33, t35, w7)
-    t37 = multiply(t36, n0, w7)
-    t38 = multiply(t14, t28, w11)
-    t39 = multiply(t38, t21, w11)
-    t40 = subtract(t37, t39, w7)
-    t41 = multiply(slant_range, t17, w2)
-    t42 = multiply(t14, t41, w5)
-    t43 = multiply(t42, t21, w5)
-    t44 = divide(slant_range, kept_azimuth, x)
-    t45 = divide(t17, kept_azimuth, y)
-    t46 = negative(t45, y)
-    t47 = divide(t22, kept_azimuth, covariance_xx)
-    t48 = multiply(t17, t34, w6)
-    t49 = divide(t48, kept_azimuth, covariance_xy)
-    t50 = negative(t49, covariance_xy)
-    t51 = square(t47, w2)
-    t52 = add(t31, t51, w10)
-    t53 = square(t50, w2)
-    t54 = add(t40, t53, w7)
-    t55 = multiply(t47, t50, covariance_xx)
-    t56 = subtract(t55, t43, covariance_xx)
-    t57 = square(cos_azimuth, w2)
-    t58 = square(sin_azimuth, w3)
-    t59 = multiply(sin_azimuth, cos_azimuth, w4)
-    t60 = multiply(t44, cos_azimuth, w5)
-    t61 = multiply(t46, sin_azimuth, w6)
-    t63 = multiply(t44, sin_azimuth, w1)
-    t64 = multiply(t46, cos_azimuth, y)
-    t66 = multiply(t57, t52, w0)
-    t67 = multiply(t58, t54, w8)
-    t68 = add(t66, t67, w0)
-    t69 = multiply(t59, t56, w8)
-    t70 = multiply(t69, n1, w8)
-    t72 = subtract(t52, t54, w9)
-    t73 = multiply(t59, t72, w4)
-    t74 = subtract(t57, t58, w9)
-    t75 = multiply(t74, t56, w9)
-    t77 = multiply(t58, t52, w3)
-    t78 = multiply(t57, t54, w2)
-    t79 = add(t77, t78, w3)
-    subtract(t60, t61, x)
-    add(t63, t64, y)
-    subtract(t68, t70, covariance_xx)
+    t13 = square(kept_azimuth, w4)
+    t14 = negative(change_azimuth, w2)
+    t15 = divide(slant_range, kept_azimuth, x)
+    t16 = square(t13, w5)
+    t17 = square(range_deviation, w6)
+    t18 = square(slant_range, w7)
+    t19 = add(t18, t17, w7)
+    t20 = multiply(slant_range, t14, w8)
+    t21 = square(t20, w9)
+    t23 = add(n1, t16, w10)
+    t24 = multiply(t17, t23, w6)
+    t25 = add(t21, t24, w9)
+    t26 = multiply(t25, n0, w9)
+    t27 = multiply(range_deviation, azimuth_deviation, w6)
+    t28 = multiply(t27, correlation, w6)
+    t29 = square(t28, w10)
+    t30 = multiply(t16, t29, w5)
+    t31 = multiply(t30, n2, w5)
+    t32 = subtract(t26, t31, w9)
+    t33 = divide(t20, kept_azimuth, y)
+    t34 = square(t33, w5)
+    t35 = add(t32, t34, w9)
+    t36 = add(n1, t13, w5)
+    t37 = multiply(t14, t36, w2)
+    t38 = multiply(t19, t37, w7)
+    t39 = multiply(t38, n0, w7)
+    t40 = multiply(t13, t29, w10)
+    t41 = multiply(t13, n2, w2)
+    t42 = subtract(n1, t41, w2)
+    t43 = multiply(t40, t42, w10)
+    t44 = subtract(t39, t43, w7)
+    t45 = multiply(t28, t36, w5)
+    t46 = divide(t45, kept_azimuth, covariance_xx)
+    t47 = negative(t46, covariance_xx)
+    t48 = square(t47, w5)
+    t49 = add(t44, t48, w7)
+    t50 = multiply(t15, cos_azimuth, w5)
+    t51 = divide(t28, kept_azimuth, covariance_xy)
+    t52 = negative(t51, covariance_xy)
+    t53 = multiply(t52, sin_azimuth, w3)
+    t55 = multiply(t15, sin_azimuth, w8)
+    t56 = multiply(t52, cos_azimuth, covariance_xy)
+    t58 = square(cos_azimuth, w10)
+    t59 = square(sin_azimuth, x)
+    t60 = multiply(sin_azimuth, cos_azimuth, w1)
+    t61 = multiply(t58, t35, w0)
+    t62 = multiply(t59, t49, w11)
+    t63 = add(t61, t62, w0)
+    t64 = multiply(slant_range, t28, w6)
+    t65 = multiply(t13, t64, w4)
+    t66 = multiply(t65, t42, w4)
+    t67 = multiply(t33, t47, y)
+    t68 = subtract(t67, t66, y)
+    t69 = multiply(t60, t68, w2)
+    t70 = multiply(t69, n2, w2)
+    t72 = subtract(t35, t49, w4)
+    t73 = multiply(t60, t72, w1)
+    t74 = subtract(t58, t59, w4)
+    t75 = multiply(t74, t68, w4)
+    t77 = multiply(t59, t35, x)
+    t78 = multiply(t58, t49, w10)
+    t79 = add(t77, t78, w10)
+    subtract(t50, t53, x)
+    add(t55, t56, y)
+    subtract(t63, t70, covariance_xx)
     add(t73, t75, covariance_xy)
     add(t79, t70, covariance_yy)
 
@@ -2725,36 +2726,36 @@ def _correlated_modified_unbiased_conversion_in_plane_of_numbers(
     correlation: float,
     form: Form = Double,
 ) -> tuple[float, ...]:
-    t4 = form.cos(azimuth)
-    t5 = form.sin(azimuth)
+    t5 = form.cos(azimuth)
+    t6 = form.sin(azimuth)
     t7 = azimuth_deviation * azimuth_deviation
     t8 = -t7
     t11 = form.exp(t8 * 0.5)
-    t13 = range_deviation * range_deviation
-    t14 = t11 * t11
-    t15 = -form.expm1(t8)
-    t17 = (range_deviation * azimuth_deviation) * correlation
-    t18 = t14 * t14
-    t21 = 1.0 - (t14 * 2.0)
-    t22 = slant_range * t15
-    t27 = ((t22 * t22) + (t13 * (1.0 + t18))) * 0.5
-    t28 = t17 * t17
-    t31 = t27 - ((t18 * t28) * 2.0)
-    t36 = ((slant_range * slant_range) + t13) * (t15 * (1.0 + t14))
-    t40 = (t36 * 0.5) - ((t14 * t28) * t21)
-    t44 = -((t14 * (slant_range * t17)) * t21)
-    t45 = slant_range * t11
-    t46 = t17 * t11
-    t47 = t4 * t4
-    t48 = t5 * t5
-    t49 = t5 * t4
-    t60 = (t49 * t44) * 2.0
-    t52 = (t45 * t4) - (t46 * t5)
-    t55 = (t45 * t5) + (t46 * t4)
-    t61 = ((t47 * t31) + (t48 * t40)) - t60
-    t66 = (t49 * (t31 - t40)) + ((t47 - t48) * t44)
-    t70 = ((t48 * t31) + (t47 * t40)) + t60
-    return (t52, t55, t61, t66, t70)
+    t13 = t11 * t11
+    t14 = -form.expm1(t8)
+    t15 = slant_range * t11
+    t16 = t13 * t13
+    t17 = range_deviation * range_deviation
+    t20 = slant_range * t14
+    t26 = ((t20 * t20) + (t17 * (1.0 + t16))) * 0.5
+    t28 = (range_deviation * azimuth_deviation) * correlation
+    t29 = t28 * t28
+    t32 = t26 - ((t16 * t29) * 2.0)
+    t35 = ((slant_range * slant_range) + t17) * (t14 * (1.0 + t13))
+    t39 = 1.0 - (t13 * 2.0)
+    t41 = (t35 * 0.5) - ((t13 * t29) * t39)
+    t43 = t28 * t11
+    t49 = t5 * t5
+    t50 = t6 * t6
+    t51 = t6 * t5
+    t58 = -((t13 * (slant_range * t28)) * t39)
+    t60 = (t51 * t58) * 2.0
+    t45 = (t15 * t5) - (t43 * t6)
+    t48 = (t15 * t6) + (t43 * t5)
+    t61 = ((t49 * t32) + (t50 * t41)) - t60
+    t66 = (t51 * (t32 - t41)) + ((t49 - t50) * t58)
+    t70 = ((t50 * t32) + (t49 * t41)) + t60
+    return (t45, t48, t61, t66, t70)
 
 
 def _correlated_modified_unbiased_conversion_in_plane_block(
@@ -2763,12 +2764,12 @@ def _correlated_modified_unbiased_conversion_in_plane_block(
     work: Arrays,
     _single: bool,
     n0: float = 0.5,
-    n1: float = 2.0,
-    n2: float = 1.0,
+    n1: float = 1.0,
+    n2: float = 2.0,
 ) -> None:
     slant_range, azimuth, range_deviation, azimuth_deviation, correlation = given
     x, y, covariance_xx, covariance_xy, covariance_yy = out
-    w0, w1, w2, w3, w4, w5, w6, w7, w8, w9, w10, w11, w12 = work
+    w0, w1, w2, w3, w4, w5, w6, w7, w8, w9, w10, w11, w12, w13 = work
     cos_azimuth = cos(azimuth, w0)
     sin_azimuth = sin(azimuth, w1)
     t7 = square(azimuth_deviation, w2)
@@ -2776,61 +2777,61 @@ def _correlated_modified_unbiased_conversion_in_plane_block(
     t10 = multiply(t8, n0, w3)
     kept_azimuth = exp(t10, w3)
     change_azimuth = expm1(t8, w2)
-    t13 = square(range_deviation, w4)
-    t14 = square(kept_azimuth, w5)
-    t15 = negative(change_azimuth, w2)
-    t16 = multiply(range_deviation, azimuth_deviation, w6)
-    t17 = multiply(t16, correlation, w6)
-    t18 = square(t14, w7)
-    t19 = multiply(t14, n1, w8)
-    t21 = subtract(n2, t19, w8)
-    t22 = multiply(slant_range, t15, w9)
-    t23 = square(t22, w9)
-    t24 = add(n2, t18, w10)
-    t25 = multiply(t13, t24, w10)
-    t26 = add(t23, t25, w9)
-    t27 = multiply(t26, n0, w9)
-    t28 = square(t17, w10)
-    t29 = multiply(t18, t28, w7)
-    t30 = multiply(t29, n1, w7)
-    t31 = subtract(t27, t30, w9)
-    t32 = square(slant_range, w7)
-    t33 = add(t32, t13, w7)
-    t34 = add(n2, t14, w4)
-    t35 = multiply(t15, t34, w2)
-    t36 = multiply(t33, t35, w7)
-    t37 = multiply(t36, n0, w7)
-    t38 = multiply(t14, t28, w10)
-    t39 = multiply(t38, t21, w10)
-    t40 = subtract(t37, t39, w7)
-    t41 = multiply(slant_range, t17, w2)
-    t42 = multiply(t14, t41, w5)
-    t43 = multiply(t42, t21, w5)
-    t44 = negative(t43, w5)
-    t45 = multiply(slant_range, kept_azimuth, w2)
-    t46 = multiply(t17, kept_azimuth, w6)
-    t47 = square(cos_azimuth, w3)
-    t48 = square(sin_azimuth, w4)
-    t49 = multiply(sin_azimuth, cos_azimuth, w8)
-    t50 = multiply(t45, cos_azimuth, w10)
-    t51 = multiply(t46, sin_azimuth, w11)
-    t53 = multiply(t45, sin_azimuth, w2)
-    t54 = multiply(t46, cos_azimuth, w6)
-    t56 = multiply(t47, t31, w0)
-    t57 = multiply(t48, t40, w1)
-    t58 = add(t56, t57, w0)
-    t59 = multiply(t49, t44, w1)
-    t60 = multiply(t59, n1, w1)
-    t62 = subtract(t31, t40, w12)
-    t63 = multiply(t49, t62, w8)
-    t64 = subtract(t47, t48, w12)
-    t65 = multiply(t64, t44, w12)
-    t67 = multiply(t48, t31, w4)
-    t68 = multiply(t47, t40, w3)
-    t69 = add(t67, t68, w4)
-    subtract(t50, t51, x)
-    add(t53, t54, y)
-    subtract(t58, t60, covariance_xx)
+    t13 = square(kept_azimuth, w4)
+    t14 = negative(change_azimuth, w2)
+    t15 = multiply(slant_range, kept_azimuth, w5)
+    t16 = square(t13, w6)
+    t17 = square(range_deviation, w7)
+    t18 = square(slant_range, w8)
+    t19 = add(t18, t17, w8)
+    t20 = multiply(slant_range, t14, w9)
+    t21 = square(t20, w9)
+    t23 = add(n1, t16, w10)
+    t24 = multiply(t17, t23, w7)
+    t25 = add(t21, t24, w9)
+    t26 = multiply(t25, n0, w9)
+    t27 = multiply(range_deviation, azimuth_deviation, w7)
+    t28 = multiply(t27, correlation, w7)
+    t29 = square(t28, w10)
+    t30 = multiply(t16, t29, w6)
+    t31 = multiply(t30, n2, w6)
+    t32 = subtract(t26, t31, w9)
+    t33 = add(n1, t13, w6)
+    t34 = multiply(t14, t33, w2)
+    t35 = multiply(t19, t34, w8)
+    t36 = multiply(t35, n0, w8)
+    t37 = multiply(t13, t29, w10)
+    t38 = multiply(t13, n2, w2)
+    t39 = subtract(n1, t38, w2)
+    t40 = multiply(t37, t39, w10)
+    t41 = subtract(t36, t40, w8)
+    t42 = multiply(t15, cos_azimuth, w6)
+    t43 = multiply(t28, kept_azimuth, w3)
+    t44 = multiply(t43, sin_azimuth, w10)
+    t46 = multiply(t15, sin_azimuth, w5)
+    t47 = multiply(t43, cos_azimuth, w3)
+    t49 = square(cos_azimuth, w11)
+    t50 = square(sin_azimuth, w12)
+    t51 = multiply(sin_azimuth, cos_azimuth, w1)
+    t52 = multiply(t49, t32, w0)
+    t53 = multiply(t50, t41, w13)
+    t54 = add(t52, t53, w0)
+    t55 = multiply(slant_range, t28, w7)
+    t56 = multiply(t13, t55, w4)
+    t57 = multiply(t56, t39, w4)
+    t58 = negative(t57, w4)
+    t59 = multiply(t51, t58, w2)
+    t60 = multiply(t59, n2, w2)
+    t62 = subtract(t32, t41, w7)
+    t63 = multiply(t51, t62, w1)
+    t64 = subtract(t49, t50, w7)
+    t65 = multiply(t64, t58, w7)
+    t67 = multiply(t50, t32, w12)
+    t68 = multiply(t49, t41, w11)
+    t69 = add(t67, t68, w12)
+    subtract(t42, t44, x)
+    add(t46, t47, y)
+    subtract(t54, t60, covariance_xx)
     add(t63, t65, covariance_xy)
     add(t69, t60, covariance_yy)
 
@@ -2845,7 +2846,7 @@ _CORRELATED_MODIFIED_UNBIASED_CONVERSION_IN_PLANE = Signature(
         _CORRELATION_DOMAIN,
     ),
     ("x", "y", "covariance_xx", "covariance_xy", "covariance_yy"),
-    13,
+    14,
     _correlated_modified_unbiased_conversion_in_plane_block,
     numbers=_correlated_modified_unbiased_conversion_in_plane_of_numbers,
 )

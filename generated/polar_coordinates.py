@@ -498,19 +498,19 @@ def _cartesian_derivatives_of_numbers(
     bearing: float,
     form: Form = Double,
 ) -> tuple[float, ...]:
-    t2 = form.cos(elevation)
-    t3 = form.sin(elevation)
+    t3 = form.cos(elevation)
+    t4 = form.sin(elevation)
     t5 = form.cos(bearing)
     t6 = form.sin(bearing)
-    t7 = slant_range * t2
-    t8 = slant_range * t3
-    t9 = t2 * t6
-    t10 = t2 * t5
-    t12 = -(t8 * t6)
-    t13 = t7 * t5
-    t15 = -(t8 * t5)
+    t7 = slant_range * t3
+    t10 = slant_range * t4
+    t9 = t7 * t5
+    t11 = t3 * t6
+    t12 = t3 * t5
+    t14 = -(t10 * t6)
+    t16 = -(t10 * t5)
     t17 = -(t7 * t6)
-    return (t9, t12, t13, t10, t15, t17, t3, t7)
+    return (t11, t14, t9, t12, t16, t17, t4, t7)
 
 
 def _cartesian_derivatives_block(given: Arrays, out: Arrays, work: Arrays, _single: bool) -> None:
@@ -531,16 +531,16 @@ def _cartesian_derivatives_block(given: Arrays, out: Arrays, work: Arrays, _sing
     cos_bearing = cos(bearing, w1)
     sin_bearing = sin(bearing, w2)
     multiply(slant_range, cos_elevation, z_D_elevation)
-    t8 = multiply(slant_range, z_D_slant_range, w3)
-    t11 = multiply(t8, sin_bearing, w4)
-    t14 = multiply(t8, cos_bearing, w3)
-    t16 = multiply(z_D_elevation, sin_bearing, w5)
+    t8 = multiply(z_D_elevation, sin_bearing, w3)
+    t10 = multiply(slant_range, z_D_slant_range, w4)
+    t13 = multiply(t10, sin_bearing, w5)
+    t15 = multiply(t10, cos_bearing, w4)
+    multiply(z_D_elevation, cos_bearing, x_D_bearing)
     multiply(cos_elevation, sin_bearing, x_D_slant_range)
     multiply(cos_elevation, cos_bearing, y_D_slant_range)
-    negative(t11, x_D_elevation)
-    multiply(z_D_elevation, cos_bearing, x_D_bearing)
-    negative(t14, y_D_elevation)
-    negative(t16, y_D_bearing)
+    negative(t13, x_D_elevation)
+    negative(t15, y_D_elevation)
+    negative(t8, y_D_bearing)
 
 
 _CARTESIAN_DERIVATIVES = Signature(
@@ -697,19 +697,19 @@ def _polar_derivatives_block(given: Arrays, out: Arrays, work: Arrays, _single: 
     t7 = square(horizontal_distance, w0)
     t8 = square(z, w1)
     t9 = add(t7, t8, w0)
-    slant_range = sqrt(t9, elevation_D_z)
-    t11 = divide(horizontal_distance, slant_range, w0)
-    divide(z, slant_range, slant_range_D_z)
+    distance = sqrt(t9, elevation_D_z)
+    t11 = divide(horizontal_distance, distance, w0)
+    divide(z, distance, slant_range_D_z)
     t13 = divide(y, horizontal_distance, bearing_D_x)
     t14 = divide(x, horizontal_distance, w1)
-    t15 = divide(slant_range_D_z, slant_range, slant_range_D_x)
+    t15 = divide(slant_range_D_z, distance, slant_range_D_x)
     t18 = multiply(t15, t14, w2)
     t20 = multiply(t15, t13, w3)
-    divide(x, slant_range, slant_range_D_x)
-    divide(y, slant_range, slant_range_D_y)
+    divide(x, distance, slant_range_D_x)
+    divide(y, distance, slant_range_D_y)
     negative(t18, elevation_D_x)
     negative(t20, elevation_D_y)
-    divide(t11, slant_range, elevation_D_z)
+    divide(t11, distance, elevation_D_z)
     divide(t13, horizontal_distance, bearing_D_x)
     t24 = divide(t14, horizontal_distance, bearing_D_y)
     negative(t24, bearing_D_y)
@@ -903,20 +903,20 @@ def _noise_covariance_of_numbers(
     bearing_deviation: float,
     form: Form = Double,
 ) -> tuple[float, ...]:
-    t5 = form.cos(elevation)
-    t6 = form.sin(elevation)
+    t6 = form.cos(elevation)
+    t7 = form.sin(elevation)
     t8 = form.cos(bearing)
     t9 = form.sin(bearing)
-    t10 = slant_range * elevation_deviation
-    t12 = (slant_range * t5) * bearing_deviation
-    t13 = t5 * range_deviation
-    t14 = t6 * t10
-    t17 = (t13 * t13) + (t14 * t14)
+    t11 = slant_range * elevation_deviation
+    t12 = (slant_range * t6) * bearing_deviation
+    t13 = t6 * range_deviation
+    t15 = t7 * t11
+    t17 = (t13 * t13) + (t15 * t15)
     t18 = t12 * t12
-    t19 = t6 * range_deviation
-    t20 = t5 * t10
-    t24 = (range_deviation * range_deviation) - (t10 * t10)
-    t25 = (t5 * t6) * t24
+    t19 = t7 * range_deviation
+    t20 = t6 * t11
+    t24 = (range_deviation * range_deviation) - (t11 * t11)
+    t25 = (t6 * t7) * t24
     t26 = t9 * t9
     t27 = t8 * t8
     t30 = (t26 * t17) + (t27 * t18)
@@ -936,29 +936,29 @@ def _noise_covariance_block(given: Arrays, out: Arrays, work: Arrays, _single: b
     sin_elevation = sin(elevation, w1)
     cos_bearing = cos(bearing, w2)
     sin_bearing = sin(bearing, w3)
-    t10 = multiply(slant_range, elevation_deviation, w4)
-    t11 = multiply(slant_range, cos_elevation, w5)
-    t12 = multiply(t11, bearing_deviation, w5)
+    t10 = multiply(slant_range, cos_elevation, w4)
+    t11 = multiply(slant_range, elevation_deviation, w5)
+    t12 = multiply(t10, bearing_deviation, w4)
     t13 = multiply(cos_elevation, range_deviation, w6)
-    t14 = multiply(sin_elevation, t10, w7)
-    t15 = square(t13, w6)
-    t16 = square(t14, w7)
-    t17 = add(t15, t16, w6)
-    t18 = square(t12, w5)
+    t14 = square(t13, w6)
+    t15 = multiply(sin_elevation, t11, w7)
+    t16 = square(t15, w7)
+    t17 = add(t14, t16, w6)
+    t18 = square(t12, w4)
     t19 = multiply(sin_elevation, range_deviation, w7)
-    t20 = multiply(cos_elevation, t10, w8)
+    t20 = multiply(cos_elevation, t11, w8)
     t21 = multiply(cos_elevation, sin_elevation, w0)
     t22 = square(range_deviation, w1)
-    t23 = square(t10, w4)
+    t23 = square(t11, w5)
     t24 = subtract(t22, t23, w1)
     t25 = multiply(t21, t24, w0)
     t26 = square(sin_bearing, w1)
-    t27 = square(cos_bearing, w4)
+    t27 = square(cos_bearing, w5)
     t28 = multiply(t26, t17, w9)
     t29 = multiply(t27, t18, w10)
     t31 = multiply(sin_bearing, cos_bearing, w11)
     t32 = subtract(t17, t18, w12)
-    t35 = multiply(t27, t17, w4)
+    t35 = multiply(t27, t17, w5)
     t36 = multiply(t26, t18, w1)
     t39 = square(t19, w7)
     t40 = square(t20, w8)
@@ -1119,10 +1119,10 @@ def _mean_of_converted_of_numbers(
     t12 = slant_range * form.sin(elevation)
     t13 = elevation_deviation * elevation_deviation
     t16 = -t13 * 0.5
-    t17 = bearing_deviation * bearing_deviation
-    t20 = -(t13 + t17) * 0.5
-    t22 = form.exp(t20)
-    t24 = form.expm1(t20)
+    t18 = bearing_deviation * bearing_deviation
+    t21 = -(t13 + t18) * 0.5
+    t22 = form.exp(t21)
+    t24 = form.expm1(t21)
     t25 = t10 * t22
     t26 = t11 * t22
     t27 = t12 * form.exp(t16)
@@ -1149,14 +1149,14 @@ def _mean_of_converted_block(
     t13 = square(elevation_deviation, w2)
     t14 = negative(t13, w4)
     t16 = multiply(t14, n0, w4)
-    t17 = square(bearing_deviation, w5)
-    t18 = add(t13, t17, w2)
-    t19 = negative(t18, w2)
-    t20 = multiply(t19, n0, w2)
     kept_upwards = exp(t16, w5)
-    kept_level = exp(t20, w6)
+    t18 = square(bearing_deviation, w6)
+    t19 = add(t13, t18, w2)
+    t20 = negative(t19, w2)
+    t21 = multiply(t20, n0, w2)
+    kept_level = exp(t21, w6)
     change_upwards = expm1(t16, w4)
-    change_level = expm1(t20, w2)
+    change_level = expm1(t21, w2)
     multiply(t10, kept_level, mean_x)
     multiply(t11, kept_level, mean_y)
     multiply(t12, kept_upwards, mean_z)
@@ -1328,23 +1328,23 @@ def _straight_course_rates_of_numbers(
     velocity_z: float,
     form: Form = Double,
 ) -> tuple[float, ...]:
-    t6 = form.sqrt((x * x) + (y * y))
-    t10 = form.sqrt((t6 * t6) + (z * z))
-    t15 = z / t10
-    t16 = y / t6
-    t17 = x / t6
-    t20 = (t17 * velocity_x) + (t16 * velocity_y)
-    t25 = ((x / t10) * velocity_x) + ((y / t10) * velocity_y)
+    t9 = form.sqrt((x * x) + (y * y))
+    t13 = form.sqrt((t9 * t9) + (z * z))
+    t15 = z / t13
+    t16 = y / t9
+    t17 = x / t9
+    t22 = (t17 * velocity_x) + (t16 * velocity_y)
+    t25 = ((x / t13) * velocity_x) + ((y / t13) * velocity_y)
     t27 = t25 + (t15 * velocity_z)
-    t30 = ((t6 / t10) * velocity_z) - (t15 * t20)
+    t30 = ((t9 / t13) * velocity_z) - (t15 * t22)
     t33 = (t16 * velocity_x) - (t17 * velocity_y)
-    t34 = t30 / t10
-    t35 = t33 / t6
-    t47 = (((t27 / t10) * 2.0) * t34) + (t15 * (t35 * (t33 / t10)))
-    t40 = ((t30 * t30) + (t33 * t33)) / t10
+    t34 = t30 / t13
+    t35 = t33 / t9
+    t47 = (((t27 / t13) * 2.0) * t34) + (t15 * (t35 * (t33 / t13)))
+    t40 = ((t30 * t30) + (t33 * t33)) / t13
     t48 = -t47
-    t52 = -((t35 * 2.0) * (t20 / t6))
-    if not t6 >= (0.0010000000474974513 if form.single else 1e-20):
+    t52 = -((t35 * 2.0) * (t22 / t9))
+    if not t9 >= (0.0010000000474974513 if form.single else 1e-20):
         raise ValueError
     return (t27, t34, t35, t40, t48, t52)
 
@@ -1362,50 +1362,50 @@ def _straight_course_rates_block(
         bearing_acceleration,
     ) = out
     w0, w1, w2, w3 = work
-    t3 = square(x, w0)
-    t4 = square(y, w1)
-    t5 = add(t3, t4, w0)
-    horizontal_distance = sqrt(t5, range_acceleration)
-    t7 = square(horizontal_distance, w0)
-    t8 = square(z, w1)
-    t9 = add(t7, t8, w0)
-    slant_range = sqrt(t9, elevation_acceleration)
-    t14 = divide(horizontal_distance, slant_range, elevation_rate)
-    t15 = divide(z, slant_range, bearing_acceleration)
+    t6 = square(x, w0)
+    t7 = square(y, w1)
+    t8 = add(t6, t7, w0)
+    horizontal_distance = sqrt(t8, range_acceleration)
+    t10 = square(horizontal_distance, w0)
+    t11 = square(z, w1)
+    t12 = add(t10, t11, w0)
+    distance = sqrt(t12, elevation_acceleration)
+    t14 = divide(horizontal_distance, distance, elevation_rate)
+    t15 = divide(z, distance, bearing_acceleration)
     t16 = divide(y, horizontal_distance, bearing_rate)
     t17 = divide(x, horizontal_distance, w0)
-    t18 = multiply(t17, velocity_x, w1)
-    t19 = multiply(t16, velocity_y, w2)
-    t20 = add(t18, t19, w1)
-    t21 = divide(x, slant_range, range_rate)
-    t22 = multiply(t21, velocity_x, range_rate)
-    t23 = divide(y, slant_range, w2)
-    t24 = multiply(t23, velocity_y, w2)
-    t25 = add(t22, t24, range_rate)
-    t26 = multiply(t15, velocity_z, w2)
+    t18 = divide(x, distance, range_rate)
+    t19 = divide(y, distance, w1)
+    t20 = multiply(t17, velocity_x, w2)
+    t21 = multiply(t16, velocity_y, w3)
+    t22 = add(t20, t21, w2)
+    t23 = multiply(t18, velocity_x, range_rate)
+    t24 = multiply(t19, velocity_y, w1)
+    t25 = add(t23, t24, range_rate)
+    t26 = multiply(t15, velocity_z, w1)
     add(t25, t26, range_rate)
     t28 = multiply(t14, velocity_z, elevation_rate)
-    t29 = multiply(t15, t20, w2)
-    t30 = subtract(t28, t29, w2)
+    t29 = multiply(t15, t22, w1)
+    t30 = subtract(t28, t29, w1)
     t31 = multiply(t16, velocity_x, bearing_rate)
     t32 = multiply(t17, velocity_y, w0)
     t33 = subtract(t31, t32, w0)
-    divide(t30, slant_range, elevation_rate)
+    divide(t30, distance, elevation_rate)
     divide(t33, horizontal_distance, bearing_rate)
-    t36 = divide(t33, slant_range, w3)
-    t37 = square(t30, w2)
+    t36 = divide(t33, distance, w3)
+    t37 = square(t30, w1)
     t38 = square(t33, w0)
-    t39 = add(t37, t38, w2)
-    t41 = divide(range_rate, slant_range, w0)
+    t39 = add(t37, t38, w1)
+    t41 = divide(range_rate, distance, w0)
     t43 = multiply(t41, n0, w0)
     t44 = multiply(t43, elevation_rate, w0)
     t45 = multiply(bearing_rate, t36, w3)
     t46 = multiply(t15, t45, bearing_acceleration)
     t47 = add(t44, t46, w0)
     t49 = multiply(bearing_rate, n0, w3)
-    t50 = divide(t20, horizontal_distance, w1)
+    t50 = divide(t22, horizontal_distance, w2)
     t51 = multiply(t49, t50, w3)
-    divide(t39, slant_range, range_acceleration)
+    divide(t39, distance, range_acceleration)
     negative(t47, elevation_acceleration)
     negative(t51, bearing_acceleration)
 
@@ -1416,10 +1416,10 @@ def _straight_course_rates_horizontal_distance_block(
     x, y, _z, _velocity_x, _velocity_y, _velocity_z = given
     (horizontal_distance,) = out
     w0, w1 = work
-    t3 = square(x, w0)
-    t4 = square(y, w1)
-    t5 = add(t3, t4, w0)
-    sqrt(t5, horizontal_distance)
+    t6 = square(x, w0)
+    t7 = square(y, w1)
+    t8 = add(t6, t7, w0)
+    sqrt(t8, horizontal_distance)
 
 
 _STRAIGHT_COURSE_RATES = Signature(
@@ -1711,9 +1711,9 @@ def _cartesian_derivatives_in_plane_of_numbers(
 ) -> tuple[float, ...]:
     t2 = form.cos(bearing)
     t3 = form.sin(bearing)
-    t4 = slant_range * t2
+    t5 = slant_range * t2
     t6 = -(slant_range * t3)
-    return (t3, t4, t2, t6)
+    return (t3, t5, t2, t6)
 
 
 def _cartesian_derivatives_in_plane_block(
@@ -1723,9 +1723,9 @@ def _cartesian_derivatives_in_plane_block(
     x_D_slant_range, x_D_bearing, y_D_slant_range, y_D_bearing = out
     cos(bearing, y_D_slant_range)
     sin(bearing, x_D_slant_range)
-    t5 = multiply(slant_range, x_D_slant_range, y_D_bearing)
+    t4 = multiply(slant_range, x_D_slant_range, y_D_bearing)
     multiply(slant_range, y_D_slant_range, x_D_bearing)
-    negative(t5, y_D_bearing)
+    negative(t4, y_D_bearing)
 
 
 _CARTESIAN_DERIVATIVES_IN_PLANE = Signature(
@@ -1809,13 +1809,13 @@ def _polar_derivatives_in_plane_of_numbers(
     form: Form = Double,
 ) -> tuple[float, ...]:
     t5 = form.sqrt((x * x) + (y * y))
-    t6 = x / t5
-    t7 = y / t5
-    t8 = t7 / t5
-    t10 = -(t6 / t5)
+    t6 = y / t5
+    t7 = x / t5
+    t8 = t6 / t5
+    t10 = -(t7 / t5)
     if not t5 >= (0.0010000000474974513 if form.single else 1e-20):
         raise ValueError
-    return (t6, t7, t8, t10)
+    return (t7, t6, t8, t10)
 
 
 def _polar_derivatives_in_plane_block(
@@ -1828,8 +1828,8 @@ def _polar_derivatives_in_plane_block(
     t3 = square(y, w1)
     t4 = add(t2, t3, w0)
     slant_range = sqrt(t4, bearing_D_x)
-    divide(x, slant_range, slant_range_D_x)
     divide(y, slant_range, slant_range_D_y)
+    divide(x, slant_range, slant_range_D_x)
     t9 = divide(slant_range_D_x, slant_range, bearing_D_y)
     divide(slant_range_D_y, slant_range, bearing_D_x)
     negative(t9, bearing_D_y)
@@ -2255,10 +2255,10 @@ def _straight_course_rates_in_plane_of_numbers(
     form: Form = Double,
 ) -> tuple[float, ...]:
     t7 = form.sqrt((x * x) + (y * y))
-    t8 = x / t7
-    t9 = y / t7
-    t12 = (t8 * velocity_x) + (t9 * velocity_y)
-    t15 = (t9 * velocity_x) - (t8 * velocity_y)
+    t8 = y / t7
+    t9 = x / t7
+    t12 = (t9 * velocity_x) + (t8 * velocity_y)
+    t15 = (t8 * velocity_x) - (t9 * velocity_y)
     t16 = t15 / t7
     t18 = (t15 * t15) / t7
     t23 = -((t16 * 2.0) * (t12 / t7))
@@ -2277,13 +2277,13 @@ def _straight_course_rates_in_plane_block(
     t5 = square(y, w1)
     t6 = add(t4, t5, w0)
     slant_range = sqrt(t6, bearing_acceleration)
-    t8 = divide(x, slant_range, bearing_rate)
-    t9 = divide(y, slant_range, range_acceleration)
-    t10 = multiply(t8, velocity_x, w0)
-    t11 = multiply(t9, velocity_y, w1)
+    t8 = divide(y, slant_range, bearing_rate)
+    t9 = divide(x, slant_range, range_acceleration)
+    t10 = multiply(t9, velocity_x, w0)
+    t11 = multiply(t8, velocity_y, w1)
     add(t10, t11, range_rate)
-    t13 = multiply(t9, velocity_x, range_acceleration)
-    t14 = multiply(t8, velocity_y, bearing_rate)
+    t13 = multiply(t8, velocity_x, bearing_rate)
+    t14 = multiply(t9, velocity_y, range_acceleration)
     t15 = subtract(t13, t14, range_acceleration)
     divide(t15, slant_range, bearing_rate)
     t17 = square(t15, range_acceleration)

@@ -514,9 +514,9 @@ def _slant_range_block(given: Arrays, out: Arrays, work: Arrays, _single: bool) 
     place_z = subtract(target_z, station_z, w2)
     t9 = square(place_x, w0)
     t10 = square(place_y, w1)
-    t11 = square(place_z, w2)
-    t12 = add(t9, t10, w0)
-    t13 = add(t12, t11, w0)
+    t11 = add(t9, t10, w0)
+    t12 = square(place_z, w2)
+    t13 = add(t11, t12, w0)
     sqrt(t13, slant_range)
 
 
@@ -529,9 +529,9 @@ def _slant_range_slant_range_block(given: Arrays, out: Arrays, work: Arrays, _si
     place_z = subtract(target_z, station_z, w2)
     t9 = square(place_x, w0)
     t10 = square(place_y, w1)
-    t11 = square(place_z, w2)
-    t12 = add(t9, t10, w0)
-    t13 = add(t12, t11, w0)
+    t11 = add(t9, t10, w0)
+    t12 = square(place_z, w2)
+    t13 = add(t11, t12, w0)
     sqrt(t13, slant_range)
 
 
@@ -679,15 +679,15 @@ def _range_jacobian_of_numbers(
 def _range_jacobian_block(given: Arrays, out: Arrays, work: Arrays, _single: bool) -> None:
     target_x, target_y, target_z, station_x, station_y, station_z = given
     range_D_x, range_D_y, range_D_z = out
-    w0, w1, w2, w3, w4, w5 = work
+    w0, w1, w2, w3, w4 = work
     place_x = subtract(target_x, station_x, w0)
     place_y = subtract(target_y, station_y, w1)
     place_z = subtract(target_z, station_z, w2)
     t9 = square(place_x, w3)
     t10 = square(place_y, w4)
-    t11 = square(place_z, w5)
-    t12 = add(t9, t10, w3)
-    t13 = add(t12, t11, w3)
+    t11 = add(t9, t10, w3)
+    t12 = square(place_z, w4)
+    t13 = add(t11, t12, w3)
     slant_range = sqrt(t13, range_D_z)
     divide(place_x, slant_range, range_D_x)
     divide(place_y, slant_range, range_D_y)
@@ -705,9 +705,9 @@ def _range_jacobian_slant_range_block(
     place_z = subtract(target_z, station_z, w2)
     t9 = square(place_x, w0)
     t10 = square(place_y, w1)
-    t11 = square(place_z, w2)
-    t12 = add(t9, t10, w0)
-    t13 = add(t12, t11, w0)
+    t11 = add(t9, t10, w0)
+    t12 = square(place_z, w2)
+    t13 = add(t11, t12, w0)
     sqrt(t13, slant_range)
 
 
@@ -722,7 +722,7 @@ _RANGE_JACOBIAN = Signature(
         _STATION_Z_DOMAIN,
     ),
     ("range_D_x", "range_D_y", "range_D_z"),
-    6,
+    5,
     _range_jacobian_block,
     (
         Required(
@@ -902,8 +902,8 @@ def _range_rate_of_numbers(
     t17 = target_velocity_z - station_velocity_z
     t22 = ((t12 * t12) + (t13 * t13)) + (t14 * t14)
     t23 = form.sqrt(t22)
-    t30 = ((t12 / t23) * t15) + ((t13 / t23) * t16)
-    t31 = t30 + ((t14 / t23) * t17)
+    t29 = ((t12 / t23) * t15) + ((t13 / t23) * t16)
+    t31 = t29 + ((t14 / t23) * t17)
     if not t23 >= (9.999999974752427e-07 if form.single else 1e-20):
         raise ValueError
     return (t31,)
@@ -925,7 +925,7 @@ def _range_rate_block(given: Arrays, out: Arrays, work: Arrays, _single: bool) -
         station_velocity_z,
     ) = given
     (range_rate,) = out
-    w0, w1, w2, w3, w4, w5, w6, w7, w8 = work
+    w0, w1, w2, w3, w4, w5, w6, w7 = work
     place_x = subtract(target_x, station_x, w0)
     place_y = subtract(target_y, station_y, w1)
     place_z = subtract(target_z, station_z, w2)
@@ -934,18 +934,18 @@ def _range_rate_block(given: Arrays, out: Arrays, work: Arrays, _single: bool) -
     velocity_z = subtract(target_velocity_z, station_velocity_z, w5)
     t18 = square(place_x, w6)
     t19 = square(place_y, w7)
-    t20 = square(place_z, w8)
-    t21 = add(t18, t19, w6)
-    t22 = add(t21, t20, w6)
+    t20 = add(t18, t19, w6)
+    t21 = square(place_z, w7)
+    t22 = add(t20, t21, w6)
     slant_range = sqrt(t22, range_rate)
     t24 = divide(place_x, slant_range, w0)
     t25 = divide(place_y, slant_range, w1)
     t27 = multiply(t24, velocity_x, w0)
     t28 = multiply(t25, velocity_y, w1)
-    t30 = add(t27, t28, w0)
+    t29 = add(t27, t28, w0)
     t26 = divide(place_z, slant_range, range_rate)
-    t29 = multiply(t26, velocity_z, range_rate)
-    add(t30, t29, range_rate)
+    t30 = multiply(t26, velocity_z, range_rate)
+    add(t29, t30, range_rate)
 
 
 def _range_rate_slant_range_block(given: Arrays, out: Arrays, work: Arrays, _single: bool) -> None:
@@ -970,9 +970,9 @@ def _range_rate_slant_range_block(given: Arrays, out: Arrays, work: Arrays, _sin
     place_z = subtract(target_z, station_z, w2)
     t18 = square(place_x, w0)
     t19 = square(place_y, w1)
-    t20 = square(place_z, w2)
-    t21 = add(t18, t19, w0)
-    t22 = add(t21, t20, w0)
+    t20 = add(t18, t19, w0)
+    t21 = square(place_z, w2)
+    t22 = add(t20, t21, w0)
     sqrt(t22, slant_range)
 
 
@@ -993,7 +993,7 @@ _RANGE_RATE = Signature(
         _STATION_VELOCITY_Z_DOMAIN,
     ),
     ("range_rate",),
-    9,
+    8,
     _range_rate_block,
     (
         Required(
@@ -1250,7 +1250,7 @@ def _range_rate_jacobian_block(given: Arrays, out: Arrays, work: Arrays, _single
         range_rate_D_velocity_y,
         range_rate_D_velocity_z,
     ) = out
-    w0, w1, w2, w3, w4, w5, w6, w7, w8 = work
+    w0, w1, w2, w3, w4, w5, w6, w7 = work
     place_x = subtract(target_x, station_x, w0)
     place_y = subtract(target_y, station_y, w1)
     place_z = subtract(target_z, station_z, w2)
@@ -1259,18 +1259,18 @@ def _range_rate_jacobian_block(given: Arrays, out: Arrays, work: Arrays, _single
     velocity_z = subtract(target_velocity_z, station_velocity_z, w5)
     t18 = square(place_x, w6)
     t19 = square(place_y, w7)
-    t20 = square(place_z, w8)
-    t21 = add(t18, t19, w6)
-    t22 = add(t21, t20, w6)
+    t20 = add(t18, t19, w6)
+    t21 = square(place_z, w7)
+    t22 = add(t20, t21, w6)
     slant_range = sqrt(t22, range_rate_D_z)
     divide(place_x, slant_range, range_rate_D_velocity_x)
     divide(place_y, slant_range, range_rate_D_velocity_y)
     divide(place_z, slant_range, range_rate_D_velocity_z)
     t27 = multiply(range_rate_D_velocity_x, velocity_x, w0)
     t28 = multiply(range_rate_D_velocity_y, velocity_y, w1)
-    t29 = multiply(range_rate_D_velocity_z, velocity_z, w2)
-    t30 = add(t27, t28, w0)
-    range_rate = add(t30, t29, w0)
+    t29 = add(t27, t28, w0)
+    t30 = multiply(range_rate_D_velocity_z, velocity_z, w1)
+    range_rate = add(t29, t30, w0)
     t32 = multiply(range_rate, range_rate_D_velocity_x, w1)
     t33 = subtract(velocity_x, t32, w3)
     t35 = multiply(range_rate, range_rate_D_velocity_y, w1)
@@ -1306,9 +1306,9 @@ def _range_rate_jacobian_slant_range_block(
     place_z = subtract(target_z, station_z, w2)
     t18 = square(place_x, w0)
     t19 = square(place_y, w1)
-    t20 = square(place_z, w2)
-    t21 = add(t18, t19, w0)
-    t22 = add(t21, t20, w0)
+    t20 = add(t18, t19, w0)
+    t21 = square(place_z, w2)
+    t22 = add(t20, t21, w0)
     sqrt(t22, slant_range)
 
 
@@ -1336,7 +1336,7 @@ _RANGE_RATE_JACOBIAN = Signature(
         "range_rate_D_velocity_y",
         "range_rate_D_velocity_z",
     ),
-    9,
+    8,
     _range_rate_jacobian_block,
     (
         Required(
@@ -1607,7 +1607,7 @@ def _range_doppler_block(given: Arrays, out: Arrays, work: Arrays, _single: bool
         range_rate_D_y,
         range_rate_D_z,
     ) = out
-    w0, w1, w2, w3, w4, w5, w6, w7, w8 = work
+    w0, w1, w2, w3, w4, w5, w6, w7 = work
     place_x = subtract(target_x, station_x, w0)
     place_y = subtract(target_y, station_y, w1)
     place_z = subtract(target_z, station_z, w2)
@@ -1616,18 +1616,18 @@ def _range_doppler_block(given: Arrays, out: Arrays, work: Arrays, _single: bool
     velocity_z = subtract(target_velocity_z, station_velocity_z, w5)
     t18 = square(place_x, w6)
     t19 = square(place_y, w7)
-    t20 = square(place_z, w8)
-    t21 = add(t18, t19, w6)
-    t22 = add(t21, t20, w6)
+    t20 = add(t18, t19, w6)
+    t21 = square(place_z, w7)
+    t22 = add(t20, t21, w6)
     sqrt(t22, slant_range)
     divide(place_x, slant_range, range_D_x)
     divide(place_y, slant_range, range_D_y)
     divide(place_z, slant_range, range_D_z)
     t27 = multiply(range_D_x, velocity_x, w0)
     t28 = multiply(range_D_y, velocity_y, w1)
-    t29 = multiply(range_D_z, velocity_z, w2)
-    t30 = add(t27, t28, w0)
-    add(t30, t29, range_rate)
+    t29 = add(t27, t28, w0)
+    t30 = multiply(range_D_z, velocity_z, w1)
+    add(t29, t30, range_rate)
     t32 = multiply(range_rate, range_D_x, w0)
     t33 = subtract(velocity_x, t32, w3)
     t35 = multiply(range_rate, range_D_y, w0)
@@ -1663,9 +1663,9 @@ def _range_doppler_slant_range_block(
     place_z = subtract(target_z, station_z, w2)
     t18 = square(place_x, w0)
     t19 = square(place_y, w1)
-    t20 = square(place_z, w2)
-    t21 = add(t18, t19, w0)
-    t22 = add(t21, t20, w0)
+    t20 = add(t18, t19, w0)
+    t21 = square(place_z, w2)
+    t22 = add(t20, t21, w0)
     sqrt(t22, slant_range)
 
 
@@ -1695,7 +1695,7 @@ _RANGE_DOPPLER = Signature(
         "range_rate_D_y",
         "range_rate_D_z",
     ),
-    9,
+    8,
     _range_doppler_block,
     (
         Required(
@@ -1860,9 +1860,9 @@ def _range_hessian_block(given: Arrays, out: Arrays, work: Arrays, _single: bool
     place_z = subtract(target_z, station_z, w2)
     t9 = square(place_x, w3)
     t10 = square(place_y, w4)
-    t11 = square(place_z, w5)
-    t12 = add(t9, t10, w3)
-    t13 = add(t12, t11, w3)
+    t11 = add(t9, t10, w3)
+    t12 = square(place_z, w4)
+    t13 = add(t11, t12, w3)
     slant_range = sqrt(t13, range_D_zz)
     t15 = divide(place_x, slant_range, range_D_xx)
     t16 = divide(place_y, slant_range, range_D_xy)
@@ -1898,9 +1898,9 @@ def _range_hessian_slant_range_block(
     place_z = subtract(target_z, station_z, w2)
     t9 = square(place_x, w0)
     t10 = square(place_y, w1)
-    t11 = square(place_z, w2)
-    t12 = add(t9, t10, w0)
-    t13 = add(t12, t11, w0)
+    t11 = add(t9, t10, w0)
+    t12 = square(place_z, w2)
+    t13 = add(t11, t12, w0)
     sqrt(t13, slant_range)
 
 
@@ -2208,18 +2208,18 @@ def _range_rate_hessian_block(
     velocity_z = subtract(target_velocity_z, station_velocity_z, w5)
     t18 = square(place_x, w6)
     t19 = square(place_y, w7)
-    t20 = square(place_z, w8)
-    t21 = add(t18, t19, w6)
-    t22 = add(t21, t20, w6)
+    t20 = add(t18, t19, w6)
+    t21 = square(place_z, w7)
+    t22 = add(t20, t21, w6)
     slant_range = sqrt(t22, range_rate_D_zz)
     t24 = divide(place_x, slant_range, range_rate_D_xx)
     t25 = divide(place_y, slant_range, range_rate_D_xy)
     t26 = divide(place_z, slant_range, range_rate_D_xz)
     t27 = multiply(t24, velocity_x, w0)
     t28 = multiply(t25, velocity_y, w1)
-    t29 = multiply(t26, velocity_z, w2)
-    t30 = add(t27, t28, w0)
-    range_rate = add(t30, t29, w0)
+    t29 = add(t27, t28, w0)
+    t30 = multiply(t26, velocity_z, w1)
+    range_rate = add(t29, t30, w0)
     t32 = multiply(range_rate, t24, w1)
     t33 = subtract(velocity_x, t32, w3)
     turning_x = divide(t33, slant_range, range_rate_D_yy)
@@ -2307,9 +2307,9 @@ def _range_rate_hessian_slant_range_block(
     place_z = subtract(target_z, station_z, w2)
     t18 = square(place_x, w0)
     t19 = square(place_y, w1)
-    t20 = square(place_z, w2)
-    t21 = add(t18, t19, w0)
-    t22 = add(t21, t20, w0)
+    t20 = add(t18, t19, w0)
+    t21 = square(place_z, w2)
+    t22 = add(t20, t21, w0)
     sqrt(t22, slant_range)
 
 
@@ -2565,29 +2565,29 @@ def _doppler_shift_of_numbers(
     carrier_frequency: float,
     form: Form = Double,
 ) -> tuple[float, ...]:
-    t12 = target_x - station_x
-    t13 = target_y - station_y
-    t14 = target_z - station_z
-    t15 = target_velocity_x - station_velocity_x
-    t16 = target_velocity_y - station_velocity_y
-    t17 = target_velocity_z - station_velocity_z
-    t22 = ((t12 * t12) + (t13 * t13)) + (t14 * t14)
-    t23 = form.sqrt(t22)
-    t24 = t12 / t23
-    t25 = t13 / t23
-    t26 = t14 / t23
-    t30 = -(carrier_frequency / 299792458.0)
-    t35 = ((t24 * t15) + (t25 * t16)) + (t26 * t17)
-    t36 = t35 * t30
-    t46 = ((t15 - (t35 * t24)) / t23) * t30
-    t47 = ((t16 - (t35 * t25)) / t23) * t30
-    t48 = ((t17 - (t35 * t26)) / t23) * t30
-    t49 = t24 * t30
-    t50 = t25 * t30
-    t51 = t26 * t30
-    if not t23 >= (9.999999974752427e-07 if form.single else 1e-20):
+    t13 = target_x - station_x
+    t14 = target_y - station_y
+    t15 = target_z - station_z
+    t16 = target_velocity_x - station_velocity_x
+    t17 = target_velocity_y - station_velocity_y
+    t18 = target_velocity_z - station_velocity_z
+    t23 = ((t13 * t13) + (t14 * t14)) + (t15 * t15)
+    t24 = form.sqrt(t23)
+    t25 = t13 / t24
+    t26 = t14 / t24
+    t27 = t15 / t24
+    t32 = ((t25 * t16) + (t26 * t17)) + (t27 * t18)
+    t44 = -(carrier_frequency / 299792458.0)
+    t45 = t32 * t44
+    t46 = ((t16 - (t32 * t25)) / t24) * t44
+    t47 = ((t17 - (t32 * t26)) / t24) * t44
+    t48 = ((t18 - (t32 * t27)) / t24) * t44
+    t49 = t25 * t44
+    t50 = t26 * t44
+    t51 = t27 * t44
+    if not t24 >= (9.999999974752427e-07 if form.single else 1e-20):
         raise ValueError
-    return (t36, t46, t47, t48, t49, t50, t51)
+    return (t45, t46, t47, t48, t49, t50, t51)
 
 
 def _doppler_shift_block(
@@ -2617,45 +2617,45 @@ def _doppler_shift_block(
         doppler_shift_D_velocity_y,
         doppler_shift_D_velocity_z,
     ) = out
-    w0, w1, w2, w3, w4, w5, w6, w7, w8 = work
+    w0, w1, w2, w3, w4, w5, w6, w7 = work
     place_x = subtract(target_x, station_x, w0)
     place_y = subtract(target_y, station_y, w1)
     place_z = subtract(target_z, station_z, w2)
     velocity_x = subtract(target_velocity_x, station_velocity_x, w3)
     velocity_y = subtract(target_velocity_y, station_velocity_y, w4)
     velocity_z = subtract(target_velocity_z, station_velocity_z, w5)
-    t18 = square(place_x, w6)
-    t19 = square(place_y, w7)
-    t20 = square(place_z, w8)
-    t21 = add(t18, t19, w6)
-    t22 = add(t21, t20, w6)
-    slant_range = sqrt(t22, doppler_shift)
-    t24 = divide(place_x, slant_range, doppler_shift_D_velocity_x)
-    t25 = divide(place_y, slant_range, doppler_shift_D_velocity_y)
-    t26 = divide(place_z, slant_range, doppler_shift_D_velocity_z)
-    t29 = divide(carrier_frequency, n0, doppler_shift_D_x)
-    t30 = negative(t29, w0)
-    t31 = multiply(t24, velocity_x, w1)
-    t32 = multiply(t25, velocity_y, w2)
-    t33 = multiply(t26, velocity_z, w6)
-    t34 = add(t31, t32, w1)
-    range_rate = add(t34, t33, w1)
-    t37 = multiply(range_rate, t24, w2)
-    t38 = subtract(velocity_x, t37, w3)
-    turning_x = divide(t38, slant_range, doppler_shift_D_y)
-    t40 = multiply(range_rate, t25, w2)
-    t41 = subtract(velocity_y, t40, w4)
-    turning_y = divide(t41, slant_range, doppler_shift_D_z)
-    t43 = multiply(range_rate, t26, w2)
-    t44 = subtract(velocity_z, t43, w5)
-    turning_z = divide(t44, slant_range, w5)
-    multiply(range_rate, t30, doppler_shift)
-    multiply(turning_x, t30, doppler_shift_D_x)
-    multiply(turning_y, t30, doppler_shift_D_y)
-    multiply(turning_z, t30, doppler_shift_D_z)
-    multiply(t24, t30, doppler_shift_D_velocity_x)
-    multiply(t25, t30, doppler_shift_D_velocity_y)
-    multiply(t26, t30, doppler_shift_D_velocity_z)
+    t19 = square(place_x, w6)
+    t20 = square(place_y, w7)
+    t21 = add(t19, t20, w6)
+    t22 = square(place_z, w7)
+    t23 = add(t21, t22, w6)
+    slant_range = sqrt(t23, doppler_shift)
+    t25 = divide(place_x, slant_range, doppler_shift_D_velocity_x)
+    t26 = divide(place_y, slant_range, doppler_shift_D_velocity_y)
+    t27 = divide(place_z, slant_range, doppler_shift_D_velocity_z)
+    t28 = multiply(t25, velocity_x, w0)
+    t29 = multiply(t26, velocity_y, w1)
+    t30 = add(t28, t29, w0)
+    t31 = multiply(t27, velocity_z, w1)
+    range_rate = add(t30, t31, w0)
+    t33 = multiply(range_rate, t25, w1)
+    t34 = subtract(velocity_x, t33, w3)
+    turning_x = divide(t34, slant_range, doppler_shift_D_x)
+    t36 = multiply(range_rate, t26, w1)
+    t37 = subtract(velocity_y, t36, w4)
+    turning_y = divide(t37, slant_range, doppler_shift_D_y)
+    t39 = multiply(range_rate, t27, w1)
+    t40 = subtract(velocity_z, t39, w5)
+    turning_z = divide(t40, slant_range, doppler_shift_D_z)
+    t43 = divide(carrier_frequency, n0, w1)
+    t44 = negative(t43, w1)
+    multiply(range_rate, t44, doppler_shift)
+    multiply(turning_x, t44, doppler_shift_D_x)
+    multiply(turning_y, t44, doppler_shift_D_y)
+    multiply(turning_z, t44, doppler_shift_D_z)
+    multiply(t25, t44, doppler_shift_D_velocity_x)
+    multiply(t26, t44, doppler_shift_D_velocity_y)
+    multiply(t27, t44, doppler_shift_D_velocity_z)
 
 
 def _doppler_shift_slant_range_block(
@@ -2681,12 +2681,12 @@ def _doppler_shift_slant_range_block(
     place_x = subtract(target_x, station_x, w0)
     place_y = subtract(target_y, station_y, w1)
     place_z = subtract(target_z, station_z, w2)
-    t18 = square(place_x, w0)
-    t19 = square(place_y, w1)
-    t20 = square(place_z, w2)
-    t21 = add(t18, t19, w0)
-    t22 = add(t21, t20, w0)
-    sqrt(t22, slant_range)
+    t19 = square(place_x, w0)
+    t20 = square(place_y, w1)
+    t21 = add(t19, t20, w0)
+    t22 = square(place_z, w2)
+    t23 = add(t21, t22, w0)
+    sqrt(t23, slant_range)
 
 
 _DOPPLER_SHIFT = Signature(
@@ -2715,7 +2715,7 @@ _DOPPLER_SHIFT = Signature(
         "doppler_shift_D_velocity_y",
         "doppler_shift_D_velocity_z",
     ),
-    9,
+    8,
     _doppler_shift_block,
     (
         Required(
@@ -4345,23 +4345,23 @@ def _doppler_shift_in_plane_of_numbers(
     carrier_frequency: float,
     form: Form = Double,
 ) -> tuple[float, ...]:
-    t8 = target_x - station_x
-    t9 = target_y - station_y
-    t10 = target_velocity_x - station_velocity_x
-    t11 = target_velocity_y - station_velocity_y
-    t15 = form.sqrt((t8 * t8) + (t9 * t9))
-    t16 = t8 / t15
-    t17 = t9 / t15
-    t21 = -(carrier_frequency / 299792458.0)
-    t24 = (t16 * t10) + (t17 * t11)
-    t25 = t24 * t21
-    t32 = ((t10 - (t24 * t16)) / t15) * t21
-    t33 = ((t11 - (t24 * t17)) / t15) * t21
-    t34 = t16 * t21
-    t35 = t17 * t21
-    if not t15 >= (9.999999974752427e-07 if form.single else 1e-20):
+    t9 = target_x - station_x
+    t10 = target_y - station_y
+    t11 = target_velocity_x - station_velocity_x
+    t12 = target_velocity_y - station_velocity_y
+    t16 = form.sqrt((t9 * t9) + (t10 * t10))
+    t17 = t9 / t16
+    t18 = t10 / t16
+    t21 = (t17 * t11) + (t18 * t12)
+    t30 = -(carrier_frequency / 299792458.0)
+    t31 = t21 * t30
+    t32 = ((t11 - (t21 * t17)) / t16) * t30
+    t33 = ((t12 - (t21 * t18)) / t16) * t30
+    t34 = t17 * t30
+    t35 = t18 * t30
+    if not t16 >= (9.999999974752427e-07 if form.single else 1e-20):
         raise ValueError
-    return (t25, t32, t33, t34, t35)
+    return (t31, t32, t33, t34, t35)
 
 
 def _doppler_shift_in_plane_block(
@@ -4390,28 +4390,28 @@ def _doppler_shift_in_plane_block(
     place_y = subtract(target_y, station_y, w1)
     velocity_x = subtract(target_velocity_x, station_velocity_x, w2)
     velocity_y = subtract(target_velocity_y, station_velocity_y, w3)
-    t12 = square(place_x, w4)
-    t13 = square(place_y, w5)
-    t14 = add(t12, t13, w4)
-    slant_range = sqrt(t14, doppler_shift)
-    t16 = divide(place_x, slant_range, doppler_shift_D_velocity_x)
-    t17 = divide(place_y, slant_range, doppler_shift_D_velocity_y)
-    t20 = divide(carrier_frequency, n0, doppler_shift_D_x)
-    t21 = negative(t20, w0)
-    t22 = multiply(t16, velocity_x, w1)
-    t23 = multiply(t17, velocity_y, w4)
-    range_rate = add(t22, t23, w1)
-    t26 = multiply(range_rate, t16, w4)
-    t27 = subtract(velocity_x, t26, w2)
-    turning_x = divide(t27, slant_range, doppler_shift_D_y)
-    t29 = multiply(range_rate, t17, w2)
-    t30 = subtract(velocity_y, t29, w3)
-    turning_y = divide(t30, slant_range, w3)
-    multiply(range_rate, t21, doppler_shift)
-    multiply(turning_x, t21, doppler_shift_D_x)
-    multiply(turning_y, t21, doppler_shift_D_y)
-    multiply(t16, t21, doppler_shift_D_velocity_x)
-    multiply(t17, t21, doppler_shift_D_velocity_y)
+    t13 = square(place_x, w4)
+    t14 = square(place_y, w5)
+    t15 = add(t13, t14, w4)
+    slant_range = sqrt(t15, doppler_shift)
+    t17 = divide(place_x, slant_range, doppler_shift_D_velocity_x)
+    t18 = divide(place_y, slant_range, doppler_shift_D_velocity_y)
+    t19 = multiply(t17, velocity_x, w0)
+    t20 = multiply(t18, velocity_y, w1)
+    range_rate = add(t19, t20, w0)
+    t22 = multiply(range_rate, t17, w1)
+    t23 = subtract(velocity_x, t22, w2)
+    turning_x = divide(t23, slant_range, doppler_shift_D_x)
+    t25 = multiply(range_rate, t18, w1)
+    t26 = subtract(velocity_y, t25, w3)
+    turning_y = divide(t26, slant_range, doppler_shift_D_y)
+    t29 = divide(carrier_frequency, n0, w1)
+    t30 = negative(t29, w1)
+    multiply(range_rate, t30, doppler_shift)
+    multiply(turning_x, t30, doppler_shift_D_x)
+    multiply(turning_y, t30, doppler_shift_D_y)
+    multiply(t17, t30, doppler_shift_D_velocity_x)
+    multiply(t18, t30, doppler_shift_D_velocity_y)
 
 
 def _doppler_shift_in_plane_slant_range_block(
@@ -4432,10 +4432,10 @@ def _doppler_shift_in_plane_slant_range_block(
     w0, w1 = work
     place_x = subtract(target_x, station_x, w0)
     place_y = subtract(target_y, station_y, w1)
-    t12 = square(place_x, w0)
-    t13 = square(place_y, w1)
-    t14 = add(t12, t13, w0)
-    sqrt(t14, slant_range)
+    t13 = square(place_x, w0)
+    t14 = square(place_y, w1)
+    t15 = add(t13, t14, w0)
+    sqrt(t15, slant_range)
 
 
 _DOPPLER_SHIFT_IN_PLANE = Signature(
@@ -4763,32 +4763,32 @@ def _bistatic_range_doppler_of_numbers(
     t30 = t18 / t29
     t31 = t19 / t29
     t32 = t20 / t29
-    t33 = target_x - second_station_x
-    t34 = target_y - second_station_y
-    t35 = target_z - second_station_z
-    t36 = target_velocity_x - second_station_velocity_x
-    t37 = target_velocity_y - second_station_velocity_y
-    t38 = target_velocity_z - second_station_velocity_z
-    t43 = ((t33 * t33) + (t34 * t34)) + (t35 * t35)
-    t44 = form.sqrt(t43)
-    t45 = t33 / t44
-    t46 = t34 / t44
-    t47 = t35 / t44
-    t53 = ((t30 * t21) + (t31 * t22)) + (t32 * t23)
-    t58 = ((t45 * t36) + (t46 * t37)) + (t47 * t38)
-    t48 = t29 + t44
-    t59 = t53 + t58
-    t60 = t30 + t45
-    t61 = t31 + t46
-    t62 = t32 + t47
-    t81 = ((t21 - (t53 * t30)) / t29) + ((t36 - (t58 * t45)) / t44)
-    t82 = ((t22 - (t53 * t31)) / t29) + ((t37 - (t58 * t46)) / t44)
-    t83 = ((t23 - (t53 * t32)) / t29) + ((t38 - (t58 * t47)) / t44)
+    t37 = ((t30 * t21) + (t31 * t22)) + (t32 * t23)
+    t47 = target_x - second_station_x
+    t48 = target_y - second_station_y
+    t49 = target_z - second_station_z
+    t50 = target_velocity_x - second_station_velocity_x
+    t51 = target_velocity_y - second_station_velocity_y
+    t52 = target_velocity_z - second_station_velocity_z
+    t57 = ((t47 * t47) + (t48 * t48)) + (t49 * t49)
+    t58 = form.sqrt(t57)
+    t59 = t47 / t58
+    t60 = t48 / t58
+    t61 = t49 / t58
+    t66 = ((t59 * t50) + (t60 * t51)) + (t61 * t52)
+    t76 = t29 + t58
+    t77 = t37 + t66
+    t78 = t30 + t59
+    t79 = t31 + t60
+    t80 = t32 + t61
+    t81 = ((t21 - (t37 * t30)) / t29) + ((t50 - (t66 * t59)) / t58)
+    t82 = ((t22 - (t37 * t31)) / t29) + ((t51 - (t66 * t60)) / t58)
+    t83 = ((t23 - (t37 * t32)) / t29) + ((t52 - (t66 * t61)) / t58)
     if not t29 >= (9.999999974752427e-07 if form.single else 1e-20):
         raise ValueError
-    if not t44 >= (9.999999974752427e-07 if form.single else 1e-20):
+    if not t58 >= (9.999999974752427e-07 if form.single else 1e-20):
         raise ValueError
-    return (t48, t59, t60, t61, t62, t81, t82, t83)
+    return (t76, t77, t78, t79, t80, t81, t82, t83)
 
 
 def _bistatic_range_doppler_block(given: Arrays, out: Arrays, work: Arrays, _single: bool) -> None:
@@ -4822,7 +4822,7 @@ def _bistatic_range_doppler_block(given: Arrays, out: Arrays, work: Arrays, _sin
         bistatic_range_rate_D_y,
         bistatic_range_rate_D_z,
     ) = out
-    w0, w1, w2, w3, w4, w5, w6, w7, w8, w9, w10, w11 = work
+    w0, w1, w2, w3, w4, w5, w6, w7, w8 = work
     place_x = subtract(target_x, first_station_x, w0)
     place_y = subtract(target_y, first_station_y, w1)
     place_z = subtract(target_z, first_station_z, w2)
@@ -4831,61 +4831,61 @@ def _bistatic_range_doppler_block(given: Arrays, out: Arrays, work: Arrays, _sin
     velocity_z = subtract(target_velocity_z, first_station_velocity_z, w5)
     t24 = square(place_x, w6)
     t25 = square(place_y, w7)
-    t26 = square(place_z, w8)
-    t27 = add(t24, t25, w6)
-    t28 = add(t27, t26, w6)
+    t26 = add(t24, t25, w6)
+    t27 = square(place_z, w7)
+    t28 = add(t26, t27, w6)
     slant_range = sqrt(t28, bistatic_range)
     t30 = divide(place_x, slant_range, bistatic_range_D_x)
     t31 = divide(place_y, slant_range, bistatic_range_D_y)
     t32 = divide(place_z, slant_range, bistatic_range_D_z)
-    other_place_x = subtract(target_x, second_station_x, w0)
-    other_place_y = subtract(target_y, second_station_y, w1)
-    other_place_z = subtract(target_z, second_station_z, w2)
-    other_velocity_x = subtract(target_velocity_x, second_station_velocity_x, w6)
-    other_velocity_y = subtract(target_velocity_y, second_station_velocity_y, w7)
-    other_velocity_z = subtract(target_velocity_z, second_station_velocity_z, w8)
-    t39 = square(other_place_x, w9)
-    t40 = square(other_place_y, w10)
-    t41 = square(other_place_z, w11)
-    t42 = add(t39, t40, w9)
-    t43 = add(t42, t41, w9)
-    other_range = sqrt(t43, bistatic_range_rate)
-    t45 = divide(other_place_x, other_range, bistatic_range_rate_D_x)
-    t46 = divide(other_place_y, other_range, bistatic_range_rate_D_y)
-    t47 = divide(other_place_z, other_range, bistatic_range_rate_D_z)
-    t49 = multiply(t30, velocity_x, w0)
-    t50 = multiply(t31, velocity_y, w1)
-    t51 = multiply(t32, velocity_z, w2)
-    t52 = add(t49, t50, w0)
-    range_rate = add(t52, t51, w0)
-    t54 = multiply(t45, other_velocity_x, w1)
-    t55 = multiply(t46, other_velocity_y, w2)
-    t56 = multiply(t47, other_velocity_z, w9)
-    t57 = add(t54, t55, w1)
-    other_range_rate = add(t57, t56, w1)
-    t63 = multiply(range_rate, t30, w2)
-    t64 = subtract(velocity_x, t63, w3)
-    turning_x = divide(t64, slant_range, w3)
-    t66 = multiply(range_rate, t31, w2)
-    t67 = subtract(velocity_y, t66, w4)
-    turning_y = divide(t67, slant_range, w4)
-    t69 = multiply(range_rate, t32, w2)
-    t70 = subtract(velocity_z, t69, w5)
-    turning_z = divide(t70, slant_range, w5)
-    t72 = multiply(other_range_rate, t45, w2)
-    t73 = subtract(other_velocity_x, t72, w6)
-    other_turning_x = divide(t73, other_range, w6)
-    t75 = multiply(other_range_rate, t46, w2)
-    t76 = subtract(other_velocity_y, t75, w7)
-    other_turning_y = divide(t76, other_range, w7)
-    t78 = multiply(other_range_rate, t47, w2)
-    t79 = subtract(other_velocity_z, t78, w8)
-    other_turning_z = divide(t79, other_range, w8)
+    t33 = multiply(t30, velocity_x, w0)
+    t34 = multiply(t31, velocity_y, w1)
+    t35 = add(t33, t34, w0)
+    t36 = multiply(t32, velocity_z, w1)
+    range_rate = add(t35, t36, w0)
+    t38 = multiply(range_rate, t30, w1)
+    t39 = subtract(velocity_x, t38, w3)
+    turning_x = divide(t39, slant_range, bistatic_range_rate_D_x)
+    t41 = multiply(range_rate, t31, w1)
+    t42 = subtract(velocity_y, t41, w4)
+    turning_y = divide(t42, slant_range, bistatic_range_rate_D_y)
+    t44 = multiply(range_rate, t32, w1)
+    t45 = subtract(velocity_z, t44, w5)
+    turning_z = divide(t45, slant_range, bistatic_range_rate_D_z)
+    other_place_x = subtract(target_x, second_station_x, w1)
+    other_place_y = subtract(target_y, second_station_y, w2)
+    other_place_z = subtract(target_z, second_station_z, w3)
+    other_velocity_x = subtract(target_velocity_x, second_station_velocity_x, w4)
+    other_velocity_y = subtract(target_velocity_y, second_station_velocity_y, w5)
+    other_velocity_z = subtract(target_velocity_z, second_station_velocity_z, w6)
+    t53 = square(other_place_x, w7)
+    t54 = square(other_place_y, w8)
+    t55 = add(t53, t54, w7)
+    t56 = square(other_place_z, w8)
+    t57 = add(t55, t56, w7)
+    other_range = sqrt(t57, bistatic_range_rate)
+    t59 = divide(other_place_x, other_range, w1)
+    t60 = divide(other_place_y, other_range, w2)
+    t61 = divide(other_place_z, other_range, w3)
+    t62 = multiply(t59, other_velocity_x, w7)
+    t63 = multiply(t60, other_velocity_y, w8)
+    t64 = add(t62, t63, w7)
+    t65 = multiply(t61, other_velocity_z, w8)
+    other_range_rate = add(t64, t65, w7)
+    t67 = multiply(other_range_rate, t59, w8)
+    t68 = subtract(other_velocity_x, t67, w4)
+    other_turning_x = divide(t68, other_range, w4)
+    t70 = multiply(other_range_rate, t60, w8)
+    t71 = subtract(other_velocity_y, t70, w5)
+    other_turning_y = divide(t71, other_range, w5)
+    t73 = multiply(other_range_rate, t61, w8)
+    t74 = subtract(other_velocity_z, t73, w6)
+    other_turning_z = divide(t74, other_range, w6)
     add(slant_range, other_range, bistatic_range)
     add(range_rate, other_range_rate, bistatic_range_rate)
-    add(t30, t45, bistatic_range_D_x)
-    add(t31, t46, bistatic_range_D_y)
-    add(t32, t47, bistatic_range_D_z)
+    add(t30, t59, bistatic_range_D_x)
+    add(t31, t60, bistatic_range_D_y)
+    add(t32, t61, bistatic_range_D_z)
     add(turning_x, other_turning_x, bistatic_range_rate_D_x)
     add(turning_y, other_turning_y, bistatic_range_rate_D_y)
     add(turning_z, other_turning_z, bistatic_range_rate_D_z)
@@ -4921,9 +4921,9 @@ def _bistatic_range_doppler_slant_range_block(
     place_z = subtract(target_z, first_station_z, w2)
     t24 = square(place_x, w0)
     t25 = square(place_y, w1)
-    t26 = square(place_z, w2)
-    t27 = add(t24, t25, w0)
-    t28 = add(t27, t26, w0)
+    t26 = add(t24, t25, w0)
+    t27 = square(place_z, w2)
+    t28 = add(t26, t27, w0)
     sqrt(t28, slant_range)
 
 
@@ -4955,12 +4955,12 @@ def _bistatic_range_doppler_other_range_block(
     other_place_x = subtract(target_x, second_station_x, w0)
     other_place_y = subtract(target_y, second_station_y, w1)
     other_place_z = subtract(target_z, second_station_z, w2)
-    t39 = square(other_place_x, w0)
-    t40 = square(other_place_y, w1)
-    t41 = square(other_place_z, w2)
-    t42 = add(t39, t40, w0)
-    t43 = add(t42, t41, w0)
-    sqrt(t43, other_range)
+    t53 = square(other_place_x, w0)
+    t54 = square(other_place_y, w1)
+    t55 = add(t53, t54, w0)
+    t56 = square(other_place_z, w2)
+    t57 = add(t55, t56, w0)
+    sqrt(t57, other_range)
 
 
 _BISTATIC_RANGE_DOPPLER = Signature(
@@ -4995,7 +4995,7 @@ _BISTATIC_RANGE_DOPPLER = Signature(
         "bistatic_range_rate_D_y",
         "bistatic_range_rate_D_z",
     ),
-    12,
+    9,
     _bistatic_range_doppler_block,
     (
         Required(
@@ -5328,24 +5328,24 @@ def _range_doppler_difference_of_numbers(
     t42 = t30 / t41
     t43 = t31 / t41
     t44 = t32 / t41
-    t45 = second_station_x - first_station_x
-    t46 = second_station_y - first_station_y
-    t47 = second_station_z - first_station_z
-    t48 = second_station_velocity_x - first_station_velocity_x
-    t49 = second_station_velocity_y - first_station_velocity_y
-    t50 = second_station_velocity_z - first_station_velocity_z
-    t57 = (t45 * (t18 + t30)) + (t46 * (t19 + t31))
-    t60 = (t57 + (t47 * (t20 + t32))) / (t26 + t41)
-    t63 = (t45 - (t60 * t42)) / t26
-    t66 = (t46 - (t60 * t43)) / t26
-    t69 = (t47 - (t60 * t44)) / t26
-    t74 = ((t27 * t48) + (t28 * t49)) + (t29 * t50)
-    t79 = ((t63 * t33) + (t66 * t34)) + (t69 * t35)
-    t80 = t74 + t79
-    t85 = ((t42 * t33) + (t43 * t34)) + (t44 * t35)
-    t100 = ((t48 - (t80 * t27)) - (t85 * t63)) - (t60 * ((t33 - (t85 * t42)) / t41))
-    t107 = ((t49 - (t80 * t28)) - (t85 * t66)) - (t60 * ((t34 - (t85 * t43)) / t41))
-    t114 = ((t50 - (t80 * t29)) - (t85 * t69)) - (t60 * ((t35 - (t85 * t44)) / t41))
+    t49 = ((t42 * t33) + (t43 * t34)) + (t44 * t35)
+    t59 = second_station_x - first_station_x
+    t60 = second_station_y - first_station_y
+    t61 = second_station_z - first_station_z
+    t62 = second_station_velocity_x - first_station_velocity_x
+    t63 = second_station_velocity_y - first_station_velocity_y
+    t64 = second_station_velocity_z - first_station_velocity_z
+    t70 = (t59 * (t18 + t30)) + (t60 * (t19 + t31))
+    t74 = (t70 + (t61 * (t20 + t32))) / (t26 + t41)
+    t77 = (t59 - (t74 * t42)) / t26
+    t80 = (t60 - (t74 * t43)) / t26
+    t83 = (t61 - (t74 * t44)) / t26
+    t88 = ((t27 * t62) + (t28 * t63)) + (t29 * t64)
+    t93 = ((t77 * t33) + (t80 * t34)) + (t83 * t35)
+    t94 = t88 + t93
+    t100 = ((t62 - (t94 * t27)) - (t49 * t77)) - (t74 * ((t33 - (t49 * t42)) / t41))
+    t107 = ((t63 - (t94 * t28)) - (t49 * t80)) - (t74 * ((t34 - (t49 * t43)) / t41))
+    t114 = ((t64 - (t94 * t29)) - (t49 * t83)) - (t74 * ((t35 - (t49 * t44)) / t41))
     t101 = t100 / t26
     t108 = t107 / t26
     t115 = t114 / t26
@@ -5353,7 +5353,7 @@ def _range_doppler_difference_of_numbers(
         raise ValueError
     if not t41 >= (1.0 if form.single else 1e-20):
         raise ValueError
-    return (t60, t80, t63, t66, t69, t101, t108, t115)
+    return (t74, t94, t77, t80, t83, t101, t108, t115)
 
 
 def _range_doppler_difference_block(
@@ -5395,9 +5395,9 @@ def _range_doppler_difference_block(
     place_z = subtract(target_z, first_station_z, w2)
     t21 = square(place_x, w3)
     t22 = square(place_y, w4)
-    t23 = square(place_z, w5)
-    t24 = add(t21, t22, w3)
-    t25 = add(t24, t23, w3)
+    t23 = add(t21, t22, w3)
+    t24 = square(place_z, w4)
+    t25 = add(t23, t24, w3)
     slant_range = sqrt(t25, range_rate_difference_D_z)
     t27 = divide(place_x, slant_range, range_rate_difference_D_x)
     t28 = divide(place_y, slant_range, range_rate_difference_D_y)
@@ -5410,13 +5410,27 @@ def _range_doppler_difference_block(
     other_velocity_z = subtract(target_velocity_z, second_station_velocity_z, w9)
     t36 = square(other_place_x, w10)
     t37 = square(other_place_y, w11)
-    t38 = square(other_place_z, w12)
-    t39 = add(t36, t37, w10)
-    t40 = add(t39, t38, w10)
-    other_range = sqrt(t40, w10)
-    t42 = divide(other_place_x, other_range, w11)
-    t43 = divide(other_place_y, other_range, w12)
-    t44 = divide(other_place_z, other_range, w13)
+    t38 = add(t36, t37, w10)
+    t39 = square(other_place_z, w11)
+    t40 = add(t38, t39, w10)
+    other_range = sqrt(t40, range_difference)
+    t42 = divide(other_place_x, other_range, range_difference_D_x)
+    t43 = divide(other_place_y, other_range, range_difference_D_y)
+    t44 = divide(other_place_z, other_range, range_difference_D_z)
+    t45 = multiply(t42, other_velocity_x, w10)
+    t46 = multiply(t43, other_velocity_y, w11)
+    t47 = add(t45, t46, w10)
+    t48 = multiply(t44, other_velocity_z, w11)
+    other_range_rate = add(t47, t48, w10)
+    t50 = multiply(other_range_rate, t42, w11)
+    t51 = subtract(other_velocity_x, t50, w11)
+    other_turning_x = divide(t51, other_range, w11)
+    t53 = multiply(other_range_rate, t43, w12)
+    t54 = subtract(other_velocity_y, t53, w12)
+    other_turning_y = divide(t54, other_range, w12)
+    t56 = multiply(other_range_rate, t44, w13)
+    t57 = subtract(other_velocity_z, t56, w13)
+    other_turning_z = divide(t57, other_range, w13)
     baseline_x = subtract(second_station_x, first_station_x, w14)
     baseline_y = subtract(second_station_y, first_station_y, w15)
     baseline_z = subtract(second_station_z, first_station_z, w16)
@@ -5426,64 +5440,50 @@ def _range_doppler_difference_block(
     reach_x = add(place_x, other_place_x, w0)
     reach_y = add(place_y, other_place_y, w1)
     reach_z = add(place_z, other_place_z, w2)
-    t54 = multiply(baseline_x, reach_x, w0)
-    t55 = multiply(baseline_y, reach_y, w1)
-    t56 = multiply(baseline_z, reach_z, w2)
-    t57 = add(t54, t55, w0)
-    t58 = add(t57, t56, w0)
-    t59 = add(slant_range, other_range, w1)
-    divide(t58, t59, range_difference)
-    t61 = multiply(range_difference, t42, w0)
-    t62 = subtract(baseline_x, t61, w14)
-    divide(t62, slant_range, range_difference_D_x)
-    t64 = multiply(range_difference, t43, w0)
-    t65 = subtract(baseline_y, t64, w15)
-    divide(t65, slant_range, range_difference_D_y)
-    t67 = multiply(range_difference, t44, w0)
-    t68 = subtract(baseline_z, t67, w16)
-    divide(t68, slant_range, range_difference_D_z)
-    t70 = multiply(t27, drift_x, w0)
-    t71 = multiply(t28, drift_y, w1)
-    t72 = multiply(t29, drift_z, w2)
-    t73 = add(t70, t71, w0)
-    t74 = add(t73, t72, w0)
-    t75 = multiply(range_difference_D_x, other_velocity_x, w1)
-    t76 = multiply(range_difference_D_y, other_velocity_y, w2)
-    t77 = multiply(range_difference_D_z, other_velocity_z, w4)
-    t78 = add(t75, t76, w1)
-    t79 = add(t78, t77, w1)
-    add(t74, t79, range_rate_difference)
-    t81 = multiply(t42, other_velocity_x, w0)
-    t82 = multiply(t43, other_velocity_y, w1)
-    t83 = multiply(t44, other_velocity_z, w2)
-    t84 = add(t81, t82, w0)
-    other_range_rate = add(t84, t83, w0)
-    t86 = multiply(other_range_rate, t42, w11)
-    t87 = subtract(other_velocity_x, t86, w7)
-    other_turning_x = divide(t87, other_range, w7)
-    t89 = multiply(other_range_rate, t43, w12)
-    t90 = subtract(other_velocity_y, t89, w8)
-    other_turning_y = divide(t90, other_range, w8)
-    t92 = multiply(other_range_rate, t44, w13)
-    t93 = subtract(other_velocity_z, t92, w9)
-    other_turning_z = divide(t93, other_range, w9)
+    t68 = multiply(baseline_x, reach_x, w0)
+    t69 = multiply(baseline_y, reach_y, w1)
+    t70 = add(t68, t69, w0)
+    t71 = multiply(baseline_z, reach_z, w2)
+    t72 = add(t70, t71, w0)
+    t73 = add(slant_range, other_range, range_difference)
+    divide(t72, t73, range_difference)
+    t75 = multiply(range_difference, t42, range_difference_D_x)
+    t76 = subtract(baseline_x, t75, w14)
+    divide(t76, slant_range, range_difference_D_x)
+    t78 = multiply(range_difference, t43, range_difference_D_y)
+    t79 = subtract(baseline_y, t78, w15)
+    divide(t79, slant_range, range_difference_D_y)
+    t81 = multiply(range_difference, t44, range_difference_D_z)
+    t82 = subtract(baseline_z, t81, w16)
+    divide(t82, slant_range, range_difference_D_z)
+    t84 = multiply(t27, drift_x, w0)
+    t85 = multiply(t28, drift_y, w1)
+    t86 = add(t84, t85, w0)
+    t87 = multiply(t29, drift_z, w1)
+    t88 = add(t86, t87, w0)
+    t89 = multiply(range_difference_D_x, other_velocity_x, w7)
+    t90 = multiply(range_difference_D_y, other_velocity_y, w8)
+    t91 = add(t89, t90, w7)
+    t92 = multiply(range_difference_D_z, other_velocity_z, w9)
+    t93 = add(t91, t92, w7)
+    add(t88, t93, range_rate_difference)
     t95 = multiply(range_rate_difference, t27, range_rate_difference_D_x)
     t96 = subtract(drift_x, t95, w17)
-    t97 = multiply(other_range_rate, range_difference_D_x, w1)
+    t97 = multiply(other_range_rate, range_difference_D_x, w0)
     t98 = subtract(t96, t97, w17)
-    t99 = multiply(range_difference, other_turning_x, w7)
+    t99 = multiply(range_difference, other_turning_x, w11)
     t100 = subtract(t98, t99, w17)
     t102 = multiply(range_rate_difference, t28, range_rate_difference_D_y)
     t103 = subtract(drift_y, t102, w18)
-    t104 = multiply(other_range_rate, range_difference_D_y, w1)
+    t104 = multiply(other_range_rate, range_difference_D_y, w0)
     t105 = subtract(t103, t104, w18)
-    t106 = multiply(range_difference, other_turning_y, w8)
+    t106 = multiply(range_difference, other_turning_y, w12)
     t107 = subtract(t105, t106, w18)
     t109 = multiply(range_rate_difference, t29, w3)
     t110 = subtract(drift_z, t109, w19)
-    t111 = multiply(other_range_rate, range_difference_D_z, w0)
+    t111 = multiply(other_range_rate, range_difference_D_z, w10)
     t112 = subtract(t110, t111, w19)
-    t113 = multiply(range_difference, other_turning_z, w9)
+    t113 = multiply(range_difference, other_turning_z, w13)
     t114 = subtract(t112, t113, w19)
     divide(t100, slant_range, range_rate_difference_D_x)
     divide(t107, slant_range, range_rate_difference_D_y)
@@ -5520,9 +5520,9 @@ def _range_doppler_difference_slant_range_block(
     place_z = subtract(target_z, first_station_z, w2)
     t21 = square(place_x, w0)
     t22 = square(place_y, w1)
-    t23 = square(place_z, w2)
-    t24 = add(t21, t22, w0)
-    t25 = add(t24, t23, w0)
+    t23 = add(t21, t22, w0)
+    t24 = square(place_z, w2)
+    t25 = add(t23, t24, w0)
     sqrt(t25, slant_range)
 
 
@@ -5556,9 +5556,9 @@ def _range_doppler_difference_other_range_block(
     other_place_z = subtract(target_z, second_station_z, w2)
     t36 = square(other_place_x, w0)
     t37 = square(other_place_y, w1)
-    t38 = square(other_place_z, w2)
-    t39 = add(t36, t37, w0)
-    t40 = add(t39, t38, w0)
+    t38 = add(t36, t37, w0)
+    t39 = square(other_place_z, w2)
+    t40 = add(t38, t39, w0)
     sqrt(t40, other_range)
 
 
@@ -5835,26 +5835,26 @@ def _bistatic_range_doppler_in_plane_of_numbers(
     t19 = form.sqrt((t12 * t12) + (t13 * t13))
     t20 = t12 / t19
     t21 = t13 / t19
-    t22 = target_x - second_station_x
-    t23 = target_y - second_station_y
-    t24 = target_velocity_x - second_station_velocity_x
-    t25 = target_velocity_y - second_station_velocity_y
-    t29 = form.sqrt((t22 * t22) + (t23 * t23))
-    t30 = t22 / t29
-    t31 = t23 / t29
-    t35 = (t20 * t14) + (t21 * t15)
-    t38 = (t30 * t24) + (t31 * t25)
-    t32 = t19 + t29
-    t39 = t35 + t38
-    t40 = t20 + t30
-    t41 = t21 + t31
-    t54 = ((t14 - (t35 * t20)) / t19) + ((t24 - (t38 * t30)) / t29)
-    t55 = ((t15 - (t35 * t21)) / t19) + ((t25 - (t38 * t31)) / t29)
+    t24 = (t20 * t14) + (t21 * t15)
+    t31 = target_x - second_station_x
+    t32 = target_y - second_station_y
+    t33 = target_velocity_x - second_station_velocity_x
+    t34 = target_velocity_y - second_station_velocity_y
+    t38 = form.sqrt((t31 * t31) + (t32 * t32))
+    t39 = t31 / t38
+    t40 = t32 / t38
+    t43 = (t39 * t33) + (t40 * t34)
+    t50 = t19 + t38
+    t51 = t24 + t43
+    t52 = t20 + t39
+    t53 = t21 + t40
+    t54 = ((t14 - (t24 * t20)) / t19) + ((t33 - (t43 * t39)) / t38)
+    t55 = ((t15 - (t24 * t21)) / t19) + ((t34 - (t43 * t40)) / t38)
     if not t19 >= (9.999999974752427e-07 if form.single else 1e-20):
         raise ValueError
-    if not t29 >= (9.999999974752427e-07 if form.single else 1e-20):
+    if not t38 >= (9.999999974752427e-07 if form.single else 1e-20):
         raise ValueError
-    return (t32, t39, t40, t41, t54, t55)
+    return (t50, t51, t52, t53, t54, t55)
 
 
 def _bistatic_range_doppler_in_plane_block(
@@ -5882,7 +5882,7 @@ def _bistatic_range_doppler_in_plane_block(
         bistatic_range_rate_D_x,
         bistatic_range_rate_D_y,
     ) = out
-    w0, w1, w2, w3, w4, w5, w6, w7 = work
+    w0, w1, w2, w3, w4, w5, w6 = work
     place_x = subtract(target_x, first_station_x, w0)
     place_y = subtract(target_y, first_station_y, w1)
     velocity_x = subtract(target_velocity_x, first_station_velocity_x, w2)
@@ -5893,38 +5893,38 @@ def _bistatic_range_doppler_in_plane_block(
     slant_range = sqrt(t18, bistatic_range)
     t20 = divide(place_x, slant_range, bistatic_range_D_x)
     t21 = divide(place_y, slant_range, bistatic_range_D_y)
-    other_place_x = subtract(target_x, second_station_x, w0)
-    other_place_y = subtract(target_y, second_station_y, w1)
-    other_velocity_x = subtract(target_velocity_x, second_station_velocity_x, w4)
-    other_velocity_y = subtract(target_velocity_y, second_station_velocity_y, w5)
-    t26 = square(other_place_x, w6)
-    t27 = square(other_place_y, w7)
-    t28 = add(t26, t27, w6)
-    other_range = sqrt(t28, bistatic_range_rate)
-    t30 = divide(other_place_x, other_range, bistatic_range_rate_D_x)
-    t31 = divide(other_place_y, other_range, bistatic_range_rate_D_y)
-    t33 = multiply(t20, velocity_x, w0)
-    t34 = multiply(t21, velocity_y, w1)
-    range_rate = add(t33, t34, w0)
-    t36 = multiply(t30, other_velocity_x, w1)
-    t37 = multiply(t31, other_velocity_y, w6)
-    other_range_rate = add(t36, t37, w1)
-    t42 = multiply(range_rate, t20, w6)
-    t43 = subtract(velocity_x, t42, w2)
-    turning_x = divide(t43, slant_range, w2)
-    t45 = multiply(range_rate, t21, w6)
-    t46 = subtract(velocity_y, t45, w3)
-    turning_y = divide(t46, slant_range, w3)
-    t48 = multiply(other_range_rate, t30, w6)
-    t49 = subtract(other_velocity_x, t48, w4)
-    other_turning_x = divide(t49, other_range, w4)
-    t51 = multiply(other_range_rate, t31, w6)
-    t52 = subtract(other_velocity_y, t51, w5)
-    other_turning_y = divide(t52, other_range, w5)
+    t22 = multiply(t20, velocity_x, w0)
+    t23 = multiply(t21, velocity_y, w1)
+    range_rate = add(t22, t23, w0)
+    t25 = multiply(range_rate, t20, w1)
+    t26 = subtract(velocity_x, t25, w2)
+    turning_x = divide(t26, slant_range, bistatic_range_rate_D_x)
+    t28 = multiply(range_rate, t21, w1)
+    t29 = subtract(velocity_y, t28, w3)
+    turning_y = divide(t29, slant_range, bistatic_range_rate_D_y)
+    other_place_x = subtract(target_x, second_station_x, w1)
+    other_place_y = subtract(target_y, second_station_y, w2)
+    other_velocity_x = subtract(target_velocity_x, second_station_velocity_x, w3)
+    other_velocity_y = subtract(target_velocity_y, second_station_velocity_y, w4)
+    t35 = square(other_place_x, w5)
+    t36 = square(other_place_y, w6)
+    t37 = add(t35, t36, w5)
+    other_range = sqrt(t37, bistatic_range_rate)
+    t39 = divide(other_place_x, other_range, w1)
+    t40 = divide(other_place_y, other_range, w2)
+    t41 = multiply(t39, other_velocity_x, w5)
+    t42 = multiply(t40, other_velocity_y, w6)
+    other_range_rate = add(t41, t42, w5)
+    t44 = multiply(other_range_rate, t39, w6)
+    t45 = subtract(other_velocity_x, t44, w3)
+    other_turning_x = divide(t45, other_range, w3)
+    t47 = multiply(other_range_rate, t40, w6)
+    t48 = subtract(other_velocity_y, t47, w4)
+    other_turning_y = divide(t48, other_range, w4)
     add(slant_range, other_range, bistatic_range)
     add(range_rate, other_range_rate, bistatic_range_rate)
-    add(t20, t30, bistatic_range_D_x)
-    add(t21, t31, bistatic_range_D_y)
+    add(t20, t39, bistatic_range_D_x)
+    add(t21, t40, bistatic_range_D_y)
     add(turning_x, other_turning_x, bistatic_range_rate_D_x)
     add(turning_y, other_turning_y, bistatic_range_rate_D_y)
 
@@ -5977,10 +5977,10 @@ def _bistatic_range_doppler_in_plane_other_range_block(
     w0, w1 = work
     other_place_x = subtract(target_x, second_station_x, w0)
     other_place_y = subtract(target_y, second_station_y, w1)
-    t26 = square(other_place_x, w0)
-    t27 = square(other_place_y, w1)
-    t28 = add(t26, t27, w0)
-    sqrt(t28, other_range)
+    t35 = square(other_place_x, w0)
+    t36 = square(other_place_y, w1)
+    t37 = add(t35, t36, w0)
+    sqrt(t37, other_range)
 
 
 _BISTATIC_RANGE_DOPPLER_IN_PLANE = Signature(
@@ -6007,7 +6007,7 @@ _BISTATIC_RANGE_DOPPLER_IN_PLANE = Signature(
         "bistatic_range_rate_D_x",
         "bistatic_range_rate_D_y",
     ),
-    8,
+    7,
     _bistatic_range_doppler_in_plane_block,
     (
         Required(
@@ -6262,25 +6262,25 @@ def _range_doppler_difference_in_plane_of_numbers(
     t27 = form.sqrt((t20 * t20) + (t21 * t21))
     t28 = t20 / t27
     t29 = t21 / t27
-    t30 = second_station_x - first_station_x
-    t31 = second_station_y - first_station_y
-    t32 = second_station_velocity_x - first_station_velocity_x
-    t33 = second_station_velocity_y - first_station_velocity_y
-    t38 = (t30 * (t12 + t20)) + (t31 * (t13 + t21))
-    t40 = t38 / (t17 + t27)
-    t43 = (t30 - (t40 * t28)) / t17
-    t46 = (t31 - (t40 * t29)) / t17
-    t53 = ((t18 * t32) + (t19 * t33)) + ((t43 * t22) + (t46 * t23))
-    t56 = (t28 * t22) + (t29 * t23)
-    t68 = ((t32 - (t53 * t18)) - (t56 * t43)) - (t40 * ((t22 - (t56 * t28)) / t27))
-    t75 = ((t33 - (t53 * t19)) - (t56 * t46)) - (t40 * ((t23 - (t56 * t29)) / t27))
+    t32 = (t28 * t22) + (t29 * t23)
+    t39 = second_station_x - first_station_x
+    t40 = second_station_y - first_station_y
+    t41 = second_station_velocity_x - first_station_velocity_x
+    t42 = second_station_velocity_y - first_station_velocity_y
+    t47 = (t39 * (t12 + t20)) + (t40 * (t13 + t21))
+    t49 = t47 / (t17 + t27)
+    t52 = (t39 - (t49 * t28)) / t17
+    t55 = (t40 - (t49 * t29)) / t17
+    t62 = ((t18 * t41) + (t19 * t42)) + ((t52 * t22) + (t55 * t23))
+    t68 = ((t41 - (t62 * t18)) - (t32 * t52)) - (t49 * ((t22 - (t32 * t28)) / t27))
+    t75 = ((t42 - (t62 * t19)) - (t32 * t55)) - (t49 * ((t23 - (t32 * t29)) / t27))
     t69 = t68 / t17
     t76 = t75 / t17
     if not t17 >= (1.0 if form.single else 1e-20):
         raise ValueError
     if not t27 >= (1.0 if form.single else 1e-20):
         raise ValueError
-    return (t40, t53, t43, t46, t69, t76)
+    return (t49, t62, t52, t55, t69, t76)
 
 
 def _range_doppler_difference_in_plane_block(
@@ -6324,53 +6324,53 @@ def _range_doppler_difference_in_plane_block(
     t24 = square(other_place_x, w7)
     t25 = square(other_place_y, w8)
     t26 = add(t24, t25, w7)
-    other_range = sqrt(t26, w7)
-    t28 = divide(other_place_x, other_range, w8)
-    t29 = divide(other_place_y, other_range, w9)
+    other_range = sqrt(t26, range_difference)
+    t28 = divide(other_place_x, other_range, range_difference_D_x)
+    t29 = divide(other_place_y, other_range, range_difference_D_y)
+    t30 = multiply(t28, other_velocity_x, w7)
+    t31 = multiply(t29, other_velocity_y, w8)
+    other_range_rate = add(t30, t31, w7)
+    t33 = multiply(other_range_rate, t28, w8)
+    t34 = subtract(other_velocity_x, t33, w8)
+    other_turning_x = divide(t34, other_range, w8)
+    t36 = multiply(other_range_rate, t29, w9)
+    t37 = subtract(other_velocity_y, t36, w9)
+    other_turning_y = divide(t37, other_range, w9)
     baseline_x = subtract(second_station_x, first_station_x, w10)
     baseline_y = subtract(second_station_y, first_station_y, w11)
     drift_x = subtract(second_station_velocity_x, first_station_velocity_x, w12)
     drift_y = subtract(second_station_velocity_y, first_station_velocity_y, w13)
     reach_x = add(place_x, other_place_x, w0)
     reach_y = add(place_y, other_place_y, w1)
-    t36 = multiply(baseline_x, reach_x, w0)
-    t37 = multiply(baseline_y, reach_y, w1)
-    t38 = add(t36, t37, w0)
-    t39 = add(slant_range, other_range, w1)
-    divide(t38, t39, range_difference)
-    t41 = multiply(range_difference, t28, w0)
-    t42 = subtract(baseline_x, t41, w10)
-    divide(t42, slant_range, range_difference_D_x)
-    t44 = multiply(range_difference, t29, w0)
-    t45 = subtract(baseline_y, t44, w11)
-    divide(t45, slant_range, range_difference_D_y)
-    t47 = multiply(t18, drift_x, w0)
-    t48 = multiply(t19, drift_y, w1)
-    t49 = add(t47, t48, w0)
-    t50 = multiply(range_difference_D_x, other_velocity_x, w1)
-    t51 = multiply(range_difference_D_y, other_velocity_y, w3)
-    t52 = add(t50, t51, w1)
-    add(t49, t52, range_rate_difference)
-    t54 = multiply(t28, other_velocity_x, w0)
-    t55 = multiply(t29, other_velocity_y, w1)
-    other_range_rate = add(t54, t55, w0)
-    t57 = multiply(other_range_rate, t28, w8)
-    t58 = subtract(other_velocity_x, t57, w5)
-    other_turning_x = divide(t58, other_range, w5)
-    t60 = multiply(other_range_rate, t29, w9)
-    t61 = subtract(other_velocity_y, t60, w6)
-    other_turning_y = divide(t61, other_range, w6)
+    t45 = multiply(baseline_x, reach_x, w0)
+    t46 = multiply(baseline_y, reach_y, w1)
+    t47 = add(t45, t46, w0)
+    t48 = add(slant_range, other_range, range_difference)
+    divide(t47, t48, range_difference)
+    t50 = multiply(range_difference, t28, range_difference_D_x)
+    t51 = subtract(baseline_x, t50, w10)
+    divide(t51, slant_range, range_difference_D_x)
+    t53 = multiply(range_difference, t29, range_difference_D_y)
+    t54 = subtract(baseline_y, t53, w11)
+    divide(t54, slant_range, range_difference_D_y)
+    t56 = multiply(t18, drift_x, w0)
+    t57 = multiply(t19, drift_y, w1)
+    t58 = add(t56, t57, w0)
+    t59 = multiply(range_difference_D_x, other_velocity_x, w5)
+    t60 = multiply(range_difference_D_y, other_velocity_y, w6)
+    t61 = add(t59, t60, w5)
+    add(t58, t61, range_rate_difference)
     t63 = multiply(range_rate_difference, t18, range_rate_difference_D_x)
     t64 = subtract(drift_x, t63, w12)
-    t65 = multiply(other_range_rate, range_difference_D_x, w1)
+    t65 = multiply(other_range_rate, range_difference_D_x, w0)
     t66 = subtract(t64, t65, w12)
-    t67 = multiply(range_difference, other_turning_x, w5)
+    t67 = multiply(range_difference, other_turning_x, w8)
     t68 = subtract(t66, t67, w12)
     t70 = multiply(range_rate_difference, t19, w2)
     t71 = subtract(drift_y, t70, w13)
-    t72 = multiply(other_range_rate, range_difference_D_y, w0)
+    t72 = multiply(other_range_rate, range_difference_D_y, w7)
     t73 = subtract(t71, t72, w13)
-    t74 = multiply(range_difference, other_turning_y, w6)
+    t74 = multiply(range_difference, other_turning_y, w9)
     t75 = subtract(t73, t74, w13)
     divide(t68, slant_range, range_rate_difference_D_x)
     divide(t75, slant_range, range_rate_difference_D_y)

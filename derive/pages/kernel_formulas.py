@@ -16,17 +16,21 @@ from __future__ import annotations
 
 import operator
 import re
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 from functools import reduce
+from pathlib import Path
 from typing import Any
 
+from gainproof.derive.derivation import PageError
 from gainproof.derive.pages.formula import NAME, Formula, FormulaError, read_formula
 from gainproof.derive.printer.graph import Node
 
 WHERE = "## Where "
 INDENT = "    "
+CALLS = {"atan2": 2, "cos": 1, "exp": 1, "expm1": 1, "sin": 1, "sqrt": 1}
+"""Functions, with how many arguments they have."""
 _LINE = re.compile(rf"({NAME}) = (.+)")
 _RELATIONS: Mapping[str, Callable[[Any, Any], bool]] = {"=": operator.eq, "<": operator.lt}
 Value = Node | Fraction
@@ -68,6 +72,19 @@ def read_sections(text: str) -> tuple[Section, ...]:
     return tuple(Section(*each) for each in found)
 
 
+def read_page(page: Path) -> tuple[Section, ...]:
+    """The sections of a file. Raises PageError, with file and line, for what is no formula."""
+    try:
+        return read_sections(page.read_text(encoding="utf-8"))
+    except FormulaError as error:
+        raise PageError(f"{place_of(page)}, {error}") from None
+
+
+def place_of(page: Path) -> str:
+    """A page as errors call it, from `derive` on."""
+    return "/".join(page.parts[-3:])
+
+
 def _joined(text: str) -> list[tuple[int, str]]:
     """Headings with conditions and whole formulas, each with the number of its first line."""
     found: list[tuple[int, str]] = []
@@ -95,6 +112,18 @@ def kernel_values(
     Raises ArithmeticError where a number that stands with a node is negative: a form that is not
     for this model; FormulaError for what a formula cannot hold.
     """
+    formulas = formulas_that_hold(sections, known)
+    found = _Values(known, formulas)
+    return {name: found[name] for name in names if name in formulas}
+
+
+def formulas_that_hold(
+    sections: Iterable[Section], known: Mapping[str, Value]
+) -> dict[str, Formula]:
+    """Formulas by name, in the order of the page, of sections whose conditions known values meet.
+
+    Raises FormulaError for a condition over an unknown name.
+    """
     formulas: dict[str, Formula] = {}
     given = _Values(known, {})
     for section in sections:
@@ -103,8 +132,7 @@ def kernel_values(
             for each in section.conditions
         ):
             formulas |= section.formulas
-    found = _Values(known, formulas)
-    return {name: found[name] for name in names if name in formulas}
+    return formulas
 
 
 class _Values(dict[str, Value]):
@@ -126,8 +154,10 @@ def _value(formula: Formula, known: Mapping[str, Value]) -> Value:
         return known[formula.text]
     if formula.kind == "number":
         return Fraction(formula.text)
+    if formula.kind == "call" and formula.text in CALLS:
+        return _call(formula.text, [_value(part, known) for part in formula.parts])
     if formula.kind not in (*_OPERATIONS, "neg", "pow"):
-        raise FormulaError(f"no sum, product or quotient: {formula}")
+        raise FormulaError(f"no sum, product, quotient or function that is known: {formula}")
     first, *others = formula.parts
     found = _value(first, known)
     if formula.kind == "neg":
@@ -137,6 +167,18 @@ def _value(formula: Formula, known: Mapping[str, Value]) -> Value:
     for other in others:
         found = _OPERATIONS[formula.kind](found, _value(other, known))
     return found
+
+
+def _call(function: str, values: Sequence[Value]) -> Node:
+    """A function of nodes: what it makes of numbers is no exact number, or needs no function."""
+    if len(values) != CALLS[function]:
+        raise FormulaError(f"{function} has {CALLS[function]} arguments, {len(values)} came")
+    nodes = [value for value in values if isinstance(value, Node)]
+    if len(nodes) < len(values):
+        raise FormulaError(f"{function} of a number: write its value")
+    if function == "sqrt":
+        return nodes[0].builder.sqrt(nodes[0])
+    return nodes[0].builder.call(function, *nodes)
 
 
 def _sum(one: Value, other: Value) -> Value:

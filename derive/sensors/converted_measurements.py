@@ -11,10 +11,7 @@ from gainproof.derive.derivation import Derivation
 from gainproof.derive.pages.derivation import Given, written
 from gainproof.derive.printer.graph import symbols_of
 from gainproof.derive.sensors.algebraic import algebraic
-from gainproof.derive.sensors.converted_correlated_graphs import graphs as correlated_graphs
-from gainproof.derive.sensors.converted_graphs import graphs
-from gainproof.derive.sensors.converted_module import kernel_module
-from gainproof.derive.sensors.converted_space_graphs import graphs as space_graphs
+from gainproof.derive.sensors.converted_module import graphs, kernel_module
 from gainproof.derive.source import (
     DEBIASED,
     ELEMENTARY,
@@ -69,7 +66,7 @@ LATEX = {
 
 def build() -> Subject:
     """Derive the moments, the four conversions, what they are exact for, and their growth."""
-    made = graphs() | space_graphs() | correlated_graphs()
+    made = graphs()
     plain = {name: algebraic(graph) for name, graph in made.items()}
     page = written(NAME, Given(hints=HINTS, programs=plain))
     return Subject(

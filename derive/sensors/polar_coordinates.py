@@ -11,8 +11,7 @@ from gainproof.derive.derivation import Derivation
 from gainproof.derive.pages.derivation import Given, written
 from gainproof.derive.printer.graph import symbols_of
 from gainproof.derive.sensors.algebraic import algebraic
-from gainproof.derive.sensors.polar_graphs import graphs
-from gainproof.derive.sensors.polar_module import kernel_module
+from gainproof.derive.sensors.polar_module import graphs, kernel_module
 from gainproof.derive.source import ELEMENTARY, LECTURE, PROBABILITY
 from gainproof.derive.subject import Program, Subject
 
@@ -31,7 +30,7 @@ def build() -> Subject:
     """Derive the map, its inverse, their derivatives, noise, bias and rates."""
     made = graphs()
     plain = {name: algebraic(graph) for name, graph in made.items()}
-    roots = {"horizontal_distance": "h", "slant_range": "R"}
+    roots = {"horizontal_distance": "h", "distance": "R", "slant_range": "R"}
     page = written(NAME, Given(programs=plain, roots=roots))
     return Subject(
         name=NAME,

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from pathlib import Path
 
 from gainproof.derive.catalogue_module import catalogue_module
 from gainproof.derive.printer.graph import Graph, symbols_of
@@ -15,8 +16,9 @@ from gainproof.derive.printer.kernel import (
     closed,
     signed,
 )
-from gainproof.derive.sensors.polar_graphs import PLANE
+from gainproof.derive.sensors.kernel_page import PLANE, kernel_words, page_graphs
 
+FORMULAS = Path(__file__).with_name("polar_kernels.md")
 MEANINGS = {
     "x": "distance east, m",
     "y": "distance north, m",
@@ -52,84 +54,6 @@ MEANINGS = {
     "range_acceleration": "second derivative of the range, m/s^2, never negative",
     "elevation_acceleration": "second derivative of the elevation, rad/s^2",
     "bearing_acceleration": "second derivative of the bearing, rad/s^2",
-}
-
-_SPACE = {
-    "to_cartesian": "East, north and up from range, elevation and bearing.",
-    "to_polar": "Range, elevation and bearing from east, north and up.",
-    "cartesian_derivatives": "Derivatives of x, y, z by range, elevation and bearing.",
-    "polar_derivatives": "Derivatives of range, elevation and bearing by x, y, z.",
-    "noise_covariance": "Covariance of a converted measurement to first order in its noise.",
-    "mean_of_converted": "Mean and bias of a converted measurement under Gaussian angle noise.",
-    "straight_course_rates": "Rates of range and angles, and theirs, on a straight uniform course.",
-}
-_IN_PLANE = {
-    "to_cartesian": "East and north from range and bearing in the plane.",
-    "to_polar": "Range and bearing from east and north in the plane.",
-    "cartesian_derivatives": "Derivatives of x and y by range and bearing in the plane.",
-    "polar_derivatives": "Derivatives of range and bearing by x and y in the plane.",
-    "noise_covariance": "Covariance of a converted measurement to first order, in the plane.",
-    "mean_of_converted": "Mean and bias of a converted measurement in the plane.",
-    "straight_course_rates": "Rates of range and bearing, and theirs, on a straight uniform course "
-    "in the plane.",
-}
-SUMMARIES = {**_SPACE, **{f"{name}{PLANE}": text for name, text in _IN_PLANE.items()}}
-
-EQUATIONS: dict[str, tuple[str, ...]] = {
-    "to_cartesian": ("x = R cos E sin B, y = R cos E cos B, z = R sin E",),
-    "to_polar": (
-        "R = sqrt(x^2 + y^2 + z^2), E = atan2(z, sqrt(x^2 + y^2)), B = atan2(x, y).",
-        "In the south the sign of a zero x decides between B = pi and -pi; where x = y = 0 nothing",
-        "determines the bearing, and signs of zeros make it 0 or +-pi",
-    ),
-    "cartesian_derivatives": (
-        "x_D_slant_range = cos E sin B, x_D_elevation = -R sin E sin B, x_D_bearing = y,",
-        "y_D_slant_range = cos E cos B, y_D_elevation = -R sin E cos B, y_D_bearing = -x,",
-        "z_D_slant_range = sin E, z_D_elevation = R cos E; z_D_bearing is 0",
-    ),
-    "polar_derivatives": (
-        "slant_range_D_x = x/R and so on, elevation_D_x = -x z/(h R^2),",
-        "elevation_D_y = -y z/(h R^2), elevation_D_z = h/R^2, bearing_D_x = y/h^2,",
-        "bearing_D_y = -x/h^2, h = sqrt(x^2 + y^2), R = sqrt(h^2 + z^2); bearing_D_z is 0",
-    ),
-    "noise_covariance": (
-        "J diag(sR^2, sE^2, sB^2) J' with J of `cartesian_derivatives`: at the true place the",
-        "covariance of the converted position to first order, at the measured one its estimate",
-    ),
-    "mean_of_converted": (
-        "mean_x = x exp(-(sE^2 + sB^2)/2), mean_y likewise, mean_z = z exp(-sE^2/2),",
-        "bias = mean - true value, with x, y, z of `to_cartesian` at the true place. Exact where",
-        "the noises are independent, of mean 0, and those of the angles Gaussian",
-    ),
-    "straight_course_rates": (
-        "With the components w_R, w_E, w_B of the velocity in the directions in which range,",
-        "elevation and bearing grow: R' = w_R, E' = w_E/R, B' = w_B/h, R'' = (w_E^2 + w_B^2)/R,",
-        "E'' = -(2 w_R w_E + tan E w_B^2)/R^2, B'' = -2 B' h'/h; h = sqrt(x^2 + y^2)",
-    ),
-    "to_cartesian_in_plane": ("x = R sin B, y = R cos B",),
-    "to_polar_in_plane": (
-        "R = sqrt(x^2 + y^2), B = atan2(x, y). In the south the sign of a zero x decides between",
-        "B = pi and -pi; at the origin signs of zeros make it 0 or +-pi",
-    ),
-    "cartesian_derivatives_in_plane": (
-        "x_D_slant_range = sin B, x_D_bearing = y, y_D_slant_range = cos B, y_D_bearing = -x",
-    ),
-    "polar_derivatives_in_plane": (
-        "slant_range_D_x = x/R, slant_range_D_y = y/R, bearing_D_x = y/R^2, bearing_D_y = -x/R^2",
-    ),
-    "noise_covariance_in_plane": (
-        "J diag(sR^2, sB^2) J' with J of `cartesian_derivatives_in_plane`: at the true place the",
-        "covariance of the converted position to first order, at the measured one its estimate",
-    ),
-    "mean_of_converted_in_plane": (
-        "mean = exp(-sB^2/2) (x, y), bias = mean - (x, y), x and y of `to_cartesian_in_plane` at",
-        "the true place. Exact where the noises are independent, of mean 0, and that of the",
-        "bearing Gaussian",
-    ),
-    "straight_course_rates_in_plane": (
-        "With the components w_R, w_B of the velocity along and across the line of sight",
-        "R' = w_R, B' = w_B/R, R'' = w_B^2/R, B'' = -2 B' R'/R",
-    ),
 }
 
 RANGE = ("1e-20", "1e60", ("1e-6", "1e12"))
@@ -179,21 +103,41 @@ DIVIDES = ("polar_derivatives", "straight_course_rates")
 """Kernels that divide by distances: x, y, z are in a narrower domain, and apart from the axis."""
 
 
+FROM_PLACE = ("to_polar", *DIVIDES)
+
+
+def graphs() -> dict[str, Graph]:
+    """The graph of each kernel by its name."""
+    return page_graphs(FORMULAS, _inputs)
+
+
+def _inputs(kernel: str) -> dict[str, str]:
+    place = kernel in FROM_PLACE
+    return {
+        name: name
+        for name in DOMAINS
+        if (name in ("x", "y", "z") or name.startswith("velocity_")) is place
+    }
+
+
 def kernel_module(name: str, title: str, graphs: Mapping[str, Graph]) -> Module:
     """The module of polar coordinates."""
-    kernels = (_kernel(name, kernel, graph) for kernel, graph in graphs.items())
+    words = kernel_words(FORMULAS, graphs)
+    kernels = (_kernel(name, kernel, graph, *words[kernel]) for kernel, graph in graphs.items())
     return catalogue_module(name, title, kernels)
 
 
-def _kernel(name: str, kernel: str, graph: Graph) -> Kernel:
+def _kernel(
+    name: str, kernel: str, graph: Graph, summary: str, equations: tuple[str, ...]
+) -> Kernel:
     used = set(symbols_of(graph))
     required = _required(kernel)
     hidden = {each.name for each in required}
     return Kernel(
         name=kernel,
         result="".join(word.capitalize() for word in kernel.split("_")),
-        summary=SUMMARIES[kernel],
-        equations=EQUATIONS[kernel],
+        summary=summary,
+        equations=equations,
         inputs=tuple(_input(kernel, entry) for entry in DOMAINS if entry in used),
         outputs=tuple(
             Output(entry, MEANINGS[entry], by_terms=cancels(kernel, entry))

@@ -11,9 +11,7 @@ from gainproof.derive.derivation import Derivation
 from gainproof.derive.pages.derivation import Given, written
 from gainproof.derive.printer.graph import symbols_of
 from gainproof.derive.sensors.range_doppler_components import component_steps, kernel_steps
-from gainproof.derive.sensors.range_doppler_graphs import graphs as one_station
-from gainproof.derive.sensors.range_doppler_module import kernel_module
-from gainproof.derive.sensors.range_doppler_pair_graphs import graphs as two_stations
+from gainproof.derive.sensors.range_doppler_module import graphs, kernel_module, of_two_stations
 from gainproof.derive.sensors.range_doppler_pairs import pair_steps, pair_towers
 from gainproof.derive.sensors.range_doppler_textbook import textbook
 from gainproof.derive.sensors.range_doppler_towers import towers
@@ -58,7 +56,11 @@ HINTS: dict[str, dict[str, Any]] = {
 
 def build() -> Subject:
     """Derive range, range rate, their derivatives and what is left beyond these."""
-    single, pairs, held = one_station(), two_stations(), towers()
+    made, held = graphs(), towers()
+    single, pairs = (
+        {name: graph for name, graph in made.items() if of_two_stations(name) is two}
+        for two in (False, True)
+    )
     given = Given(
         towers=(*held, *pair_towers()),
         hints=HINTS,
@@ -68,7 +70,6 @@ def build() -> Subject:
         },
     )
     page = written(NAME, given)
-    made = {**single, **pairs}
     return Subject(
         name=NAME,
         title=page.title,

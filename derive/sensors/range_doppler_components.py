@@ -11,7 +11,8 @@ from gainproof.derive.derivation import Step
 from gainproof.derive.expression import column, real
 from gainproof.derive.printer.graph import Graph
 from gainproof.derive.relation import Relation, equal
-from gainproof.derive.sensors.range_doppler_names import LIGHT, PLANE, PLANE_AXES, SPACE_AXES
+from gainproof.derive.sensors.kernel_page import PLANE
+from gainproof.derive.sensors.range_doppler_names import LIGHT, PLANE_AXES, SPACE_AXES
 from gainproof.derive.sensors.range_doppler_towers import (
     CARRIER,
     COS_B,
@@ -25,8 +26,8 @@ from gainproof.derive.sensors.range_doppler_towers import (
     frame,
     motions,
     of,
+    rates,
     relative,
-    sight,
     tilt,
 )
 
@@ -57,9 +58,7 @@ def _steps(tower: Tower) -> list[Step]:
     found["sight"] = named(relative(axes))
     found["station"] = named({k: v for k, v in motions(axes).items() if k.startswith("station")})
     found["target"] = named({k: v for k, v in motions(axes).items() if k.startswith("target")})
-    seen = sight(axes)
-    meant = zip(of("turning", axes), seen.turning, strict=True)
-    found["parts"] = named({"range_rate": seen.rate, **{str(h): each for h, each in meant}})
+    found["parts"] = named(rates(axes))
     made = [quiet(f"{name}-{part}", relation, name) for part, relation in found.items()]
     return [*made, *_chains(tower)]
 

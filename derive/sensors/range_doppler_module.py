@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
+from pathlib import Path
 
 from gainproof.derive.catalogue_module import catalogue_module
 from gainproof.derive.printer.graph import Graph, symbols_of
@@ -15,10 +16,18 @@ from gainproof.derive.printer.kernel import (
     closed,
     signed,
 )
-from gainproof.derive.sensors.range_doppler_graphs import RANGE
-from gainproof.derive.sensors.range_doppler_names import PLANE
-from gainproof.derive.sensors.range_doppler_pair_graphs import OTHER
+from gainproof.derive.sensors.kernel_page import PLANE, kernel_words, page_graphs
+from gainproof.derive.sensors.range_doppler_names import SPACE_AXES, places, velocities
 
+FORMULAS = Path(__file__).with_name("range_doppler_kernels.md")
+RANGE, OTHER = "slant_range", "other_range"
+PAIRS = ("bistatic_range_doppler", "range_doppler_difference")
+"""The kernels of two stations."""
+NAMED = (
+    "(other_)?((place|velocity|turning)_[xyz]|range_rate)|(baseline|drift|reach)_[xyz]"
+    "|range_(rate_)?difference(_D_[xyz])?"
+)
+"""What proofs put names for."""
 LENGTH = ("0", "1e60", ("0", "1e12"))
 SPEED = ("0", "1e60", ("0", "1e9"))
 NEAR, SLOW = ("0", "1e40", ("0", "1e10")), ("0", "1e30", ("0", "1e6"))
@@ -39,21 +48,55 @@ def apart(kernel: str, ranges: Iterable[str]) -> tuple[Requirement, ...]:
     )
 
 
+def graphs() -> dict[str, Graph]:
+    """The graph of each kernel by its name, those of two stations last."""
+    found = page_graphs(FORMULAS, _inputs, NAMED)
+    return {name: found[name] for name in sorted(found, key=of_two_stations)}
+
+
+def of_two_stations(kernel: str) -> bool:
+    """Whether a kernel has a second station."""
+    return kernel.removesuffix(PLANE) in PAIRS
+
+
+def _inputs(kernel: str) -> dict[str, str]:
+    who = {"target": "target", "station": "station"}
+    if of_two_stations(kernel):
+        who |= {"station": "first_station", "other_station": "second_station"}
+    found = {
+        name: argument
+        for called, whose in who.items()
+        for vector in (places, velocities)
+        for name, argument in zip(
+            vector(called, SPACE_AXES), vector(whose, SPACE_AXES), strict=True
+        )
+    }
+    return {**found, "carrier_frequency": "carrier_frequency"}
+
+
 def kernel_module(name: str, title: str, made: Mapping[str, Graph]) -> Module:
     """The module of range and Doppler."""
-    kernels = (_kernel(name, kernel, graph) for kernel, graph in made.items())
+    words = kernel_words(FORMULAS, {kernel.removesuffix(PLANE) for kernel in made})
+    kernels = (
+        _kernel(name, kernel, graph, *words[kernel.removesuffix(PLANE)])
+        for kernel, graph in made.items()
+    )
     return catalogue_module(name, title, kernels)
 
 
-def _kernel(name: str, kernel: str, graph: Graph) -> Kernel:
+def _kernel(
+    name: str, kernel: str, graph: Graph, summary: str, equations: tuple[str, ...]
+) -> Kernel:
+    if kernel.endswith(PLANE):
+        summary = summary.replace(".", " in the plane.")
     shown = [
         entry for entry in graph["outputs"] if entry not in (RANGE, OTHER) or with_range(kernel)
     ]
     return Kernel(
         name=kernel,
         result="".join(word.capitalize() for word in kernel.split("_")),
-        summary=SUMMARIES[kernel],
-        equations=EQUATIONS[kernel],
+        summary=summary,
+        equations=equations,
         inputs=tuple(_input(kernel, entry) for entry in symbols_of(graph)),
         outputs=tuple(Output(entry, meaning(entry), by_terms=cancels(entry)) for entry in shown),
         graph=graph,
@@ -125,83 +168,3 @@ _VALUES = {
     "range_difference": "distance from the first station less that from the second, m",
     "range_rate_difference": "its rate, m/s",
 }
-_SPACE = {
-    "slant_range": "Distance of targets from stations.",
-    "range_jacobian": "Derivative of the range: the unit vector from station to target.",
-    "range_rate": "Range rate of moving targets from moving stations.",
-    "range_rate_jacobian": "Derivative of the range rate by position and velocity.",
-    "range_doppler": "Range and range rate with their derivatives.",
-    "range_hessian": "Second derivatives of the range by the position.",
-    "range_rate_hessian": "Second derivatives of the range rate by the position.",
-    "doppler_shift": "Doppler shift of a carrier that the target sends, with its derivatives.",
-    "bistatic_range_doppler": "Range and range rate over two stations, with their derivatives.",
-    "range_doppler_difference": "Differences of range and range rate at two stations (TDOA, FDOA).",
-}
-SUMMARIES = {
-    f"{name}{end}": text.replace(".", " in the plane.") if end else text
-    for end in ("", PLANE)
-    for name, text in _SPACE.items()
-}
-_R = "r = target - station, f = |r|"
-_W = "r = target - station, f = |r|, u = r/f, w = target velocity - station velocity"
-_MINUS = "By the station's position and velocity the derivatives are these with the other sign"
-_SIZE = "The terms of g, |u_i w_i|, add up to at most |w|"
-_NEAR = (
-    "The terms of h add up to at most 2 |w|/f: where the target moves nearly along the line of",
-    "sight, w and g u nearly agree, and h has lost as many digits as |w| is larger than |h| f",
-)
-_EQUATIONS: dict[str, tuple[str, ...]] = {
-    "slant_range": (_R,),
-    "range_jacobian": (f"u = r/f, {_R}.", "By the station's position the derivative is -u"),
-    "range_rate": (f"g = u'w, {_W}.", _SIZE),
-    "range_rate_jacobian": (
-        "by the position h = (w - g u)/f with g = u'w, by the velocity u;",
-        f"{_W}.",
-        f"{_MINUS}.",
-        *_NEAR,
-    ),
-    "range_doppler": (
-        "f, g = u'w, their derivatives by the position u and h = (w - g u)/f, that of g by the",
-        "velocity, u;",
-        f"{_W}.",
-        f"{_MINUS}.",
-        f"{_SIZE}.",
-        *_NEAR,
-    ),
-    "range_hessian": (
-        f"(I - u u')/f, u = r/f, {_R}.",
-        "Of the range rate these are the second derivatives by a position and a velocity; by two",
-        "velocities these are 0. Each time that the station's is taken for the target's the sign",
-        "changes",
-    ),
-    "range_rate_hessian": (
-        "-(u h' + h u' + (g/f) (I - u u'))/f, g = u'w, h = (w - g u)/f,",
-        f"{_W};",
-        "by position and velocity see `range_hessian`, by two velocities it is 0. The terms of an",
-        "entry add up to at most 5 |w|/f^2",
-    ),
-    "doppler_shift": (
-        "-(fc/c) g and its derivatives -(fc/c) h, -(fc/c) u, c = 299792458 m/s, g = u'w,",
-        "h = (w - g u)/f;",
-        f"{_W}.",
-        "This is the narrow-band shift of one way, of first order in speeds over c: at a station",
-        "at rest the classical one is fc/(1 + g/c) - fc, fc g^2/(c (c + g)) above it. An echo has",
-        "twice the shift",
-    ),
-    "bistatic_range_doppler": (
-        "f_1 + f_2, g_1 + g_2, u_1 + u_2, h_1 + h_2 with f, g, u, h of `range_doppler` from each",
-        "station; the derivative of the rate by the target's velocity is u_1 + u_2 too, by a",
-        "station's position and velocity they are -u, -h and -u of its own. Terms are those of",
-        "`range_doppler`",
-    ),
-    "range_doppler_difference": (
-        "f_1 - f_2 = s'(r_1 + r_2)/(f_1 + f_2), r = target - station, s = second - first station,",
-        "so that errors are parts of |s| and not of the ranges: terms, those of r_1 and of r_2",
-        "each for itself, add up to at most |s|;",
-        "u_1 - u_2 = (s - (f_1 - f_2) u_2)/f_1, g_1 - g_2 = u_1's_v + (u_1 - u_2)'w_2,",
-        "h_1 - h_2 = (s_v - (g_1 - g_2) u_1 - g_2 (u_1 - u_2) - (f_1 - f_2) h_2)/f_1 with the",
-        "f, g, u, h of `range_doppler`; derivatives by a station's position and velocity are those",
-        "of its own range and rate",
-    ),
-}
-EQUATIONS = {f"{name}{end}": text for end in ("", PLANE) for name, text in _EQUATIONS.items()}

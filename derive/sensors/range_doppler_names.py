@@ -4,8 +4,6 @@ from __future__ import annotations
 
 from itertools import combinations_with_replacement
 
-PLANE = "_in_plane"
-"""The end of the names of kernels with two coordinates."""
 SPACE_AXES, PLANE_AXES = ("x", "y", "z"), ("x", "y")
 LIGHT = 299_792_458
 """The speed of light in vacuum, m/s, by definition."""

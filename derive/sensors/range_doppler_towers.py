@@ -20,7 +20,6 @@ import sympy as sp
 from gainproof.derive.algebra.tower import Tower
 from gainproof.derive.algebra.variables import above_zero, from_zero
 from gainproof.derive.expression import real
-from gainproof.derive.sensors.range_doppler_forms import Sight
 from gainproof.derive.sensors.range_doppler_names import (
     PLANE_AXES,
     SPACE_AXES,
@@ -134,9 +133,12 @@ def motions(along: Axes) -> Elements:
     return found
 
 
-def sight(along: Axes) -> Sight:
-    """What the names mean by each other."""
-    return Sight(RANGE, of("unit", along), of("velocity", along))
+def rates(along: Axes) -> Elements:
+    """Range rate g = u'w and h = (w - g u)/f over direction u, velocity w and range f."""
+    units, velocities_ = of("unit", along), of("velocity", along)
+    rate = sp.Add(*(u * w for u, w in zip(units, velocities_, strict=True)))
+    turning = zip(of("turning", along), units, velocities_, strict=True)
+    return {"range_rate": rate} | {str(h): (w - rate * u) / RANGE for h, u, w in turning}
 
 
 def _tower(name: str, along: Axes, circles: Elements, angles: tuple[str, ...]) -> Tower:

@@ -12,7 +12,7 @@ from typing import Any
 import sympy as sp
 
 from gainproof.derive.expression import real
-from gainproof.derive.pages.kernel_formulas import Section, Value, kernel_values, read_sections
+from gainproof.derive.pages.kernel_formulas import Section, Value, kernel_values, read_page
 from gainproof.derive.printer.graph import Graph, GraphBuilder
 from gainproof.derive.steady_state.towers import rational
 from gainproof.derive.three_state import inverses, pole_tower
@@ -103,7 +103,7 @@ def _index_graph(c: Context, kernel: str) -> Graph:
 
 @cache
 def _sections(page: Path) -> tuple[Section, ...]:
-    return read_sections(page.read_text(encoding="utf-8"))
+    return read_page(page)
 
 
 def _with_scales(outputs: Iterable[str]) -> tuple[str, ...]:

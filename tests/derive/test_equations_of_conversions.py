@@ -9,9 +9,11 @@ import pytest
 import sympy as sp
 from docstring_formulas import DIGITS, Text, Values, drawn, exact, expression, near, value
 
-from gainproof.derive.sensors import converted_module
+from gainproof.derive.sensors.converted_module import FORMULAS, graphs
+from gainproof.derive.sensors.kernel_page import kernel_words
 from gainproof.generated import converted_measurements
 
+EQUATIONS = {name: lines for name, (_, lines) in kernel_words(FORMULAS, graphs()).items()}
 PLANE = {
     "classical_conversion_in_plane": ("the variance ", "across it "),
     "debiased_conversion_in_plane": (),
@@ -31,7 +33,7 @@ def polar(seed: int) -> dict[str, float]:
 @pytest.mark.parametrize("seed", range(4))
 @pytest.mark.parametrize("name", PLANE)
 def test_conversions_in_the_plane(name: str, seed: int) -> None:
-    text = Text(converted_module.EQUATIONS[name])
+    text = Text(EQUATIONS[name])
     given = polar(seed)
     known = exact(**given)
     if "k = " in text.text:
@@ -50,7 +52,7 @@ def test_conversions_in_the_plane(name: str, seed: int) -> None:
 @pytest.mark.parametrize("seed", range(4))
 @pytest.mark.parametrize("name", [each.removesuffix("_in_plane") for each in PLANE])
 def test_conversions_in_space(name: str, seed: int) -> None:
-    text = Text(converted_module.EQUATIONS[name])
+    text = Text(EQUATIONS[name])
     given = polar(seed)
     known = exact(**given)
     if "ke = " in text.text:
@@ -87,9 +89,9 @@ def _first_order(text: Text, formulas: dict[str, str], known: Values) -> Values:
 
 
 @pytest.mark.parametrize("seed", range(4))
-@pytest.mark.parametrize("name", [each for each in converted_module.EQUATIONS if "correl" in each])
+@pytest.mark.parametrize("name", [each for each in EQUATIONS if "correl" in each])
 def test_conversions_of_correlated_noises(name: str, seed: int) -> None:
-    text = Text(converted_module.EQUATIONS[name])
+    text = Text(EQUATIONS[name])
     given = polar(seed)
     known = exact(**given)
     known["k"] = value(text.formula(" k = "), known)
@@ -114,7 +116,7 @@ def test_conversions_of_correlated_noises(name: str, seed: int) -> None:
 )
 def test_what_is_said_of_the_bias(name: str, start: str, seed: int) -> None:
     """The mean of cos(a) at a noisy azimuth is exp(-sa^2/2) times that at the true one."""
-    text = Text(converted_module.EQUATIONS[name])
+    text = Text(EQUATIONS[name])
     known = exact(**polar(seed))
     known["k"] = sp.exp(-(known["sa"] ** 2) / 2)
     place = value(text.formula("x = "), known) / known["r"] / sp.cos(known["a"])
@@ -125,8 +127,8 @@ def test_what_is_said_of_the_bias(name: str, start: str, seed: int) -> None:
 @pytest.mark.parametrize("seed", range(4))
 def test_where_the_classical_covariance_is_too_small(seed: int) -> None:
     """What misses is a positive factor times the difference of both sides, by the exact one."""
-    text = Text(converted_module.EQUATIONS["classical_conversion_in_plane"])
-    exactly = Text(converted_module.EQUATIONS["modified_unbiased_conversion_in_plane"])
+    text = Text(EQUATIONS["classical_conversion_in_plane"])
+    exactly = Text(EQUATIONS["modified_unbiased_conversion_in_plane"])
     known = exact(**polar(seed))
     left, right = (value(text.formula(start).strip(), known) for start in ("where ", "> "))
     known["k"] = value(exactly.formula("k = "), known)
@@ -138,4 +140,4 @@ def test_where_the_classical_covariance_is_too_small(seed: int) -> None:
 
 def test_every_kernel_is_read() -> None:
     uncorrelated = {*PLANE, *(each.removesuffix("_in_plane") for each in PLANE)}
-    assert {each for each in converted_module.EQUATIONS if "correl" not in each} == uncorrelated
+    assert {each for each in EQUATIONS if "correl" not in each} == uncorrelated

@@ -11,9 +11,7 @@ import pytest
 from catalogue_subjects import certificate
 from one_of_each import cases
 
-from gainproof.derive.sensors import polar_forms
-from gainproof.derive.sensors.polar_forms import Direction
-from gainproof.derive.sensors.polar_graphs import graphs
+from gainproof.derive.sensors.polar_module import graphs
 from gainproof.verify.certificate import check, check_statement
 from gainproof.verify.certificate.checker import decide
 from gainproof.verify.certificate.document import Document, read_document, read_statement
@@ -191,11 +189,3 @@ def test_an_altered_node_of_a_kernel_is_noticed(name: str, step: int, original: 
         assert result.status == "rejected", (name, at, node)
         read += "node" in result.reason or "output" in result.reason or "root" in result.reason
     assert read or step > 1
-
-
-def test_forms_take_plain_numbers() -> None:
-    """On a right-angled course: 3 east, 4 north, 12 up."""
-    d = Direction(5 / 13, 12 / 13, 4 / 5, 3 / 5)
-    assert polar_forms.place(13, d) == pytest.approx((3, 4, 12))
-    s = polar_forms.sight(polar_forms.Place(3, 4, 12, 5, 13), (30, 40, 120))
-    assert (s.radial, s.rising, s.crossing) == pytest.approx((130, 0, 0), abs=1e-12)

@@ -12,13 +12,11 @@ import pytest
 from catalogue_subjects import certificate
 from one_of_each import cases
 
-from gainproof.derive.sensors.range_doppler_forms import Sight
-from gainproof.derive.sensors.range_doppler_graphs import graphs
-from gainproof.derive.sensors.range_doppler_pair_graphs import graphs as pair_graphs
+from gainproof.derive.sensors.range_doppler_module import graphs
 from gainproof.verify.certificate import check, check_statement
 
 Plain = dict[str, Any]
-KERNELS = sorted({**graphs(), **pair_graphs()})
+KERNELS = sorted(graphs())
 ONE_OF_A_KIND = {
     "range_rate_jacobian",
     "range_hessian",
@@ -201,10 +199,3 @@ def test_a_node_that_is_not_what_is_claimed(kernel: str, name: str, original: Pl
     result = check_statement(data, statement)
     assert result.status == "rejected"
     assert "not the value of the node" in result.reason
-
-
-def test_forms_take_plain_numbers() -> None:
-    """On a right-angled course: 3 east, 4 north, 12 up."""
-    seen = Sight(13, (3 / 13, 4 / 13, 12 / 13), (30, 40, 120))
-    assert seen.rate == pytest.approx(130)
-    assert seen.turning == pytest.approx([0, 0, 0], abs=1e-13)

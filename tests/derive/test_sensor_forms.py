@@ -28,13 +28,13 @@ from gainproof.derive.printer.bound import prove
 from gainproof.derive.printer.formats import FORMATS
 from gainproof.derive.printer.kernel import Input, Kernel
 from gainproof.derive.quantity import ONE, Quantity
-from gainproof.derive.sensors.range_doppler_graphs import graphs
-from gainproof.derive.sensors.range_doppler_module import kernel_module
-from gainproof.derive.sensors.range_doppler_names import PLANE
+from gainproof.derive.sensors.kernel_page import PLANE
+from gainproof.derive.sensors.range_doppler_module import graphs, kernel_module, of_two_stations
 from gainproof.derive.sensors.range_doppler_textbook import textbook
 
 LEDGER = Path(gainproof.generated.__file__).parent / "bounds.json"
-KERNELS = {each.name: each for each in kernel_module("range-doppler", "a title", graphs()).kernels}
+SINGLE = {name: graph for name, graph in graphs().items() if not of_two_stations(name)}
+KERNELS = {each.name: each for each in kernel_module("range-doppler", "a title", SINGLE).kernels}
 QUICK = ("slant_range", "range_jacobian", "range_rate", "range_rate_jacobian", "range_hessian")
 HINTS = {"range_rate_hessian"}
 """Kernels of which the search finds no form of some output."""

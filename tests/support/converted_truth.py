@@ -13,11 +13,7 @@ import flint
 from polar_points import signature
 from signed_graphs import with_terms
 
-from gainproof.derive.sensors import (
-    converted_correlated_graphs,
-    converted_graphs,
-    converted_space_graphs,
-)
+from gainproof.derive.sensors.converted_module import graphs
 from gainproof.generated import converted_measurements
 from gainproof.verify.oracles import converted
 from gainproof.verify.oracles.converted import BITS, Moments
@@ -128,5 +124,4 @@ def terms(kernel: str) -> Callable[..., Values]:
 @cache
 def graph_of(kernel: str) -> Any:
     """The graph from which a kernel is printed."""
-    made = converted_graphs.graphs() | converted_space_graphs.graphs()
-    return (made | converted_correlated_graphs.graphs())[kernel]
+    return graphs()[kernel]

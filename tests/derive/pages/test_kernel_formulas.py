@@ -62,6 +62,14 @@ def test_operations_are_made_from_the_left_in_the_order_that_is_written() -> Non
     assert graph_of("    x = (3/4) a b", "x") == behind
 
 
+def test_functions_are_calls_of_a_library_and_roots_are_powers() -> None:
+    builder = GraphBuilder()
+    a, b, _ = (builder.symbol(name) for name in GIVEN)
+    by_hand = builder.graph({"x": builder.sqrt(a * a + b), "y": builder.call("atan2", b, a)})
+    graph = graph_of("    x = sqrt(a^2 + b)\n    y = atan2(b, a)", "x", "y")
+    assert graph == by_hand
+
+
 def test_a_formula_goes_on_where_the_next_line_begins_with_more() -> None:
     assert graph_of("    x = a +\n        b", "x") == graph_of("    x = a + b", "x")
 
@@ -126,9 +134,11 @@ def test_a_name_without_a_formula_is_left_out() -> None:
         ("    x = a\n## Where k = 0\n    x = b", "'k' has no formula"),
         ("    x = z", "'z' has no formula, or one that needs itself"),
         ("    x = y + a\n    y = x b", "'x' has no formula, or one that needs itself"),
-        ("    x = sqrt(a)", "no sum, product or quotient"),
-        ("    x = [a, b]", "no sum, product or quotient"),
-        ("    x = a'", "no sum, product or quotient"),
+        ("    x = log(a)", "no sum, product, quotient or function that is known"),
+        ("    x = sqrt(a, b)", "sqrt has 1 arguments, 2 came"),
+        ("    x = atan2(a, 2)", "atan2 of a number: write its value"),
+        ("    x = [a, b]", "no sum, product, quotient"),
+        ("    x = a'", "no sum, product, quotient"),
     ],
 )
 def test_what_is_no_formula_is_refused_and_says_where(page: str, message: str) -> None:
