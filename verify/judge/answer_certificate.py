@@ -1,4 +1,5 @@
 """Certificates of answers, which `gainproof.verify.check_answer` decides: one file, without judge.
+Those about matrices of any size are decided by `gainproof.verify.check_matrices`.
 
 The evidence of a verdict names its statement in base variables, and what symbols of the source are.
 Both are written here as that file reads them, and it decides: what it does not accept is not given
@@ -19,7 +20,7 @@ from keyword import iskeyword
 from time import process_time
 from typing import Any
 
-from gainproof.verify import check_answer
+from gainproof.verify import check_answer, check_matrices
 from gainproof.verify.check_answer import VALUE, ZERO, Poly
 from gainproof.verify.judge.answer_proof import Proof, pair, text_of
 from gainproof.verify.judge.exact.box import Box
@@ -30,6 +31,7 @@ from gainproof.verify.judge.exact.graph import read_graph
 from gainproof.verify.judge.exact.limits import Malformed
 from gainproof.verify.judge.exact.statement import TURNED, Rel
 from gainproof.verify.judge.exact.witness import free_values
+from gainproof.verify.judge.matrix_certificate import matrix_certificate
 
 Data = dict[str, Any]
 Graph = Mapping[str, Any]
@@ -51,15 +53,16 @@ def answer_certificate(claim: Mapping[str, Any]) -> Data:
     """The certificate of a claim of `check --json`. Raises NoCertificateError."""
     if claim["verdict"] not in ("proved", "refuted", "conditional"):
         raise NoCertificateError(f"the verdict is {claim['verdict']}")
-    if claim["kind"] not in KINDS:
-        raise NoCertificateError(f"the claim is of kind {claim['kind']}")
     evidence = claim["evidence"]["certificate"] or {}
+    in_words = isinstance(evidence.get("words"), list) and claim["verdict"] == "proved"
+    if claim["kind"] not in KINDS and not in_words:
+        raise NoCertificateError(f"the claim is of kind {claim['kind']}")
     statement = evidence.get("asked", evidence.get("statement"))
-    if statement is None:
-        method = claim["evidence"]["method"]
-        raise NoCertificateError(f"no statement about numbers is kept of what rests on: {method}")
     try:
-        return _certificate(claim, evidence, statement)
+        if in_words:
+            return matrix_certificate(claim, evidence["words"])
+        if statement is not None:
+            return _certificate(claim, evidence, statement)
     except (
         ArithmeticError,
         SyntaxError,
@@ -70,12 +73,15 @@ def answer_certificate(claim: Mapping[str, Any]) -> Data:
         ValueError,
     ) as error:
         raise NoCertificateError(str(error)) from None
+    method = claim["evidence"]["method"]
+    raise NoCertificateError(f"no statement about numbers is kept of what rests on: {method}")
 
 
 def rejected(certificate: Mapping[str, Any]) -> str | None:
     """Why the file does not accept it; None if it does."""
+    checker = check_matrices if certificate.get("format") == check_matrices.FORMAT else check_answer
     try:
-        check_answer.Certificate(certificate).decide()
+        checker.Certificate(certificate).decide()
     except Exception as reason:  # noqa: BLE001  as in the file itself
         return str(reason)
     return None

@@ -8,7 +8,14 @@ from typing import Any
 from gainproof.verify.certificate.words.proof import rejected
 from gainproof.verify.judge.matrices.book import Book
 
-__all__ = ["rejected", "written"]
+__all__ = ["accepted", "rejected", "written"]
+
+
+def accepted(book: Book) -> tuple[dict[str, Any], str | None]:
+    """The proof with what it was asked for, and why the checker does not accept it if so."""
+    certificate = written(book)
+    fault = rejected(certificate)
+    return {**certificate, "asked": book.asked}, fault
 
 
 def written(book: Book) -> dict[str, Any]:
