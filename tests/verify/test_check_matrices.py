@@ -94,6 +94,17 @@ RIGHT: list[Any] = [
         ],
         {"S": [[2]], "v": [[0]], "A": ROW},
     ),
+    (
+        [
+            S,
+            ["random", "v = S"],
+            ["random", "w = S"],
+            ["matrix", "A = 1 by n"],
+            ["claim", "E(v*v.T + v*w.T + v*A) == S"],
+            ["shows", "E(v*v.T + v*w.T + v*A) == S", []],
+        ],
+        {"S": [[2]], "v": [[0]], "w": [[0]], "A": [[1]]},
+    ),
     ([["unit", "I = n"], ["claim", "I*I == I"], ["shows", "I*I == I", []]], {}),
 ]
 WRONG: list[Any] = [
@@ -155,6 +166,16 @@ WRONG: list[Any] = [
     # means: a mean of one, of other words, conditions on what is random, what is named later
     ([S, ["random", "v = S"], ["claim", "E(v) == v"]], {"S": [[2]], "v": [[0]]}),
     ([S, ["random", "v = S"], ["claim", "E(v.T*v) == S"]], {"S": [[2]], "v": [[0]]}),
+    (
+        [
+            S,
+            ["matrix", "c = 1 by 1"],
+            ["random", "v = S"],
+            ["claim", "E(v*c*v.T) == E(v*c*v.T)"],
+            ["shows", "E(v*c*v.T) == E(v*c*v.T)", []],
+        ],
+        {"S": [[2]], "v": [[0]], "c": [[1]]},
+    ),
     ([S, ["random", "v = S"], ["claim", "E(v.T*S*v) == 0"]], {"S": [[2]], "v": [[0]]}),
     ([S, ["random", "v = S"], ["where", "v == 0"], ["claim", "v == 0"]], {"S": [[2]], "v": [[0]]}),
     (
