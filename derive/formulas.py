@@ -67,8 +67,9 @@ class _Intervals(StrPrinter):  # type: ignore[misc]
         if exponent < 0:
             return f"(1/{self._print_Pow(sp.Pow(base, -exponent, evaluate=False))})"
         text, order = self._print(base), int(exponent.q)
-        while order > 1:
+        while order % 2 == 0:
             text, order = f"iv.sqrt({text})", order // 2
+        text = text if order == 1 else f"iv.exp(iv.log({text})/{order})"
         return text if exponent.p == 1 else f"{text}**{exponent.p}"
 
     def _print_Pi(self, _: sp.Expr) -> str:

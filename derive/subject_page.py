@@ -6,16 +6,16 @@ from collections.abc import Iterator, Sequence
 from typing import Any
 
 from gainproof.derive.printer.bound import KernelBound
+from gainproof.derive.printer.docstring import ONE_TYPES, types_text
 from gainproof.derive.printer.kernel_page import kernel_page
 from gainproof.derive.subject import Subject
 
 NOT_DECIDED = ("definition", "cited")
 NUMBERS = (
     "Numbers and arrays of shapes that broadcast are taken; `out=` takes a tuple of arrays to "
-    "fill. float64 and float32 stay what they are, integers become float64. An input outside its "
-    "domain, NaN included, is a `ValueError` with its place. Errors are relative to the exact "
-    "value unless something else is named, and proved, not measured: for every number of the "
-    "format in the domain."
+    "fill. {} An input outside its domain, NaN included, is a `ValueError` with its place. Errors "
+    "are relative to the exact value unless something else is named, and proved, not measured: for "
+    "every number of the format in the domain."
 )
 MATRICES = {
     "F": "transition",
@@ -36,7 +36,7 @@ def _lines(subject: Subject, bounds: Sequence[Sequence[KernelBound]]) -> Iterato
     yield from ("", subject.derivation.opening, "")
     if subject.model_data is not None:
         yield from _model(subject.model_data)
-    yield from ("## Kernels", "", NUMBERS, "")
+    yield from ("## Kernels", "", NUMBERS.format(types_text(bounds[0], ONE_TYPES)), "")
     for kernel, pair in zip(module.kernels, bounds, strict=True):
         yield kernel_page(kernel, pair)
     yield from ("## What is proved", "")

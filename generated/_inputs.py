@@ -15,7 +15,8 @@ if TYPE_CHECKING:
 
 def as_real(kernel: Signature, given: Sequence[ArrayLike]) -> list[Array]:
     """The inputs as arrays of one type, float64 unless all are float32. TypeError for what is no
-    real number of these types, ValueError for rows of unlike length and for masked elements.
+    real number of these types, or not of the only type that the kernel has; ValueError for rows of
+    unlike length and for masked elements.
     """
     arrays = [_as_array(kernel, place, x) for place, x in enumerate(given)]
     for domain, x in zip(kernel.inputs, arrays, strict=True):
@@ -26,6 +27,13 @@ def as_real(kernel: Signature, given: Sequence[ArrayLike]) -> list[Array]:
             )
     single = all(x.dtype.type is np.float32 for x in arrays)
     kind: np.dtype[Any] = np.dtype(np.float32 if single else np.float64)
+    if kernel.only and kind != kernel.only:
+        named = ", ".join(
+            f"{each.name} {x.dtype}" for each, x in zip(kernel.inputs, arrays, strict=True)
+        )
+        raise TypeError(
+            f"{kernel.name}: only {kernel.only} is here, and inputs must be of it, got {named}"
+        )
     return [x if x.dtype == kind else x.astype(kind) for x in arrays]
 
 

@@ -51,7 +51,7 @@ class Signature(NamedTuple):
 
     `block(inputs, outputs, work, single)`, a function, fills arrays of one shape and type; it may
     use the outputs as buffers before it fills them. Its numbers are the defaults of further
-    arguments.
+    arguments. `only`: the one type of inputs and results, where others are refused.
     """
 
     name: str
@@ -60,3 +60,4 @@ class Signature(NamedTuple):
     work: int
     block: Block
     required: tuple[Required, ...] = ()
+    only: str = ""

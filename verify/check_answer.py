@@ -1,10 +1,8 @@
-"""Decides one certificate of an answer: `python check_answer.py certificate.json`.
+"""Decides one certificate of an answer with Python alone. Usage: check_answer.py certificate.json
 
-It needs Python alone. A certificate is a statement, printed as it is checked, and steps that prove
-it. Expressions are polynomials in letters: variables, and quotients, roots, functions under their
-own text. A step says a polynomial and why it is 0, positive or not 0: times facts, it is a sum of
-facts times others. This is multiplied out and compared; nothing is looked for. Where p q = 0, all
-is analytic, the domain convex and q not 0 at a point, p = 0; what is never 0 keeps its sign.
+A certificate prints a statement and proves it in steps, of polynomials in letters: variables, and
+quotients, roots, functions under their own text. What is 0, positive, not 0 is, times facts, a sum
+of facts times others; or times what is not 0 at a point it is 0, all analytic, the domain convex.
 """
 
 import ast
@@ -13,24 +11,26 @@ import re
 import sys
 from fractions import Fraction
 from functools import reduce
+from keyword import iskeyword
 from math import isqrt
 from operator import add, mul, sub
+from time import process_time
 from typing import Any
 
 FORMAT = "gainproof answer certificate 2"
-MOST_BYTES, MOST_TERMS, MOST_DEGREE, MOST_BITS, FINE = 4_000_000, 200_000, 250, 20_000, 1 << 200
-TEXT = re.compile(r"(?a:[\w+*/()\[\],<>=! -]{0,2000})")
+MOST_BYTES, MOST_TERMS, MOST_DEGREE, MOST_BITS, SECONDS = 4_000_000, 200_000, 250, 20_000, 20
+TEXT = re.compile(r"(?a:(?!.*\b\d+[a-zA-Z_])[\w+*/()\[\],<>=! -]{0,2000})")
 SUMS: Any = {ast.Add: add, ast.Sub: sub, ast.Mult: mul}
 SIGNS = {ast.Eq: "==", ast.NotEq: "!=", ast.Gt: ">", ast.GtE: ">="}
 NOT = {"==": "!=", "!=": "==", ">": ">=", ">=": ">"}  # of -p
 FILTER = "K S = PH', P = FXF' + Q, S = HPH' + R, X = P - KHP; Q >= 0, R > 0; F - FKH is stable"
-FUNCTIONS = ("sqrt", "exp", "sin", "cos")
+FUNCTIONS, FINE = ("sqrt", "exp", "sin", "cos"), 1 << 200
 VALUE = {"over": ("!=", ">"), "sqrt": (">=", ">", "==")}  # wanted of a divisor, a radicand
 
 
-def require(condition: object, reason: str) -> None:
+def require(condition: object, *reason: object) -> None:
     if not condition:
-        raise ValueError(reason)
+        raise ValueError(" ".join(map(str, reason)))
 
 
 class Poly(dict[tuple[str, ...], Any]):
@@ -60,8 +60,8 @@ ZERO, ONE = Poly(), Poly({(): 1})
 
 
 def product(a: Matrix, b: Matrix) -> Matrix:
-    pairs = [[zip(row, column, strict=True) for column in turned(b)] for row in a]
-    return [[reduce(add, (x * y for x, y in pair)) for pair in row] for row in pairs]
+    b = turned(b)
+    return [[reduce(add, (x * y for x, y in zip(r, c, strict=True))) for c in b] for r in a]
 
 
 def turned(a: Matrix) -> Matrix:
@@ -74,6 +74,7 @@ def less(a: Matrix, b: Matrix) -> Matrix:
 
 def symmetric(a: Matrix) -> list[Poly]:
     """Sums of products of 1, 2, 3 eigenvalues, as many as there are, by Newton's identities."""
+    require(len(a) <= 3, "a matrix of more than 3 rows")
     powers = a, product(a, a), product(product(a, a), a)
     t1, t2, t3 = (reduce(add, (m[i][i] for i in range(len(a)))) for m in powers)
     e2 = (t1 * t1 - t2) * Poly({(): Fraction(1, 2)})
@@ -95,12 +96,12 @@ class Certificate:
     def __init__(self, data: Any) -> None:
         require(isinstance(data, dict) and data.get("format") == FORMAT, f"no {FORMAT}")
         self.data = data
-        self.meaning = dict[str, Any]()  # of names: polynomials, or matrices of them
+        self.meaning: dict[str, Any] = {"S": None, "X": None}  # of names: polynomials, or matrices
         self.letters = dict[str, tuple[str, Poly]]()  # kind, and what it is made of
         self.facts = list[tuple[Poly, str]]()  # p == > >= != 0
         self.ends = dict[str, tuple[Fraction, Fraction]]()  # round the letters at a point
         self.wanted = list[tuple[Poly, str]]()  # facts that are to be shown
-        self.lines, self.verdict = list[str](), ""
+        self.lines, self.verdicts, self.latest = list[str](), set[str](), process_time() + SECONDS
         self.straight = True  # so far the domain is convex, and letters analytic
 
     def decide(self) -> list[str]:
@@ -108,9 +109,9 @@ class Certificate:
         for title, *said in self.data["lines"]:
             self.line(title, *said)
         for p, sign in self.wanted:
-            require((p, sign) in self.facts, f"not shown: {dict(p)} {sign} 0")
-        require(self.verdict, "nothing is claimed")
-        return [*self.lines, self.verdict]
+            require((p, sign) in self.facts and process_time() < self.latest, "not shown:", p, sign)
+        require(len(self.verdicts) == 1, "nothing is claimed, or what is true and what is false")
+        return [*self.lines, *self.verdicts]
 
     def line(self, title: str, *said: Any) -> None:
         """Reads one more: a step of the proof, or what is printed."""
@@ -118,50 +119,50 @@ class Certificate:
             getattr(self, title)(*said)
             return
         (text,) = said
+        require(text.isprintable() and len(text) < 4000 and "  " not in text, "what misleads")
         self.lines.append(f"{title + ':':<12}{text}")
         name, equals, value = (word.strip() for word in text.partition("="))
-        new = name.isidentifier() and name not in self.meaning
-        if title in ("typed", "convention", "name"):
-            require(text.isprintable() and len(text) < 4000, "what cannot be printed")
-        elif title == "real" and new and not equals:
+        new = name.isidentifier() and not iskeyword(name) and name not in self.meaning
+        if title == "real" and new and not equals:
             self.letters[name], self.meaning[name] = ("real", ZERO), Poly({(name,): 1})
         elif title == "with" and new:
-            p = self.value(value)
+            p = self.value(value, ast.List if value[:1] == "[" else ast.expr)
             self.meaning[name] = self.letter(name, "part", p) if len(p) > 40 else p
         elif title == "filter" and text == FILTER:
             self.filter()
         elif title == "where":
-            p, sign = self.value(text)
+            p, sign = self.value(text, ast.Compare)
             a, b = self.enclosed(p)
             met = {"==": a == b == 0, "!=": a * b > 0, ">": a > 0, ">=": a >= 0}[sign]
             require(met, "the point is outside the domain")
             flat = all(len(m) < 2 and {self.letters[k][0] for k in m} <= {"real"} for m in p)
             self.straight = self.straight and flat and sign != "!="
             self.facts.append((p, sign))
-        else:
-            p, sign = self.value(text)
-            self.verdict = {"claim": "proved", "false": "refuted"}[title]
+        elif title not in ("typed", "convention", "name"):
+            p, sign = self.value(text, ast.Compare)
+            self.verdicts.add({"claim": "proved", "false": "refuted"}[title])
             self.wanted.append((p, sign) if title == "claim" else (ZERO - p, NOT[sign]))
 
-    def value(self, node: Any) -> Any:
-        """The polynomial of an expression, or a list of them, or one and its sign."""
+    def value(self, node: Any, sort: type = ast.expr) -> Any:
+        """The polynomial of an expression; of a list, or a relation and its sign, where wanted."""
         if isinstance(node, str):
-            require(TEXT.fullmatch(node), f"no expression: {node}")
+            require(TEXT.fullmatch(node), "no expression:", node)
             node = ast.parse(node.strip(), mode="eval").body
+        require(isinstance(node, sort) and process_time() < self.latest, "late, or no", sort)
         match node:
-            case ast.Compare(left=a, ops=[op], comparators=[b]):
+            case ast.Compare(left=a, ops=[op], comparators=[b]) if sort is ast.Compare:
                 return self.value(a) - self.value(b), SIGNS[type(op)]
             case ast.Constant(value=number) if type(number) is int:
                 return ONE * Poly({(): number})
-            case ast.Name() | ast.Subscript() if ast.unparse(node) in self.meaning:
+            case ast.Name() | ast.Subscript() if type(self.meaning.get(ast.unparse(node))) is Poly:
                 return self.meaning[ast.unparse(node)]
-            case ast.List(elts=parts):
-                return [self.value(part) for part in parts]
+            case ast.List(elts=parts) if sort is ast.List:
+                return [self.value(p, ast.List if type(p) is ast.List else ast.expr) for p in parts]
             case ast.UnaryOp(op=ast.USub(), operand=operand):
                 return ZERO - self.value(operand)
             case ast.BinOp(left=a, op=ast.Add() | ast.Sub() | ast.Mult() as op, right=b):
-                return Poly(SUMS[type(op)](self.value(a), self.value(b)))
-            case ast.BinOp(left=a, op=ast.Pow(), right=ast.Constant(value=int(e))) if e <= 64:
+                return SUMS[type(op)](self.value(a), self.value(b))
+            case ast.BinOp(a, ast.Pow(), ast.Constant(e)) if type(e) is int and e <= 64:
                 return reduce(mul, [self.value(a)] * e, ONE)
             case ast.BinOp(left=a, op=ast.Div(), right=b):
                 top, bottom = self.value(a), self.value(b)
@@ -198,7 +199,6 @@ class Certificate:
         self.wanted += [(e, ">") for e in (*symmetric(r), *stable)]
 
     def ends_of(self, name: str) -> tuple[Fraction, Fraction]:
-        """Round a letter at the point."""
         kind, inner = self.letters[name]
         a, b = self.enclosed(inner)
         if kind == "real":
@@ -218,6 +218,7 @@ class Certificate:
         """Ends round a polynomial at the point."""
         low = high = Fraction(0)
         for m, c in p.items():
+            require(process_time() < self.latest, "late")
             a = b = Fraction(c)
             for name in m:
                 self.ends[name] = self.ends.get(name) or self.ends_of(name)
@@ -234,7 +235,7 @@ class Certificate:
         """A number times facts times a square, or any polynomial if a fact is 0; its sign."""
         signs = {self.facts[k][1] for k in facts}
         root, scale = self.poly(other), self.poly([[number]])
-        require(scale, "a term that is 0")
+        require(scale and process_time() < self.latest, "late, or a term that is 0")
         value = reduce(mul, [self.facts[k][0] for k in facts], scale * root)
         if "==" in signs:
             return value, "=="
@@ -261,14 +262,14 @@ class Certificate:
             kept = kept or (low * high > 0 and sign == "==" and not signs)
             fine = kept and self.straight and not total
             fine = fine or (low > 0 and sign == ">" and "real" not in dict(self.letters.values()))
-        require(fine, f"not so: {said} {sign} 0")
+        require(fine, "not so:", said, sign, 0)
         self.facts.append((p, sign))
 
     def opens(self, name: str, by: int) -> None:
         """A letter has a value, since a fact says so of its divisor or radicand."""
         ((name,),) = self.value(name)
         (kind, inner), (p, sign), me = self.letters[name], self.facts[by], Poly({(name,): 1})
-        require(p == inner and sign in VALUE[kind], f"a value of {name} is not shown")
+        require(p == inner and sign in VALUE[kind], "no value is shown of", name)
         self.straight = self.straight and sign in (">", "!=")
         self.facts.append((me * p - ONE if kind == "over" else me * me - p, "=="))
         self.facts += [(me, ">" if sign == ">" else ">=")] if kind == "sqrt" else []
@@ -290,10 +291,10 @@ def main(arguments: list[str]) -> int:
         with open(arguments[0], "rb") as file:
             lines = Certificate(json.loads(file.read(MOST_BYTES))).decide()
     except Exception as error:  # noqa: BLE001  whatever is wrong with it, it shows nothing
-        lines = [f"REJECTED: {type(error).__name__}: {' '.join(str(error).split()):.300}"]
+        lines = [f"REJECTED: {type(error).__name__}: {' '.join(ascii(str(error)).split()):.300}"]
     print("\n".join(lines).encode("ascii", "backslashreplace").decode())
     return int(lines[-1].startswith("REJECTED"))
 
 
 if __name__ == "__main__":
-    sys.exit(main(sys.argv[1:]))
+    sys.exit(__doc__ if sys.argv[1:] in ([], ["-h"], ["--help"]) else main(sys.argv[1:]))

@@ -88,7 +88,7 @@ def stable_evidence(step: Step, tower: Tower) -> dict[str, Any]:
     gain = step.relation.parts["gain"]
     # long where entries have names, and not needed where the hint says all
     hinted = {"coefficients", "values"} <= set(step.hint)
-    coefficients = [] if hinted else _closed_loop_coefficients(step)
+    coefficients = [] if hinted else _closed_loop_coefficients(step, tower)
     stated: dict[str, Any] = {}
     if not isinstance(gain[0], str):
         forms = step.hint.get("coefficients", coefficients[:-1])
@@ -98,11 +98,13 @@ def stable_evidence(step: Step, tower: Tower) -> dict[str, Any]:
     return {**stated, "values": [shown(tower, value) for value in values]}
 
 
-def _closed_loop_coefficients(step: Step) -> list[sp.Expr]:
-    """a_0, ..., a_n of det(zI - F(I - K H)) over the names of the gain."""
+def _closed_loop_coefficients(step: Step, tower: Tower) -> list[sp.Expr]:
+    """a_0, ..., a_n of det(zI - F(I - K H)) over the names of the gain; numbers have no name."""
     model, gain = step.relation.parts["model"], step.relation.parts["gain"]
     transition, measured = matrix_of(model["transition"]), matrix_of(model["measurement"])
     rows = _named([[name] if isinstance(name, str) else name for name in gain])
+    numbers = {x: tower.expressions[x.name] for x in rows if x.name in tower.expressions}
+    rows = rows.subs({x: value for x, value in numbers.items() if value.is_Rational})
     size = transition.rows
     z = sp.Symbol("z")
     closed = z * sp.eye(size) - transition * (sp.eye(size) - rows * measured)

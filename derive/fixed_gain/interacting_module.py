@@ -5,10 +5,19 @@ from __future__ import annotations
 from collections.abc import Mapping
 
 from gainproof.derive.catalogue_module import catalogue_module
-from gainproof.derive.printer.graph import Graph
+from gainproof.derive.printer.graph import Graph, GraphBuilder
 from gainproof.derive.printer.kernel import Input, Kernel, Module, Output
 
+KERNEL = "position_gain"
 LARGEST = "1e300"
+
+
+def graph() -> Graph:
+    """The gain and the share that is left of the prediction's variance, from P/B."""
+    builder = GraphBuilder()
+    ratio = builder.symbol("variance_ratio")
+    whole = 1 + ratio
+    return builder.graph({"gain": ratio / whole, "rest": 1 / whole})
 
 
 def kernel_module(name: str, title: str, made: Mapping[str, Graph]) -> Module:

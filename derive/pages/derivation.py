@@ -16,6 +16,7 @@ from gainproof.derive.derivation import Step
 from gainproof.derive.expression import real
 from gainproof.derive.pages.evaluation import Definition, Meanings
 from gainproof.derive.pages.formula import Formula, FormulaError, read_formula
+from gainproof.derive.pages.matrices import Letters, letters_of
 from gainproof.derive.pages.page import (
     Block,
     Include,
@@ -30,10 +31,12 @@ from gainproof.derive.pages.page import (
     Theorem,
     read_page,
 )
-from gainproof.derive.pages.statement import relation_of
+from gainproof.derive.pages.statement import Statement, relation_of
 from gainproof.derive.printer.graph import Graph
 from gainproof.derive.relation import INFINITY, Relation, cited, described
 from gainproof.derive.source import SOURCES
+from gainproof.derive.words.setting import Setting
+from gainproof.derive.words.statement import Statement as WordStatement
 
 FOLDER = Path(__file__).parent
 ENDS = {"0": End(), "infinity": End()}
@@ -75,6 +78,8 @@ class Written:
     steps: tuple[Step, ...]
     towers: Mapping[str, Tower]
     latex: Mapping[str, str]
+    settings: Mapping[str, Setting] = field(default_factory=dict)
+    """Of matrices."""
 
 
 def written(name: str, given: Given, folder: Path = FOLDER) -> Written:
@@ -88,7 +93,8 @@ def written(name: str, given: Given, folder: Path = FOLDER) -> Written:
     unknown = sorted(set(given.hints) - {step.id for step in steps})
     if unknown:
         raise Place(page.file, 1).error(f"hints for steps that are not there: {unknown}")
-    return Written(head.head, head.text, steps, making.towers, making.latex)
+    settings = {name: letters.setting for name, letters in making.letters.items()}
+    return Written(head.head, head.text, steps, making.towers, making.latex, settings)
 
 
 def page_of(name: str, folder: Path = FOLDER, primed: frozenset[str] = frozenset()) -> Page:
@@ -108,6 +114,8 @@ class _Making:
     folder: Path
     meanings: Meanings = field(default_factory=Meanings)
     towers: dict[str, Tower] = field(default_factory=dict)
+    letters: dict[str, Letters] = field(default_factory=dict)
+    proved: dict[str, WordStatement] = field(default_factory=dict)
     latex: dict[str, str] = field(default_factory=dict)
     heading: str = ""
     ids: set[str] = field(default_factory=set)
@@ -135,6 +143,8 @@ class _Making:
             yield self._kernel(block)
         elif block.kind == "setting":
             self.towers[block.name] = self._tower(block)
+        elif block.kind == "matrices":
+            self.letters[block.name] = self._letters(block)
         else:
             for line in block.lines:
                 try:
@@ -158,6 +168,9 @@ class _Making:
         self.meanings.require_new(name)
         symbols = {**self.meanings.symbols, name: real(quantity)}
         self.meanings = replace(self.meanings, symbols=symbols)
+        self._shown(quantity, printed)
+
+    def _shown(self, quantity: str, printed: str) -> None:
         if shown := latex_of(printed):
             self.latex[quantity] = shown
 
@@ -166,7 +179,7 @@ class _Making:
         self.meanings = self.meanings.define(line.name, Definition(line.arguments, line.meaning))
 
     def _tower(self, block: Block) -> Tower:
-        if not block.parameters:
+        if not block.parameters and not block.lines:
             if block.name not in self.towers:
                 names = ", ".join(tower.name for tower in self.given.towers)
                 raise FormulaError(f"no setting {block.name!r} of the program; known: {names}")
@@ -197,6 +210,28 @@ class _Making:
         except (NoValue, ZeroDivisionError) as error:
             raise FormulaError(str(error)) from None
 
+    def _letters(self, block: Block) -> Letters:
+        listed: list[tuple[str, str, str]] = []
+        found = letters_of(block.name, listed)
+        for declared in block.letters:
+            listed += [
+                (name, quantity or name, declared.what) for name, quantity, _ in declared.letters
+            ]
+            try:
+                found = letters_of(block.name, listed)
+            except FormulaError as error:
+                raise declared.place.error(str(error)) from None
+            if not declared.what.startswith(("with inverse", "blocks of")):
+                for name, quantity, printed in declared.letters:
+                    self._shown(quantity or name, printed or name)
+        for line in block.lines:
+            assert isinstance(line.meaning, Formula)
+            try:
+                found = found.define(line.name, line.meaning)
+            except FormulaError as error:
+                raise line.place.error(str(error)) from None
+        return found
+
     def _step(self, step: PageStep) -> Iterator[Step]:
         for number, item in enumerate(step.items):
             mark, place = (item.mark, item.place) if number else (step.mark, step.place)
@@ -213,15 +248,28 @@ class _Making:
                     essential=mark.essential,
                 )
                 place = item.place
-                yield self._with_hint(replace(made, relation=self._relation(item, made.tower)))
+                if made.tower in self.letters and isinstance(item.said, Statement):
+                    yield self._of_matrices(made, item.said)
+                else:
+                    yield self._with_hint(replace(made, relation=self._relation(item, made.tower)))
             except FormulaError as error:
                 raise place.error(str(error)) from None
             self.heading = ""
 
+    def _of_matrices(self, step: Step, said: Statement) -> Step:
+        letters = self.letters[step.tower]
+        if said.form == "where":
+            return replace(step, relation=letters.meaning(said.parts[0].text))
+        found = letters.proved(step.id, said, self.given.hints.get(step.id, {}), self.proved)
+        self.proved[step.id] = found
+        made = found.step("")
+        return replace(step, relation=made.relation, hint=made.hint)
+
     def _setting(self, text: str) -> str:
         name = self._filled(text)
-        if name not in self.towers:
-            raise FormulaError(f"no setting {name!r} above; known: {', '.join(self.towers)}")
+        known = (*self.towers, *self.letters)
+        if name not in known:
+            raise FormulaError(f"no setting {name!r} above; known: {', '.join(known)}")
         return name
 
     def _id(self, text: str) -> str:
@@ -353,11 +401,11 @@ def latex_of(name: str) -> str:
     """How a name of a page is printed: Greek letters by their names, what follows _ below; nothing
     for a word.
     """
-    match = re.fullmatch(r"([A-Za-z]+)(?:_([A-Za-z0-9_]+)|(\d+))?('?)", name)
+    match = re.fullmatch(r"([A-Za-z]+|1)(?:_([A-Za-z0-9_+|]+)|(\d+))?('?)", name)
     if match is None or (len(match[1]) > 1 and match[1] not in GREEK):
         return ""
     below = match[2] or match[3] or ""
-    short = len(below) == 1 or below in GREEK
+    short = (len(below) == 1 and below.isalnum()) or below in GREEK
     subscript = f"_{_letter(below)}" if short else f"_{{{below}}}" * bool(below)
     return f"{_letter(match[1])}{subscript}{match[4]}"
 

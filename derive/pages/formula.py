@@ -1,6 +1,6 @@
 """The notation of formulas on pages: read, printed back and compared.
 
-    2 e^2/(1 + e)      A P A' + K K'      [alpha, beta]      [1, T; 0, 1]      index(n)
+    2 e^2/(1 + e)    A P A' + K K'    P H' S^-1    [alpha, beta]    [1, T; 0, 1]    index(n)
 
 Factors stand beside each other, apart by a blank; what is divided by is one factor. `'` transposes,
 a comma ends an entry of a matrix and a semicolon its row. A name followed at once by a parenthesis
@@ -23,11 +23,26 @@ MAXIMUM_EXPONENT = 16
 MAXIMUM_DIGITS = 40
 AROUND = 30
 RESERVED = frozenset(
-    ["and", "as", "falls", "for", "from", "grows", "has", "in", "infinity", "is", "to", "with"]
+    [
+        "and",
+        "as",
+        "falls",
+        "for",
+        "from",
+        "grows",
+        "has",
+        "if",
+        "in",
+        "infinity",
+        "is",
+        "to",
+        "where",
+        "with",
+    ]
 )
 """What may stand behind a formula; no quantity has such a name."""
 NAME = r"[A-Za-z][A-Za-z0-9]*(?:_[A-Za-z0-9]+)*"
-_TOKEN = re.compile(rf"(?P<blank> *)(?P<text>{NAME}|\d+|->|[-+/^()\[\],;'{{}}=>])")
+_TOKEN = re.compile(rf"(?P<blank> *)(?P<text>{NAME}|\d+|->|>=|[-+/^()\[\],;'{{}}=>])")
 
 
 class FormulaError(ValueError):
@@ -40,7 +55,8 @@ class FormulaError(ValueError):
 
 @dataclass(frozen=True)
 class Formula:
-    """One node: number, name, slot, add, neg, mul, div, pow, call, matrix, transpose or names.
+    """One node: number, name, slot, add, neg, mul, div, pow, call, matrix, transpose, inverse or
+    names.
 
     `text`: the number, the name, the exponent, or the columns of a matrix.
     """
@@ -172,6 +188,10 @@ class Reader:
             found = Formula("transpose", "", (found,))
         if self.next == "^":
             self.place += 1
+            if self.next == "-":
+                self.place += 1
+                self.take("1")
+                return Formula("inverse", "", (found,))
             exponent = self.next
             if not exponent.isdigit() or not 2 <= int(exponent) <= MAXIMUM_EXPONENT:
                 raise self.error(f"a whole number from 2 to {MAXIMUM_EXPONENT}")
@@ -242,7 +262,7 @@ def whole(text: str, primed: frozenset[str], read: Callable[[Reader], Read]) -> 
     return found
 
 
-_BINDING = {"add": 0, "neg": 0, "div": 1, "mul": 2, "pow": 3, "transpose": 4}
+_BINDING = {"add": 0, "neg": 0, "div": 1, "mul": 2, "pow": 3, "inverse": 3, "transpose": 4}
 
 
 def _printed(node: Formula) -> str:
@@ -269,6 +289,8 @@ def _printed(node: Formula) -> str:
             return f"{_inside(parts[0], 4)}^{node.text}"
         case "transpose":
             return f"{_inside(parts[0], 4)}'"
+        case "inverse":
+            return f"{_inside(parts[0], 4)}^-1"
         case "names":
             return ", ".join(map(str, parts))
         case "call":

@@ -7,6 +7,7 @@ A blank line stands between blocks; the first line of a block says what it is.
     let                               names for formulas, and functions of them
     setting NAME                      parameters, then what quantities are in them; with no line
                                       beneath one that the program makes
+    matrices NAME                     letters of any size, and what some of them stand for
     ## Heading
     ### id (in NAME, hidden, essential)   one step, with its sentence beneath
         statement                     indented: what it says, see `statement`
@@ -34,11 +35,12 @@ from gainproof.derive.pages.statement import Statement, read_statement
 
 MAXIMUM_LINES = 5000
 WIDTH = 100
-_ID = r"[a-z0-9{}_-]+"
+_ID = r"[A-Za-z0-9{}_-]+"
 _MARK = re.compile(
     rf"({_ID})(?: \((?=\w)(?:in ([A-Za-z0-9{{}}_]+))?(?:, |\b)?(hidden)?(?:, |\b)?(essential)?\))?"
 )
 _ITEM = re.compile(rf"(?:({_ID}(?: \([^)]*\))?): )?(.+)")
+_TOLD = ("theorem: ", "in words: ")
 _THEOREM = re.compile(r"theorem: (.+) \[([a-z0-9-]+)\]")
 _PLAIN = re.compile(rf"{NAME}'?(?:, {NAME}'?)*")
 _NAMES = re.compile(
@@ -46,6 +48,11 @@ _NAMES = re.compile(
     r"(?: for (?P<variable>[a-z]+) in (?P<values>[a-z0-9]+(?:, [a-z0-9]+)*))?"
 )
 _DEFINED = re.compile(rf"({NAME}'?)(?:\(({NAME}(?:, {NAME})*)\))? = (.+)")
+_LETTER = re.compile(rf"({NAME})(?: = ({NAME}))?(?: as ([A-Za-z0-9_+|]+))?")
+_SIZE = rf"(?:1|{NAME})"
+_WHAT = re.compile(
+    rf"(.+): ({_SIZE} by {_SIZE}|positive|real|(?:unit|blocks) of {_SIZE}|with inverse)"
+)
 _PARAMETER = re.compile(rf"({NAME}) (>=?) (0|[1-9]\d*)")
 
 
@@ -168,8 +175,28 @@ class Line:
 
 
 @dataclass(frozen=True)
+class LetterLine:
+    """Letters of a block of matrices: each with its name in certificates and as printed; what they
+    are.
+    """
+
+    letters: tuple[tuple[str, str, str], ...]
+    what: str
+    place: Place = Place("", 0)
+
+    def __str__(self) -> str:
+        listed = (
+            name + f" = {quantity}" * bool(quantity) + f" as {printed}" * bool(printed)
+            for name, quantity, printed in self.letters
+        )
+        return f"{', '.join(listed)}: {self.what}"
+
+
+@dataclass(frozen=True)
 class Block:
-    """A block of lines: names, let, setting or kernel; `parameters` of a setting, inputs first."""
+    """A block of lines: names, let, setting, matrices or kernel; `parameters` of a setting, inputs
+    first; `letters` of matrices, before their lines.
+    """
 
     kind: str
     name: str
@@ -177,10 +204,11 @@ class Block:
     parameters: tuple[tuple[str, str, str], ...]
     lines: tuple[Line, ...]
     place: Place
+    letters: tuple[LetterLine, ...] = ()
 
     def __str__(self) -> str:
         head = " ".join(filter(None, (self.kind, self.name)))
-        lines: list[object] = list(self.lines)
+        lines: list[object] = [*self.letters, *self.lines]
         if self.parameters:
             lines.insert(0, ", ".join(map(" ".join, self.parameters)))
         place = f" (in {self.setting})" if self.setting != "main" else ""
@@ -261,8 +289,10 @@ class _Reading:
             rest = chunks.pop(0)
             match kind:
                 case "#" | "##":
-                    yield Prose(kind, first[len(kind) + 1 :], _joined(rest[1:]), self._at(number))
-                case "names" | "let" | "setting" | "kernel":
+                    yield Prose(
+                        kind, first[len(kind) + 1 :], self._prose(rest[1:]), self._at(number)
+                    )
+                case "names" | "let" | "setting" | "matrices" | "kernel":
                     yield self._block(kind, rest)
                 case "include" | "steps":
                     yield self._include(kind, rest)
@@ -270,7 +300,7 @@ class _Reading:
                     self._at_error(
                         number,
                         "a block is wanted that starts with #, ##, ###, names, let, setting, "
-                        f"kernel, include or steps, {first.strip()[:40]!r} came",
+                        f"matrices, kernel, include or steps, {first.strip()[:40]!r} came",
                     )
 
     def _chunks(self, text: str) -> Iterator[Numbered]:
@@ -307,8 +337,16 @@ class _Reading:
         if len(chunks) > 3 or (len(chunks) == 3 and chunks[2][0][1].startswith(" ")):
             self._at_error(chunks[-1][0][0], "one block of statements and one reason are wanted")
         items = tuple(self._items(chunks[1]))
-        reason = _joined(chunks[2]).removeprefix("because ") if len(chunks) == 3 else ""
-        return PageStep(mark, _joined(beneath), items, reason, self._at(number))
+        reason = self._prose(chunks[2]).removeprefix("because ") if len(chunks) == 3 else ""
+        return PageStep(mark, self._prose(beneath), items, reason, self._at(number))
+
+    def _prose(self, lines: Numbered) -> str:
+        """A sentence or several, each formula in a pair of backticks."""
+        text = " ".join(line.strip() for _, line in lines)
+        if text.count("`") % 2:
+            odd = [number for number, line in lines if line.count("`") % 2]
+            self._at_error(odd[-1], "a formula stands between two backticks, one is alone here")
+        return text
 
     def _mark(self, number: int, text: str) -> Mark:
         match = _MARK.fullmatch(text)
@@ -319,20 +357,21 @@ class _Reading:
 
     def _items(self, chunk: Numbered) -> Iterator[Item]:
         for place, (number, text) in enumerate(self._lines(chunk)):
-            if text.startswith(("theorem: ", "in words: ")):
-                yield Item(Mark(), self._told(number, text), self._at(number))
-                continue
-            match = _ITEM.fullmatch(text)
-            assert match is not None
-            if bool(match[1]) is (place == 0):
+            match = None if text.startswith(_TOLD) else _ITEM.fullmatch(text)
+            named = match is not None and bool(match[1])
+            if named is (place == 0):
                 wanted = "'id: statement'" if place else "a statement without an id"
                 self._at_error(number, f"{wanted} is wanted, {text[:40]!r} came")
-            mark = self._mark(number, match[1]) if match[1] else Mark()
-            try:
-                said = read_statement(match[2], self.primed)
-            except FormulaError as error:
-                self._at_error(number, str(error))
-            yield Item(mark, said, self._at(number))
+            mark = self._mark(number, match[1]) if match and match[1] else Mark()
+            yield Item(mark, self._said(number, match[2] if match else text), self._at(number))
+
+    def _said(self, number: int, text: str) -> Statement | Theorem | InWords:
+        if text.startswith(_TOLD):
+            return self._told(number, text)
+        try:
+            return read_statement(text, self.primed)
+        except FormulaError as error:
+            self._at_error(number, str(error))
 
     def _told(self, number: int, text: str) -> Theorem | InWords:
         if text.startswith("in words: "):
@@ -360,17 +399,33 @@ class _Reading:
     def _block(self, kind: str, chunk: Numbered) -> Block:
         (number, first), *beneath = chunk
         match = re.fullmatch(rf"{kind}(?: ({NAME}))?(?: \(in ({NAME})\))?", first)
-        named, placed = kind in ("setting", "kernel"), kind == "kernel"
+        named, placed = kind in ("setting", "matrices", "kernel"), kind == "kernel"
         if match is None or bool(match[1]) is not named or (match[2] and not placed):
             wanted = f"{kind}{' NAME' * named}{' (in NAME)' * placed}"
             self._at_error(number, f"{wanted} is wanted, {first!r} came")
         lines = self._lines(beneath)
         if not lines and kind != "setting":
             self._at_error(number, f"indented lines are wanted beneath {first!r}")
-        parameters = self._parameters(lines.pop(0)) if kind == "setting" and lines else ()
+        inputs = kind == "setting" and lines and " = " not in lines[0][1]
+        parameters = self._parameters(lines.pop(0)) if inputs else ()
+        letters = []
+        while kind == "matrices" and lines and (shape := _WHAT.fullmatch(lines[0][1])):
+            letters.append(self._letters(lines.pop(0)[0], *shape.groups()))
         read = {"names": self._name}.get(kind, self._definition)
         made = tuple(read(*line) for line in lines)
-        return Block(kind, match[1] or "", match[2] or "main", parameters, made, self._at(number))
+        place = self._at(number)
+        name, setting = match[1] or "", match[2] or "main"
+        return Block(kind, name, setting, parameters, made, place, tuple(letters))
+
+    def _letters(self, number: int, listed: str, what: str) -> LetterLine:
+        found = []
+        for text in listed.split(", "):
+            match = _LETTER.fullmatch(text)
+            if match is None:
+                self._at_error(number, f"'letter' or 'letter = quantity' is wanted, {text!r} came")
+            name, quantity, printed = match.groups(default="")
+            found.append((name, quantity, printed))
+        return LetterLine(tuple(found), what, self._at(number))
 
     def _parameters(self, line: tuple[int, str]) -> tuple[tuple[str, str, str], ...]:
         found = []
@@ -418,7 +473,3 @@ class _Reading:
         if match is None or len(chunk) > 1:
             self._at_error(number, f"{kind} NAME is wanted, alone, {text!r} came")
         return Include(kind, match[1], match[2] or "", self._at(number))
-
-
-def _joined(lines: Numbered) -> str:
-    return " ".join(line.strip() for _, line in lines)

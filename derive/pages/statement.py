@@ -6,7 +6,7 @@ A statement is one of the lines of `FORMS`, where L, R and the like stand for fo
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any
 
 import sympy as sp
@@ -27,7 +27,13 @@ FORMS: Mapping[str, str] = {
     "free": "L = R for any NAMES",
     "equal": "L = R",
     "positive": "L > R",
+    "order": "L >= R",
     "definite": "M is positive definite",
+    "semidefinite": "M is positive semidefinite",
+    "symmetric": "M is symmetric",
+    "invertible": "M is invertible",
+    "full rank": "M has full column rank",
+    "where": "where NAME",
     "stable": "gain K is stable in NAME",
     "steady": "gain K is steady in NAME with covariances M and X and index NAME",
     "same sign": "L has the sign of R",
@@ -37,20 +43,24 @@ FORMS: Mapping[str, str] = {
     "limit": "L -> B as NAME -> B",
 }
 """By kind, the first that fits counts. NAMES: names apart by commas; B: a formula or `infinity`."""
+CONDITIONS = ("equal", "definite", "semidefinite", "symmetric", "invertible", "full rank")
+"""What may stand behind `if`, apart by commas."""
 
 
 @dataclass(frozen=True)
 class Statement:
-    """One statement: its form and what stands in it."""
+    """One statement: its form, what stands in it, and the conditions behind `if`."""
 
     form: str
     parts: tuple[Formula, ...]
+    given: tuple[Statement, ...] = ()
 
     def __str__(self) -> str:
         """As it is written."""
         parts = iter(self.parts)
         words = FORMS[self.form].split()
-        return " ".join(str(next(parts)) if word.isupper() else word for word in words)
+        text = " ".join(str(next(parts)) if word.isupper() else word for word in words)
+        return text + (f" if {', '.join(map(str, self.given))}" if self.given else "")
 
 
 def read_statement(text: str, primed: frozenset[str] = frozenset()) -> Statement:
@@ -59,11 +69,21 @@ def read_statement(text: str, primed: frozenset[str] = frozenset()) -> Statement
 
 
 def _statement(reader: Reader) -> Statement:
+    found = _of_forms(reader, tuple(FORMS), ("", "if"))
+    given: list[Statement] = []
+    while reader.next in ("if", ",") and (reader.next == "if") is not bool(given):
+        reader.place += 1
+        given.append(_of_forms(reader, CONDITIONS, ("", ",")))
+    return replace(found, given=tuple(given))
+
+
+def _of_forms(reader: Reader, forms: tuple[str, ...], ends: tuple[str, ...]) -> Statement:
+    start = reader.place
     errors: list[tuple[int, FormulaError]] = []
-    for form in FORMS:
-        reader.place, reader.depth = 0, 0
+    for form in forms:
+        reader.place, reader.depth = start, 0
         try:
-            return _of_form(reader, form)
+            return _of_form(reader, form, ends)
         except FormulaError as error:
             errors.append((reader.place, error))
     farthest = max(place for place, _ in errors)
@@ -75,14 +95,14 @@ def _statement(reader: Reader) -> Statement:
     raise reader.error(" or ".join(wanted))
 
 
-def _of_form(reader: Reader, form: str) -> Statement:
+def _of_form(reader: Reader, form: str, ends: tuple[str, ...]) -> Statement:
     parts = []
     for word in FORMS[form].split():
         if word.isupper():
             parts.append(_part(reader, word))
         else:
             reader.take(word)
-    if reader.next:
+    if reader.next not in ends:
         raise reader.error("the end")
     return Statement(form, tuple(parts))
 
@@ -106,9 +126,11 @@ def _name_or_slot(reader: Reader) -> Formula:
     return reader.slot() if reader.next == "{" else Formula("name", reader.name())
 
 
-def relation_of(statement: Statement, meanings: Meanings) -> Relation:
+def relation_of(said: Statement, meanings: Meanings) -> Relation:
     """The relation that it stands for. Raises FormulaError for a name that has no meaning."""
-    return _MADE[statement.form](meanings, *statement.parts)
+    if said.given or said.form not in _MADE:
+        raise FormulaError("only matrices of every size have such statements")
+    return _MADE[said.form](meanings, *said.parts)
 
 
 def _free(meanings: Meanings, left: Formula, right: Formula, names: Formula) -> Relation:
@@ -161,8 +183,12 @@ def _names(meanings: Meanings, matrix: Formula) -> list[list[str]]:
     return [[entry.name for entry in line] for line in value.tolist()]
 
 
-def _listed(meanings: Meanings, gain: Formula) -> list[str]:
-    return [name for line in _names(meanings, gain) for name in line]
+def _listed(meanings: Meanings, gain: Formula) -> list[Any]:
+    """The names of a gain; of several measurements, row by row."""
+    listed = _names(meanings, gain)
+    if len(listed) > 1 and len(listed[0]) > 1:
+        return listed
+    return [name for line in listed for name in line]
 
 
 def _monotone(trend: str) -> Callable[[Meanings, Formula, Formula], Relation]:

@@ -24,17 +24,17 @@ WIDTH = 96  # of the text, inside an indentation of four
 ONE = (
     "Outside an output's range, a few numbers next to its ends apart, its true value is no normal "
     "number: it comes as 0, a subnormal number or infinity, never as NaN. Numbers and arrays are "
-    "taken, arrays of any shape; inputs are broadcast. float64 and float32 stay what they are, "
-    "integers become float64."
+    "taken, arrays of any shape; inputs are broadcast. {}"
 )
 SEVERAL = (
     "Every true value that an error is relative to is a normal number. Numbers and arrays are "
-    "taken, arrays of any shapes that broadcast. Where all inputs are float32 so are the results; "
-    "otherwise everything becomes float64, integers too."
+    "taken, arrays of any shapes that broadcast. {}"
 )
-SIGNED = (
-    "Numbers and arrays are taken, arrays of any shapes that broadcast. Where all inputs are "
-    "float32 so are the results; otherwise everything becomes float64, integers too."
+SIGNED = "Numbers and arrays are taken, arrays of any shapes that broadcast. {}"
+ONE_TYPES = "float64 and float32 stay what they are, integers become float64."
+SEVERAL_TYPES = (
+    "Where all inputs are float32 so are the results; otherwise everything becomes float64, "
+    "integers too."
 )
 SIZES = "the sum of its terms' sizes"
 ASSUMED = f"err by at most {ULP} units in the last place of the true value"
@@ -106,11 +106,13 @@ def _limit_text(limit: Limit) -> str:
 
 def docstring(kernel: Kernel, bounds: Sequence[KernelBound]) -> str:
     """The text between the quotes, lines without indentation."""
-    several = SIGNED if has_signs(kernel) else SEVERAL
+    several = len(kernel.inputs) > 1
+    text = (SIGNED if has_signs(kernel) else SEVERAL) if several else ONE
+    types = types_text(bounds, SEVERAL_TYPES if several else ONE_TYPES)
     sections = [
         *mathematics(kernel, bounds),
         _wrap(
-            f"{several if len(kernel.inputs) > 1 else ONE} `out`: a tuple of arrays to fill. "
+            f"{text.format(types)} `out`: a tuple of arrays to fill. "
             "`workers`: threads that share the work on long arrays."
         ),
         _accurate(kernel, bounds),
@@ -122,6 +124,15 @@ def docstring(kernel: Kernel, bounds: Sequence[KernelBound]) -> str:
         _wrap(f"Source: {kernel.source}"),
     ]
     return "\n\n".join("\n".join(section) for section in sections if section)
+
+
+def types_text(bounds: Sequence[KernelBound], both: str) -> str:
+    """What types are taken: `both` says it where there are bounds of both formats."""
+    if len(bounds) > 1:
+        return both
+    if bounds[0].format is FLOAT64:
+        return "Integers become float64; inputs that are all float32 are refused."
+    return "All inputs must be float32, and results are."
 
 
 def mathematics(kernel: Kernel, bounds: Sequence[KernelBound]) -> list[list[str]]:

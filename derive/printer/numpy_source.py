@@ -24,8 +24,10 @@ def module_source(module: Module) -> str:
     return printed(module, prove_all(module.kernels))
 
 
-def printed(module: Module, bounds: Sequence[Sequence[KernelBound]]) -> str:
-    """The text of one generated module from bounds already proved, one pair a kernel."""
+def printed(module: Module, bounds: Sequence[Sequence[KernelBound]], only: str = "") -> str:
+    """The text of one generated module from bounds already proved, one pair a kernel; `only`: the
+    one format that is taken and described.
+    """
     for kernel, (first, *_) in zip(module.kernels, bounds, strict=True):
         start_is_near(kernel, first)
     names = [kernel.name for kernel in module.kernels]
@@ -74,7 +76,8 @@ def printed(module: Module, bounds: Sequence[Sequence[KernelBound]]) -> str:
         if not module.results:
             lines += ["", "", *result_class(kernel)]
         own = [domains[domain] for domain in kernel_domains(kernel, pair)]
-        lines += ["", "", *_kernel(kernel, arithmetic, required, pair, own)]
+        shown = [bound for bound in pair if only in ("", bound.format.name)]
+        lines += ["", "", *_kernel(kernel, arithmetic, required, shown, own, only)]
         if kernel.accurate:
             lines += ["", "", *_accurate(kernel, domains[accurate_domain(kernel.accurate)])]
     return "\n".join(lines) + "\n"
@@ -103,6 +106,7 @@ def _kernel(
     required: Sequence[Printed],
     bounds: Sequence[KernelBound],
     domains: Sequence[str],
+    only: str,
 ) -> Iterator[str]:
     block, signature = f"_{kernel.name}_block", f"_{kernel.name.upper()}"
     yield from _function(kernel, bounds, signature)
@@ -123,6 +127,7 @@ def _kernel(
         for each in required:
             yield from (f"        {line}" for line in each.entry)
         yield "    ),"
+    yield from (f'    only="{only}",',) if only else ()
     yield ")"
 
 

@@ -31,9 +31,8 @@ TAKEN = frozenset((
 # fmt: on
 """What no variable is called: words of Rust, and what the functions call."""
 ABOUT = """\
-//! Functions of numbers, in `double` and in `single`. `Err` names the first input that lies outside
-//! of its domain, NaN included. Nothing is allocated; square roots and other functions are those of
-//! the C library that the program is linked with.
+//! `Err` names the first input that lies outside of its domain, NaN included. Nothing is allocated;
+//! square roots and other functions are those of the C library that the program is linked with.
 #![no_std]
 #![allow(non_snake_case)]
 
@@ -79,8 +78,10 @@ def rust_files(
 
 def _source(module: Module, bounds: Sequence[Bounds]) -> Iterator[str]:
     yield from (f"//! Made by: {module.command} --target rust", f"//! From: {module.derivation}")
-    yield from (f"//! {module.title}", "//!", ABOUT)
-    for row, form in enumerate(FORMATS):
+    forms = [bound.format for bound in bounds[0]]
+    told = " and in ".join(f"`{TYPES[form][0]}`" for form in forms)
+    yield from (f"//! {module.title}", "//!", f"//! Functions of numbers, in {told}.", ABOUT)
+    for row, form in enumerate(forms):
         name, kind, letter = TYPES[form]
         pairs = zip(module.kernels, bounds, strict=True)
         made = [_kernel(kernel, pair, row) for kernel, pair in pairs]
@@ -158,8 +159,9 @@ def _trial(module: Module, values: Mapping[str, Any]) -> Iterator[str]:
     yield f"// Made by: {module.command} --target rust"
     yield f"use {module.name}::*;"
     for kernel in module.kernels:
-        for form in FORMATS:
-            yield from ("", "#[test]", *_test(kernel, form, values[kernel.name]))
+        known = values[kernel.name]
+        for form in (each for each in FORMATS if each.name in known["points"]):
+            yield from ("", "#[test]", *_test(kernel, form, known))
 
 
 def _test(kernel: Kernel, form: Format, known: Mapping[str, Any]) -> Iterator[str]:

@@ -38,13 +38,16 @@ def all_files(
 
 
 def module_files(
-    module: Module, certificate: Mapping[str, Any], bounds: Sequence[Sequence[KernelBound]]
+    module: Module,
+    certificate: Mapping[str, Any],
+    bounds: Sequence[Sequence[KernelBound]],
+    only: str = "",
 ) -> dict[str, str]:
     """Texts by file name of one module from bounds already proved: itself, its certificate, and its
-    results where these are a file of their own.
+    results where these are a file of their own. `only`: the one format that is wanted.
     """
     files = {
-        f"{module.name}.py": printed(module, bounds),
+        f"{module.name}.py": printed(module, bounds, only),
         f"{module.name}.json": canonical_json(certificate),
     }
     return files | ({f"{module.results}.py": results_source(module)} if module.results else {})

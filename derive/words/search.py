@@ -102,13 +102,19 @@ class Search:
             residual = residual - value
         rest, cofactors = reduced(residual, self.rules)
         if rest.terms:
-            left = rest.data()
+            left = [self._shown(*term) for term in rest.data()]
             more = f" and {len(left) - SHOWN_TERMS} more" if len(left) > SHOWN_TERMS else ""
-            raise UnprovedError(f"{name}: left over {left[:SHOWN_TERMS]}{more}")
+            raise UnprovedError(f"{name}: left over {', '.join(left[:SHOWN_TERMS])}{more}")
         return [
             self._data(cofactor)
             for cofactor in gathered([*(c for _, c in first), *cofactors], self.words)
         ]
+
+    def _shown(self, coefficient: Any, powers: Any, word: Any) -> str:
+        """A term as text, its number in front."""
+        named = zip(self.setting.variables, powers, strict=True)
+        numbers = (f"{name}^{power}" if power != 1 else name for name, power in named if power)
+        return " ".join([coefficient, *numbers, *word])
 
     def numbered(self, evidence: Any) -> Any:
         """With the hypotheses numbered as in `needed`."""

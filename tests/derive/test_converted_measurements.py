@@ -12,8 +12,7 @@ import sympy as sp
 from catalogue_subjects import certificate, subject
 from one_of_each import cases
 
-from gainproof.derive.algebra.positive import NoPlainSign
-from gainproof.derive.derivation import Step
+from gainproof.derive.derivation import PageError, Step
 from gainproof.derive.relation import Relation, equal, limit, monotone, positive, same_sign
 from gainproof.derive.sensors import converted_correlated_tower as correlated
 from gainproof.derive.sensors import converted_space_correlated as both
@@ -95,7 +94,7 @@ def status(relation: Relation, hint: Plain | None = None, tower: str = "main") -
     )
     try:
         data = json.loads(json.dumps(alone.certificate()))
-    except NoPlainSign:
+    except PageError:  # which names the step
         return "rejected"
     (result,) = check(data, claims=alone.claims()).statements
     return result.status

@@ -75,6 +75,19 @@ def judge() -> Iterator[Judge]:
         (r"\lambda I - A^T = (\lambda I - A)^T", {}, r"\lambda: number"),
         ("h P h^T >= 0", {}, "h: "),
         ("(I-KH)P^-(I-KH)^T + KRK^T = (I-KH)P^-", {}, "K = P_{prior} H^T"),
+        ("P^+ = (I-KH) P^- (I-KH)^T + K R K^T", {}, "P_{posterior} = P_{prior} - K H P_{prior}"),
+        (
+            "P_{k|k}^{-1} = P_{k|k-1}^{-1} + H_k^T R_k^{-1} H_k",
+            {},
+            "P_{k|k}: P_{k|k-1} - P_{k|k-1} H_k^T",
+        ),
+        ("(I-WH)P(I-WH)^T+WRW^T = P-WSW^T", {}, "W = P H^T S^{-1}"),
+        ("$(A B)^T = B^T A^T$", {}, "A: n x m"),
+        (
+            "P^+ = (I-KH) P^- (I-KH)^T + K R K^T",
+            {"symbols": {"P^+": "= (I - K H) P^-", "K": "= P^- H^T (H P^- H^T + R)^{-1}"}},
+            "P_{posterior}: short for (I - K H) P^-",
+        ),
         (r"\Phi P \Phi^T + Q >= 0", {}, "Q: n x n, positive semidefinite"),
         (r"A^T P A \succeq 0", {}, "A: n x m"),
         ("H^TR^{-1}H = (H^TR^{-1}H)^T", {}, "H: m x n"),
@@ -195,6 +208,14 @@ def test_bad_input_is_told(
 ) -> None:
     with pytest.raises(BadInputError, match=message):
         judge.ask(formula, **said)
+
+
+def test_an_error_shows_the_identity_as_it_was_typed(judge: Judge) -> None:
+    with pytest.raises(BadInputError) as caught:
+        judge.ask("P(k+1|k+1) = [I - K H] P^T I ( |")
+    _, shown, mark = str(caught.value).split("\n")
+    assert "I_{1" not in shown
+    assert shown[mark.index("^")] == "|"
 
 
 def test_a_prime_of_a_number_stays_one(judge: Judge) -> None:

@@ -20,7 +20,8 @@ DEGREES = {"least-squares-mean": 0, "least-squares-line": 1, "least-squares-para
 # any size, have the checker alone
 SEVERAL = (
     *("position-velocity", "recursion", "interacting", "polar", "alpha-beta", "filter-step"),
-    *("range-doppler", "multipath-location", "converted-measurements", "updated-gains"),
+    *("range-doppler", "bearings-only", "multipath-location", "converted-measurements"),
+    "updated-gains",
 )
 OF_ONE_INDEX: tuple[Entry, ...] = tuple(
     entry for entry in CATALOGUE if not entry.name.startswith(SEVERAL)

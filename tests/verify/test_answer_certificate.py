@@ -9,6 +9,11 @@ import pytest
 
 from gainproof.answers.judge import Judge
 from gainproof.verify import check_answer
+from gainproof.verify.judge.answer_certificate import (
+    NoCertificateError,
+    answer_certificate,
+    unexplained,
+)
 
 VELOCITY = {"model": "random-velocity"}
 SAME = {"a": "sampling_interval", "T": "sampling_interval"}
@@ -95,3 +100,93 @@ def test_what_is_lost_of_a_filter_has_no_certificate(
     judge: Judge, formula: str, said: dict[str, Any]
 ) -> None:
     assert lines(judge, formula, **said) == []
+
+
+@pytest.mark.parametrize(
+    ("formula", "convention", "letter"),
+    [
+        (r"\alpha + x = x + K_1", "gains are those of the filter (K)", "alpha = K[1,1]"),
+        ("P_{12} > 0", "the covariance is the predicted one", "P_12 = P[1,2]"),
+    ],
+)
+def test_of_more_conventions_that_which_is_stated_is_told(
+    judge: Judge, formula: str, convention: str, letter: str
+) -> None:
+    assert str(judge.ask(formula, model="random-velocity").claim["convention"]).startswith(
+        "any of: "
+    )
+    found = lines(judge, formula, **VELOCITY)
+    assert f"convention: {convention}" in found
+    assert f"with: {letter}" in found
+
+
+@pytest.mark.parametrize(
+    ("latex", "tokens"),
+    [
+        ("H K_k = K_{k1}", ["free K_{k1}[1,1]", "free K_{k1}[1,2]"]),
+        (r"K_k = \begin{pmatrix} K_{k1} \\ K_{k2} \end{pmatrix}", ["K_{k1}[1,1]", "K_{k2}[1,1]"]),
+        (r"K = \begin{bmatrix} \alpha_r & 0 \end{bmatrix}", [r"\alpha_r"]),
+        (r"E[y - y_c] = 0", ["y_c", "y"]),
+        (r"\mathrm{E}(x) = a", ["x", "a"]),
+        (r"\hat{x} = x", ["x"]),
+        (r"x = \hat{x}", [r"\hat{x}"]),
+        ("x_k = x", ["x"]),
+        (r"\sigma_{\theta} = \theta", [r"\theta"]),
+        ("x' = x", ["x"]),
+        ("dt = 2 t", ["t"]),
+        (r"\omega(t) = t", ["t"]),
+        ("A = I", ["A"]),
+        ("e > 2", []),
+    ],
+)
+def test_a_symbol_that_no_line_explains_is_found(latex: str, tokens: list[str]) -> None:
+    assert unexplained(latex, tokens)
+
+
+@pytest.mark.parametrize(
+    ("latex", "tokens"),
+    [
+        (r"\frac{d^2 \beta}{d\lambda^2} < 0", [r"\beta", r"\lambda"]),
+        (
+            r"\frac{\partial \dot{\phi}}{\partial \theta} = \omega \tan \theta",
+            [r"\dot{\phi}", r"\theta", r"\omega"],
+        ),
+        (r"Q_{00} = \frac{dt^7}{252}", ["dt", "Q_{00}"]),
+        (r"e^{a + b} = e^a e^b", ["a", "b"]),
+        (r"\hat P_{11} = P_{11}", [r"\hat P_{11}", "P_{11}"]),
+        (r"\left( \alpha_{k+1} \right)^2 \geq 0 < \pi", [r"\alpha_{k+1}"]),
+        (r"\gamma = {\beta^2 \over 2\alpha}", [r"\alpha", r"\beta", r"\gamma"]),
+        ("xy = yx", ["x", "y"]),
+        (r"A A^T = B", ["A[1,1]", "B[1,1]"]),
+    ],
+)
+def test_layout_and_functions_are_no_symbols(latex: str, tokens: list[str]) -> None:
+    assert unexplained(latex, tokens) == ""
+
+
+@pytest.mark.parametrize(
+    "other", [{"latex": "x^2 + H = 1"}, {"latex": "E[x^2] = 1"}, {"kind": "monotone"}]
+)
+def test_what_is_lost_of_a_formula_has_no_certificate(judge: Judge, other: dict[str, str]) -> None:
+    claim = judge.ask("x^2 = 1", given="x = 1").claim
+    assert answer_certificate(claim)["lines"]
+    with pytest.raises(NoCertificateError):
+        answer_certificate({**claim, **other})
+
+
+@pytest.mark.parametrize(
+    ("formula", "said", "certified"),
+    [
+        # by hand: x^4 + x^3 + x^2 + x + 1 = (x^5 - 1)/(x - 1) > 0, so nothing need be asked of x
+        (r"\sqrt{x^4 + x^3 + x^2 + x + 1} \ge 0", {}, False),
+        (r"\frac{x^2 - y^2}{x - y} = x + y", {}, True),
+        (r"\tan(x) \cos(x) = \sin(x)", {}, True),
+        ("D = a + b", {"symbols": {"D": "= a + b"}}, False),
+        ("D = b + a", {"symbols": {"D": "= a + b"}}, True),
+    ],
+)
+def test_a_certificate_asks_for_no_more_than_its_verdict(
+    judge: Judge, formula: str, said: dict[str, Any], certified: bool
+) -> None:
+    assert judge.ask(formula, **said).verdict == "proved"
+    assert bool(lines(judge, formula, **said)) == certified

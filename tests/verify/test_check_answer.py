@@ -229,12 +229,66 @@ def test_nothing_is_shown_of_no_number(conditions: list[str], point: list[int]) 
         ["filter", FILTER],
         ["filter", "P is the covariance"],
         ["with", "y = z"],
+        # lines that print as others do, or over them
+        ["with", "y = 5\r" + " ".join("     ")],
+        ["typed", "x = 0\x1b[2K"],
+        ["convention", "a\x0bb"],
+        ["real", "\ny"],
+        ["typed", f"x{' ' * 70}real: x"],
+        ["typed", "x\u00a0y"],
+        # spellings of numbers and words of Python
+        ["claim", "1_0 == 10"],
+        ["claim", "0xa == 10"],
+        ["claim", "1e1 == 10"],
+        ["claim", "x**True == x"],
+        ["real", "lambda"],
+        ["real", "None"],
+        # of the filter, whether there is one or not
+        ["real", "S"],
+        ["with", "X = 1"],
     ],
 )
 def test_lines_that_mislead_are_refused(line: list[str]) -> None:
     true = [["claim", "x == x"], ["shows", [], "==", ALONE, []]]
     assert rejected(certificate(*X, *true)) is None
     assert rejected(certificate(*X, *true[:1], line, *true[1:])) is not None
+
+
+LISTS = ["A = [x + 1]", "B = [x + 2]", "C = [[1, 2]]"]
+OF_LISTS = ["A", "C", "[x]", "[x + 1]", "[[x]]", "[]"]
+
+
+@pytest.mark.parametrize("other", OF_LISTS)
+@pytest.mark.parametrize("one", OF_LISTS)
+@pytest.mark.parametrize("form", ["{} + {}", "{} - {}", "{}*{}", "({})/({})"])
+def test_lists_are_no_numbers(form: str, one: str, other: str) -> None:
+    # entries of lists side by side would be lost as those of polynomials are added
+    said = [*X, *[["with", text] for text in LISTS]]
+    shown = ["shows", [], "==", ALONE, []]
+    both = form.format(one, other)
+    for text in (
+        f"{both} == {both}",
+        f"{form.format(one, 'x')} == {both}",
+        f"0*{one} == 0",
+        f"{one}**2 == {other}**2",
+        f"-{one} == {other}",
+        f"exp({one}) == exp({other})",
+        f"{one} == {one}",
+    ):
+        assert rejected(certificate(*said, ["claim", text], shown)) is not None, text
+    for line in (["with", f"D = {both}"], ["where", f"{one} >= {other}"], ["with", "E = 1 == 1"]):
+        whole = certificate(*said, line, ["claim", "x == x"], shown)
+        assert rejected(whole) is not None, line
+    assert rejected(certificate(*said, ["claim", "x == x"], shown)) is None
+
+
+def test_claims_are_not_mixed_with_what_is_false() -> None:
+    proved = [["claim", "1 == 1"], ["shows", [], "==", ALONE, []]]
+    refuted = [["false", "1 == 2"], ["shows", [[[1]]], "!=", ALONE, [[[1], []]]]]
+    assert rejected(certificate(*proved)) is None
+    assert rejected(certificate(*refuted)) is None
+    assert rejected(certificate(*proved, *refuted)) is not None
+    assert rejected(certificate(*refuted, *proved)) is not None
 
 
 def test_without_a_claim_nothing_is_proved() -> None:
@@ -314,6 +368,21 @@ def test_noise_has_a_covariance(q: list[list[int]], r: int, accepted: bool) -> N
     p = [[Fraction(4 * e, 3) for e in row] for row in q]
     model = {"F": half, "H": [[0] * n], "Q": q, "R": [[r]], "P": p, "K": [[0]] * n}
     assert (rejected(of_filter(model)) is None) == accepted
+
+
+@pytest.mark.parametrize("last", [0, Fraction(-1, 10)])
+@pytest.mark.parametrize("size", [1, 2, 3, 4, 5])
+def test_each_measurement_has_noise(size: int, last: Fraction | int) -> None:
+    # one state that is 0 but for its noise; the last measurement only of it, or of nothing
+    r = [[(1 if i < size - 1 else last) if i == j else 0 for j in range(size)] for i in range(size)]
+    h = [[0]] * (size - 1) + [[1 if last else 0]]
+    k = [[0] * (size - 1) + [Fraction(1) / (1 + last) if last else 5]]
+    model = {"F": [[0]], "H": h, "Q": [[1]], "R": r, "P": [[1]], "K": k}
+    with pytest.raises((ValueError, AssertionError)):  # what is wanted > 0 may be no number > 0
+        assert rejected(of_filter(model)) is None
+    r[-1][-1], k[0][-1] = 1, Fraction(1 if last else 0, 2)
+    if size <= 3:
+        assert rejected(of_filter(model)) is None
 
 
 @pytest.mark.parametrize("size", [1, 2, 3])
@@ -551,9 +620,46 @@ def test_an_altered_certificate_is_rejected_or_states_what_is_so(
     assert refused > 4 or ASKED[seed][2] == "refuted"
 
 
+def test_long_numbers_are_no_hindrance() -> None:
+    # more than 4300 digits, which Python does not write out
+    number = "*".join(["(10**64)**64", *["10**64"] * 4])
+    shown = ["shows", [[[1]]], ">", ALONE, [[[1], []]]]
+    assert rejected(certificate(["claim", f"{number}/({number}) > 0"], shown)) is None
+    with_ = ["with", f"b = {number}"]
+    assert (
+        rejected(certificate(*X, with_, ["claim", "b*x == x*b"], [*SHOWN[:1], [], "==", ALONE, []]))
+        is None
+    )
+    large = ["claim", f"{number} > 0"]
+    assert (
+        rejected(certificate(large, ["shows", [[[10**4352]]], ">", ALONE, [[[10**4352], []]]]))
+        is None
+    )
+
+
+@pytest.mark.parametrize("arguments", [[], ["-h"], ["--help"]])
+def test_who_asks_is_told_the_usage(arguments: list[str]) -> None:
+    command = [sys.executable, str(FILE), *arguments]
+    done = subprocess.run(command, capture_output=True, text=True, check=False)
+    assert "Usage: check_answer.py certificate.json" in done.stderr
+    assert "Error" not in done.stdout + done.stderr
+
+
 DEEP = "[" * 100_000 + "]" * 100_000
 GROWING = [["with", f"a{k} = a{k - 1}**64"] for k in range(1, 9)]
+FOUR = [line for name in "xyuv" for line in real(name)]
+BIG = "((x + y + u + v)**12)*((x + y + u - v)**11)"
+LONG = ["claim", f"{BIG} == {BIG}"]
 HOSTILE: list[Any] = [
+    # each line is short, all together take hours
+    certificate(*FOUR, *[LONG] * 10_000),
+    certificate(
+        *[["claim", f"{k} > 0"] for k in range(1, 60_000)] + [["shows", [], "==", ALONE, []]]
+    ),
+    # what a terminal obeys, in the reason
+    certificate(["claim", "\x1b[2K\x1b[1Gclaim:\xa01\xa0==\xa02\x1bEproved\x1b[8m"]),
+    certificate(["\x1b[2Kproved", "1 == 1"]),
+    certificate(*X, ["shows", [[[1], "\x1b[2Kproved"]], "==", ALONE, []], ["claim", "x == x"]),
     "",
     "[]",
     "{}",
@@ -596,12 +702,17 @@ HOSTILE: list[Any] = [
 
 @pytest.mark.parametrize("number", range(len(HOSTILE)))
 def test_what_is_hostile_is_refused_in_a_line(
-    number: int, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+    number: int,
+    tmp_path: Path,
+    capsys: pytest.CaptureFixture[str],
+    monkeypatch: pytest.MonkeyPatch,
 ) -> None:
+    monkeypatch.setattr(check_answer, "SECONDS", 3)
     start = time.process_time()
     status, lines = run(tmp_path / "one.json", HOSTILE[number], capsys)
     assert status == 1
     assert len(lines) == 1
     assert lines[0].startswith("REJECTED: ")
     assert len(lines[0]) < 500
+    assert lines[0].isprintable()
     assert time.process_time() - start < 30

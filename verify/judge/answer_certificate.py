@@ -41,8 +41,15 @@ OF_MODEL = re.compile(r"[PKSX]\[\d,\d\]")
 """Entries of a filter's matrices, as the file names them."""
 
 
-KINDS = ("identity", "inequality", "recursion", "value", "monotone")
-"""Claims whose statement is what they say, a slope's sign for `monotone`."""
+KINDS = ("identity", "inequality", "recursion", "value")
+"""Claims whose statement is what their formula says."""
+NO_SYMBOLS = re.compile(
+    r"\\(?:begin|end)\s*\{\w+\}|\^\s*(?:\{T\}|T)|\be\s*(?=\^)"
+    r"|\\(?:[dt]?frac|sqrt|left|right|[bB]igg?[lr]?|cdot|times|quad|qquad|partial|pi|[lr]vert|prime|sinh?"
+    r"|cosh?|tanh?|exp|over|approx|equiv|leq?|geq?|neq?|lt|gt|leqslant|geqslant|pm|mp)(?![a-zA-Z])"
+    r"|\\(?:mathrm|mathbf|boldsymbol|displaystyle|limits)(?![a-zA-Z])|\\[^a-zA-Z]"
+)
+"""What is no symbol in a formula: layout, signs, functions, transposes, Euler's number."""
 
 
 class NoCertificateError(ValueError):
@@ -138,8 +145,10 @@ def _certificate(
     boxes = {name: boxes[name] for name in sorted(spoken) if not OF_MODEL.fullmatch(name)}
     names = [labels.get(name, name) for name in boxes]
     said = Said(
-        typed=claim["latex"] or str(claim["id"]),
-        convention=claim["convention"],
+        typed=claim["latex"],
+        # the statement is that under the first convention
+        convention=(claim["convention"] or "").removeprefix("any of: ").partition("; ")[0],
+        partial=any(word in (claim["domain"] or "") for word in PARTIAL),
         boxes={labels.get(name, name): box for name, box in boxes.items()},
         given=tuple(_turned(r) for r in statement.domain),
         model=model,
@@ -148,6 +157,12 @@ def _certificate(
         needed=tuple(needed),
         labels=labels,
     )
+    for rel in relations if not model else ():
+        meant = letters.get(str(rel.left.value), rel.left) if rel.left.kind == "symbol" else None
+        if rel.left.key == rel.right.key and meant and meant.kind not in ("symbol", "number"):
+            raise NoCertificateError(f"only that it is itself is kept of {rel.left.value}")
+    if left := unexplained(said.typed, (*said.boxes, *said.letters)):
+        raise NoCertificateError(f"what a symbol of the formula stands for is not kept: {left}")
     refutes = claim["verdict"] == "refuted"
     points = _inner_points(said.boxes)
     if refutes:
@@ -172,7 +187,9 @@ class Said:
     """A statement, with variables as the source calls them where they have a label."""
 
     typed: str
-    convention: str | None
+    convention: str
+    partial: bool
+    """Whether the domain of the verdict is where its parts have values."""
     boxes: Mapping[str, Box]
     given: Sequence[Rel]
     model: Mapping[str, Sequence[Sequence[Expr]]]
@@ -202,8 +219,8 @@ class Writer:
         if token not in self.names:
             plain = re.sub("[^A-Za-z0-9]+", "_", token.replace("'", "_prime")).strip("_")
             plain = plain if plain[:1].isalpha() else f"x_{plain}"
-            taken = {*self.names.values(), *check_answer.FUNCTIONS, "pi"}
-            taken |= {*"FHQRPKSX"} if self.said.model else set()
+            taken = {*self.names.values(), *check_answer.FUNCTIONS, "pi", "S", "X"}
+            taken |= {*"FHQRPK"} if self.said.model else set()
             while plain in taken or iskeyword(plain) or re.fullmatch(r"part\d+", plain):
                 plain += "_"
             self.names[token] = plain
@@ -213,11 +230,11 @@ class Writer:
         """Format apart. Raises ValueError where something is not shown."""
         proof, said = self.proof, self.said
         proof.say("typed", " ".join(said.typed.split()))
-        if said.convention is not None:
-            proof.say("convention", said.convention)
+        if said.convention:
+            proof.say("convention", " ".join(said.convention.split()))
         for token, plain in self.names.items():
             if token != plain:
-                proof.say("name", f"{plain} for {token}")
+                proof.say("name", f"{plain} for {' '.join(token.split())}")
         given, defined = [*said.given], dict[str, Expr]()
         for rel in said.given:
             name = said.labels.get(str(rel.left.value), str(rel.left.value))
@@ -303,6 +320,8 @@ class Writer:
         proof.open()
         for name in proof.closed():
             if name in proof.closed():
+                if not self.refutes and not self.said.partial:
+                    raise ValueError(f"that {name} has a value, which the verdict does not ask for")
                 node: Any = ast.parse(name, mode="eval").body
                 inner = node.right if isinstance(node, ast.BinOp) else node.args[0]
                 sign = "!= 0" if isinstance(node, ast.BinOp) else ">= 0"
@@ -406,7 +425,7 @@ class Writer:
             return "pi", ATOM
         if name not in ("exp", "sin", "cos", "tan"):
             raise Malformed(f"not known: {name}")
-        argument = self.proof.read(parts[0][0])
+        argument = self.proof.checker.value(parts[0][0])
         if not argument:
             return ("0" if name in ("sin", "tan") else "1"), ATOM
         negative = argument[min(argument)] < 0
@@ -422,6 +441,32 @@ class Writer:
 PI = "245850922/78256779", 10**15
 """A number that is closer to pi than one part of the other."""
 SUM, PRODUCT, POWER, ATOM = 0, 1, 2, 3
+
+
+PARTIAL = "has a value", "not zero", "!="
+"""In a domain's words."""
+
+
+def unexplained(latex: str, tokens: Iterable[str]) -> str:
+    """What is left of a formula, read as text, without its symbols; empty if no letter is."""
+    text = NO_SYMBOLS.sub(" ", latex)
+    if re.search(r"\{\s*d\b[^{}]*\}\s*\{\s*d|\{d\}", latex):  # a derivative, an integral
+        text = re.sub(r"(?<![A-Za-z\\])d(?![a-z])|(?<=\{)d|\{d\}", " ", text)
+    text = _plain(text)
+    known = {_plain(re.sub(r"^free |\[[\d, ]*\]$", "", token)) for token in tokens}
+    for token in sorted(known, key=len, reverse=True):
+        before = r"(?<![\\_])" if token[:1].isalpha() else ""
+        text = re.sub(before + re.escape(token) + r"(?![_'])", " ", text)
+    return " ".join(text.split()) if re.search("[A-Za-z]", text) else ""
+
+
+def _plain(latex: str) -> str:
+    """Without braces round what an index or accent has."""
+    old, text = "", latex
+    while old != text:
+        old, text = text, re.sub(r"(_|\\[a-zA-Z]+)\s*\{([^{}]*)\}", r"\1 \2", text)
+    text = re.sub(r"[{}]", " ", text)
+    return re.sub(r"(_|\\(?:hat|bar|tilde|d+ot|underline|vec|check|breve))\s+", r"\1", text).strip()
 
 
 def _bracketed(part: tuple[str, int], least: int) -> str:

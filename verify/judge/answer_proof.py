@@ -7,6 +7,7 @@ it, until a polynomial in variables is left.
 
 from __future__ import annotations
 
+import ast
 from collections.abc import Iterator, Mapping, Sequence
 from fractions import Fraction
 from itertools import product
@@ -73,8 +74,8 @@ class Proof:
         return len(self.checker.facts) - 1
 
     def read(self, text: str) -> Any:
-        """The polynomial of an expression; with its sign that of a relation."""
-        return self.checker.value(text)
+        """The polynomial of a relation and its sign."""
+        return self.checker.value(text, ast.Compare)
 
     def shows(
         self, p: Poly, sign: str, terms: Sequence[Any], times: Any = None, by: Poly | None = None

@@ -16,6 +16,7 @@ from gainproof.verify.judge.dimensions.claim import (
 )
 from gainproof.verify.judge.exact.limits import Malformed, Undecided
 from gainproof.verify.judge.formula import Reading
+from gainproof.verify.judge.kinds.framing import where_model_is
 from gainproof.verify.judge.kinds.printed_decimal import decimals_read, with_rounded
 from gainproof.verify.judge.pruning import seen_to_fail
 from gainproof.verify.judge.scope import UndefinedSymbol
@@ -39,6 +40,7 @@ def judge_claim(claim: Claim, setting: Setting, environment: Environment) -> Fin
             finding = _of_one_filter(finding, environment.parameter)
         else:
             finding = in_source_symbols(finding, setting, environment)
+        finding = where_model_is(finding, claim, setting, environment)
         # the places were told in the domain and have done their work
         finding = replace(finding, region=())
         told = {

@@ -59,7 +59,10 @@ def _chosen(
 ) -> ClaimVerdict:
     claim, findings, mine = trial.claim, trial.findings, fits[trial.claim.id]
     if trial.failure is not None or not findings:
-        reasons = "; ".join(f"{u.name}: {u.reason}" for u in trial.unusable)
+        several = len(trial.unusable) > 1
+        reasons = "; ".join(
+            f"{u.name}: {u.reason}" if several else u.reason for u in trial.unusable
+        )
         reason = trial.failure or f"no model could be solved: {reasons}"
         return verdict_of(claim, Finding("undecided", reason), None, trial.seconds)
     if len(findings) == 1 and not trial.is_open:

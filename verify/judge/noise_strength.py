@@ -115,7 +115,7 @@ def strengths(setting: Setting) -> list[Strength]:
         if len(terms) != 1:
             continue
         ((monomial, factor),) = terms.items()
-        powers = dict(monomial)
+        powers = dict(ordered(monomial))
         clock = sum(n for base, n in powers.items() if base in times)
         own = {b.name: n for b, n in powers.items() if b not in times and b.kind == "symbol"}
         tokens = [t for t in setting.symbols if free_name(t) in own]

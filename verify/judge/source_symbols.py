@@ -166,13 +166,13 @@ def _retold(finding: Finding, meant: Meant, environment: Environment) -> Finding
         told = _at(witness, meant)
         reason = reason.replace(witness.text(), told.text())
         witness = told
-    if domain is not None and _speaks_of(domain, meant.label):
+    if domain is not None and speaks_of(domain, meant.label):
         for old, new in _regions(finding.region, meant, environment):
             domain, reason = _put(old, new, domain), _put(old, new, reason)
         if meant.value == symbol(meant.name):
             exchanged = _exchanged(domain, meant)
             reason, domain = _put(domain, exchanged, reason, r"(^|[\s(])"), exchanged
-        if _speaks_of(domain, meant.label):
+        if speaks_of(domain, meant.label):
             value = labelled(meant.value, {meant.name: meant.label})
             more = f"{domain}, where {meant.words} = {value}"
             if len(value) <= LONGEST:
@@ -181,7 +181,7 @@ def _retold(finding: Finding, meant: Meant, environment: Environment) -> Finding
     return replace(finding, domain=domain, reason=reason, witness=witness)
 
 
-def _speaks_of(text: str, name: str) -> bool:
+def speaks_of(text: str, name: str) -> bool:
     """Whether a name stands in a text as a whole, not as a part of another name."""
     return re.search(_whole(name), text) is not None
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Collection
 from dataclasses import dataclass
 
 from gainproof.derive.printer.arithmetic import literal
@@ -61,6 +62,11 @@ class Flavour:
 DOUBLE = Flavour(FLOAT64, "double", "", "")
 SINGLE = Flavour(FLOAT32, "float", "_float", "f")
 FLAVOURS = (DOUBLE, SINGLE)
+
+
+def flavours(forms: Collection[str]) -> list[Flavour]:
+    """Those of the formats named."""
+    return [each for each in FLAVOURS if each.form.name in forms]
 
 
 def arguments(kernel: Kernel) -> tuple[list[str], list[str]]:

@@ -7,7 +7,7 @@ from collections.abc import Iterator, Sequence
 
 from gainproof.derive.printer.bound import KernelBound
 from gainproof.derive.printer.c_language.body import near_cbrt
-from gainproof.derive.printer.c_language.flavour import DOUBLE, FLAVOURS
+from gainproof.derive.printer.c_language.flavour import DOUBLE, SINGLE, Flavour, flavours
 from gainproof.derive.printer.c_language.functions import definitions, prototypes
 from gainproof.derive.printer.c_language.names import Names, codes, names_of
 from gainproof.derive.printer.canonical_json import canonical_json
@@ -34,11 +34,10 @@ mode. Parts of -ffast-math that define no macro are not seen: the test program t
 """
 
 ABOUT = (
-    "Each kernel has an entry for numbers and one for arrays of n numbers, in double and (_float) "
-    "in float. It returns 0, or the constant of what it refuses: an input outside its domain, NaN "
-    "included; nothing is written then. Of arrays the first element that is refused is written to "
-    "*first, where `first` is not null; they must not overlap. Nothing is allocated, nothing is "
-    "kept."
+    "Each kernel has an entry for numbers and one for arrays of n numbers, {}. It returns 0, or "
+    "the constant of what it refuses: an input outside its domain, NaN included; nothing is "
+    "written then. Of arrays the first element that is refused is written to *first, where "
+    "`first` is not null; they must not overlap. Nothing is allocated, nothing is kept."
 )
 
 
@@ -83,17 +82,25 @@ def _opening(module: Module) -> list[str]:
 
 def _header(module: Module, bounds: Bounds) -> Iterator[str]:
     guard = f"GAINPROOF_{module.name.upper()}_H"
+    found = _flavours(bounds)
+    types = " and ".join({DOUBLE: "in double", SINGLE: "(_float) in float"}[x] for x in found)
     compile_line = f"cc -O2 -std=c99 -ffp-contract=off -c {module.name}.c (linked with -lm)"
-    about = textwrap.wrap(f"{ABOUT} Compile with: {compile_line}", 96, break_on_hyphens=False)
+    about = textwrap.wrap(
+        f"{ABOUT.format(types)} Compile with: {compile_line}", 96, break_on_hyphens=False
+    )
     yield from _comment([*_opening(module), "", *about])
     yield from (f"#ifndef {guard}", f"#define {guard}", "", "#include <stddef.h>", "")
     yield from ("#ifdef __cplusplus", 'extern "C" {', "#endif")
     for kernel, pair in zip(module.kernels, bounds, strict=True):
         names = names_of(module.name, kernel)
         yield from ("", *_comment(described(kernel, pair)), *_enumeration(kernel, names))
-        for flavour in FLAVOURS:
+        for flavour in found:
             yield from (f"{line};" for line in prototypes(names, flavour))
     yield from ("", "#ifdef __cplusplus", "}", "#endif", "", "#endif")
+
+
+def _flavours(bounds: Bounds) -> list[Flavour]:
+    return flavours([bound.format.name for bound in bounds[0]])
 
 
 def _enumeration(kernel: Kernel, names: Names) -> Iterator[str]:
@@ -105,7 +112,7 @@ def _enumeration(kernel: Kernel, names: Names) -> Iterator[str]:
 
 def _source(module: Module, bounds: Bounds) -> Iterator[str]:
     parts, starts = list[str](), list[str]()
-    for flavour, row in zip(FLAVOURS, zip(*bounds, strict=True), strict=True):
+    for flavour, row in zip(_flavours(bounds), zip(*bounds, strict=True), strict=True):
         any_near = False
         for kernel, bound in zip(module.kernels, row, strict=True):
             lines, near = definitions(kernel, names_of(module.name, kernel), flavour, bound)

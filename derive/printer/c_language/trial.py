@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 from typing import Any
 
-from gainproof.derive.printer.c_language.flavour import FLAVOURS, Flavour
+from gainproof.derive.printer.c_language.flavour import Flavour, flavours
 from gainproof.derive.printer.c_language.names import Names, codes, names_of
 from gainproof.derive.printer.kernel import Kernel, Module
 from gainproof.derive.printer.trial import points
@@ -48,7 +48,7 @@ def c_trial(module: Module, values: Mapping[str, Any]) -> str:
     ]
     calls = list[str]()
     for kernel in module.kernels:
-        for flavour in FLAVOURS:
+        for flavour in flavours(values[kernel.name]["points"]):
             name = f"{kernel.name}{flavour.ending}"
             lines += [f"static void try_{name}(void)", "{"]
             lines += _tries(module, kernel, flavour, values[kernel.name])

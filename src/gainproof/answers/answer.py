@@ -11,8 +11,10 @@ from gainproof.answers.matrix_question import ANY_SIZE
 from gainproof.answers.question import DEFINITION, FILTER, NO_FILTER, SEARCHED, Assumed, Question
 from gainproof.notebook.markup import html_escaped
 from gainproof.terminal_text import WIDTH, filled
+from gainproof.verdicts import witness_text
 from gainproof.verdicts.explanation import explanation
 from gainproof.verdicts.verdict_reason import is_contradicted, reasons
+from gainproof.verify.judge.verdict_words import OTHERS
 
 FORMAT = "gainproof answers 1"
 BEST = ("proved", DEFINITION, "conditional")
@@ -24,8 +26,12 @@ ANY = {
     ANY_SIZE: " as a statement about any matrices",
 }
 ONLY_DEFINES = (
-    "nothing is known of the number on one side: the formula can only say what it is; what it is "
-    "meant to be can be said"
+    "nothing is known of the letter on one side, so that the formula only says what it is: say "
+    "what it is meant to be (--symbol 'NAME: = ...', --given)"
+)
+FILTER_GAINS, PREDICTOR_GAINS = (
+    "gains are those of the filter (K)",
+    "gains are those of the predictor (F K)",
 )
 ANY_OF = "any of: "
 """How the judge begins where several conventions fit."""
@@ -129,6 +135,7 @@ class Answer:
         """Where it holds, reasons, guesses, what was tried: labels, some twice, with words."""
         facts = [("where", self.domain)] if self.verdict == "proved" and self.domain else []
         facts += [("why", why) for why in reasons(self.claim)]
+        facts += [("but", f"false where {FILTER_GAINS}: {why}") for why in self._of_the_filter()]
         facts += [("why", ONLY_DEFINES)] if self.verdict == DEFINITION else []
         for label, guessed in (("guessed", True), ("as said", False)):
             said = [f"{a.of}: {a.meaning}" for a in self.assumed if a.guessed == guessed]
@@ -152,6 +159,17 @@ class Answer:
         if self.verdict == "refuted" and FILTER in guessed and self.claim["convention"] is None:
             words += ANY.get(self._filter(), f" for a {self._filter()}")
         return f"{words}; assumed: {' and '.join(kinds)}" if kinds else words
+
+    def _of_the_filter(self) -> list[str]:
+        """Where a formula that is true of the predictor's gains alone fails for the filter's."""
+        convention = str(self.claim["convention"] or "")
+        if self.verdict != "proved" or "convention" in {each.of for each in self.assumed}:
+            return []
+        others = (self.claim["evidence"]["certificate"] or {}).get(OTHERS, {})
+        other = others.get(convention.replace(PREDICTOR_GAINS, FILTER_GAINS))
+        if PREDICTOR_GAINS not in convention or not isinstance(other, Mapping):
+            return []
+        return [f"{witness_text.in_words(other)} (--convention gain=filter: what would be true)"]
 
     def _filter(self) -> str:
         return _filter(self.assumed)

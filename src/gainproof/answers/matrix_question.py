@@ -13,7 +13,12 @@ from dataclasses import dataclass
 from functools import cached_property
 from typing import Any
 
-from gainproof.answers.matrix_reading import NUMBERED, MatrixReader, transposed_greek
+from gainproof.answers.matrix_reading import (
+    NUMBERED,
+    MatrixReader,
+    transposed_greek,
+    with_mark_below,
+)
 from gainproof.answers.matrix_shapes import (
     NUMBER,
     ONE,
@@ -70,7 +75,10 @@ def matrix_question(
     """The claim file that asks whether a formula holds of matrices of any size; `symbols` is what
     is said of letters, `given` are hypotheses. Raises BadInputError.
     """
-    said = {token: said_of(token, " ".join(text.split())) for token, text in symbols.items()}
+    said = {
+        with_mark_below(token): said_of(token, " ".join(text.split()))
+        for token, text in symbols.items()
+    }
     reader = MatrixReader(said, transposed_greek((formula, *given)))
     asked = reader.read(formula)
     conditions = [reader.read(each) for each in given]
@@ -295,32 +303,38 @@ def _written(ways: Sequence[_Way], kind: str) -> MatrixQuestion:
 
 
 def _kalman_filter(tokens: Sequence[str], said: Mapping[str, Said]) -> dict[str, str]:
-    """K as the gain of a Kalman filter, S as the covariance of its innovation, by their formulas,
-    where one letter each for P, H and R or S stands in the formula and nobody said what K is.
+    """K, or W, as the gain of a Kalman filter, S as the covariance of its innovation, by their
+    formulas, where one letter each for P, H and R or S stands there and nobody said what K is;
+    beside these a P that is marked as updated.
     """
     by_base: dict[str, list[str]] = {}
+    posterior: list[str] = []
     for token in tokens:
-        by_base.setdefault(base_letter(token), []).append(token)
+        is_posterior = base_letter(token) == "P" and _POSTERIOR.search(token)
+        (posterior if is_posterior else by_base.setdefault(base_letter(token), [])).append(token)
     single = {
         letter: found[0]
         for letter, found in by_base.items()
-        if len(found) == 1 and (letter not in ("K", "S") or found[0] not in said)
+        if len(found) == 1 and (letter not in ("K", "W", "S") or found[0] not in said)
     }
     measurement = single.get("H") or single.get("C")
     covariance, noise, innovation = (single.get(letter) for letter in "PRS")
+    gain = single.get("W" if "K" not in by_base else "K")
     if {"F", "Q"} & by_base.keys():
-        innovation = None if "K" not in single else innovation
+        innovation = None if gain is None else innovation
     if measurement is None or covariance is None or by_base.keys() >= {"H", "C"}:
-        return {}
-    if _POSTERIOR.search(covariance):
         return {}
     found: dict[str, str] = {}
     seen = f"{measurement} {covariance} {measurement}^T"
     if innovation and noise:
         found[innovation] = f"{seen} + {noise}"
-    if "K" in single and (innovation or noise):
+    if innovation or noise:
         inverse = f"{innovation}^{{-1}}" if innovation else f"({seen} + {noise})^{{-1}}"
-        found[single["K"]] = f"{covariance} {measurement}^T {inverse}"
+        formula = f"{covariance} {measurement}^T {inverse}"
+        if gain:
+            found[gain] = formula
+        if len(posterior) == 1 and posterior[0] not in said:
+            found[posterior[0]] = f"{covariance} - {gain or formula} {measurement} {covariance}"
     return found
 
 

@@ -8,6 +8,7 @@ from dataclasses import dataclass, field
 
 from gainproof.answers.matrix_shapes import Said, base_letter
 from gainproof.answers.typed import Typed, in_ascii, typed
+from gainproof.bad_input import BadInputError
 from gainproof.verify.judge.claim.notation import is_plain
 
 _GREEK = (
@@ -68,6 +69,20 @@ def transposes(formula: str) -> bool:
     return code or _TRANSPOSE.search(formula) is not None
 
 
+def _as_typed(message: str) -> str:
+    """A message without the numbers of identity matrices, its mark under the same place."""
+    *lines, shown, mark = ["", *message.split("\n")]
+    before = shown[: mark.find("^")]
+    moved = len(before) - len(NUMBERED.sub("I", before))
+    lines = [NUMBERED.sub("I", line) for line in [*lines, shown]]
+    return "\n".join([*lines, mark[moved:] if mark.strip() == "^" else NUMBERED.sub("I", mark)])[1:]
+
+
+def with_mark_below(token: str) -> str:
+    """The name of a letter in claim files on matrices: `P_{prior}` of `P^{-}`."""
+    return _PRIOR.sub(_below, token)
+
+
 def _below(found: re.Match[str]) -> str:
     index, mark = found[1] or found[2] or "", found[3] or found[4]
     words = {"-": "prior", "+": "posterior"}
@@ -98,7 +113,12 @@ class MatrixReader:
 
     def read(self, text: str) -> Typed:
         """The formula. Raises BadInputError, with a mark under the place."""
-        text = _EYE.sub("I", in_ascii(text))
+        try:
+            return self._read(_EYE.sub("I", in_ascii(text)))
+        except BadInputError as error:
+            raise BadInputError(_as_typed(str(error))) from None
+
+    def _read(self, text: str) -> Typed:
         if "I" not in self.said:
             text = _IDENTITY.sub(self._numbered, _BOLD_IDENTITY.sub("I", text))
         code = is_plain(text) and _CODE.search(text) is not None

@@ -11,6 +11,7 @@ from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from typing import Any
 
+from gainproof.answers.densities import densities, order_of
 from gainproof.answers.matrix_question import MATRICES, matrix_question
 from gainproof.answers.matrix_reading import transposes
 from gainproof.answers.matrix_shapes import says_matrix
@@ -39,6 +40,10 @@ ANGLES = frozenset({"sin", "cos", "tan", "asin", "acos", "atan", "cot", "sec", "
 SEARCH, NONE, FIXED = "search", "none", "fixed"
 FILTER = "filter"
 """What is assumed of no symbol."""
+
+
+_DELIMITERS = re.compile(r"(?s)^(?:\$\$?|\\\[|\\\()((?:(?!\$).)*?)(?:\$\$?|\\\]|\\\))$")
+"""What LaTeX puts round a formula."""
 
 
 @dataclass(frozen=True)
@@ -109,6 +114,7 @@ def question(formula: str, options: Options, models: Sequence[Mapping[str, objec
             raise unknown_name("convention", name, CONVENTIONS)
         if value not in CONVENTIONS[name]:
             raise unknown_name(f"value of the convention {name}", value, CONVENTIONS[name])
+    formula = _DELIMITERS.sub(r"\1", formula.strip())
     names = {symbol_name(name): text for name, text in options.symbols.items()}
     open_ = not (options.model or options.conventions or options.domain)
     said_so = options.model == MATRICES or any(map(says_matrix, names.values()))
@@ -121,6 +127,9 @@ def question(formula: str, options: Options, models: Sequence[Mapping[str, objec
     conditions = [*([domain] if domain else []), *given]
     stated = {token for each in conditions for token in each.symbols}
     tokens = [*dict.fromkeys((*read.symbols, *(t for each in conditions for t in each.symbols)))]
+    orders = {token: order_of(meaning) for token, meaning in said.items()}
+    if 0 in orders.values():  # a filter in continuous time, whose noises no formula needs to name
+        tokens += [t for t, order in orders.items() if order is not None and t not in tokens]
     for token in said:
         if token not in tokens:
             known = ", ".join(tokens) or "none"
@@ -145,7 +154,8 @@ def question(formula: str, options: Options, models: Sequence[Mapping[str, objec
     options = replace(
         options, domain=domain.text if domain else "", given=tuple(each.text for each in given)
     )
-    candidates = _candidates(tokens, said, options, models, read.formula)
+    bounded = domain.symbols if domain else ()
+    candidates = _candidates(tokens, said, options, models, read.formula, bounded)
     text = _text(read, candidates, options, stated)
     parts = [Assumed(part, how, True, f"--symbol '{part}: ...'") for part, how in taken.items()]
     assumed = {
@@ -240,15 +250,19 @@ def _candidates(
     options: Options,
     models: Sequence[Mapping[str, object]],
     formula: Formula,
+    bounded: Collection[str],
 ) -> list[Candidate]:
-    """The ways to understand the formula, the likeliest first."""
+    """The ways to understand the formula, the likeliest first; the domain speaks of the `bounded`
+    symbols.
+    """
     known = {**letters.filter_meanings(tokens), **said}
     about_filter = (
         all(token in known for token in tokens)
         and letters.is_sound([known[token] for token in tokens])
         and not _has_angles(formula)
     )
-    model = options.model or (SEARCH if about_filter else NONE)
+    told = any(meaning.role != "free" for meaning in said.values())
+    model = options.model or (SEARCH if about_filter or told else NONE)
     names = [str(each["name"]) for each in models]
     if model not in (SEARCH, NONE, FIXED, *names):
         raise unknown_name("model", model, [SEARCH, NONE, FIXED, *names])
@@ -281,9 +295,13 @@ def _candidates(
         states = max([2, *orders])
         fixed = ('kind = "fixed_gain"', f"states = {states}", *_conventions(options, meant))
         return [Candidate(fixed, meant, f"a filter of {states} states with any gains")]
-    densities = _densities(meant) if model == SEARCH else None
-    if densities is not None:
-        return [_continuous(meant, *densities)]
+    said_densities = densities(meant) if model == SEARCH else None
+    if said_densities is not None:
+        if options.conventions:
+            name = next(iter(options.conventions))
+            raise BadInputError(f"--convention {name}: a Kalman-Bucy filter has none")
+        declared = said_densities.symbols(meant, options.domain, bounded)
+        return [Candidate(said_densities.lines(), declared, said_densities.title)]
     fading = any(each.quantity == "forgetting_factor" for each in meant.values())
     if (fading or any(map(letters.is_numbered, tokens))) and model == SEARCH:
         kind = "fading_memory" if fading else "growing_memory"
@@ -327,52 +345,6 @@ def _candidates(
             f"does not have: say what it is with --symbol '{strengths[0]}: ...'"
         )
     return found
-
-
-def _densities(meant: Mapping[str, Meaning]) -> tuple[str, str, int] | None:
-    """Symbols that are said to be the densities of the noises of a position and of its derivative
-    of some order, and this order; None where no measurement in continuous time is spoken of.
-    """
-    units = {t: read_unit(each.unit) for t, each in meant.items() if each.role == "free"}
-    by_unit = {unit: token for token, unit in units.items()}
-    measured = by_unit.get(read_unit("m^2 s"))
-    if measured is None:
-        return None
-    for order in range(1, 4):
-        driving = by_unit.get(read_unit(f"m^2 s^{1 - 2 * order}"))
-        if driving is not None:
-            return measured, driving, order
-    raise BadInputError(
-        f"{measured} in m^2 s is taken for the density of a measurement in continuous time: say "
-        "what the density of the process noise is, --symbol 'q: m^2 s^-3 > 0' for a white "
-        "acceleration, m^2 s^-1 for a white velocity"
-    )
-
-
-def _continuous(meant: Mapping[str, Meaning], measured: str, driving: str, order: int) -> Candidate:
-    """A Kalman-Bucy filter of a position and its derivatives, of which the last is driven."""
-    names = quantity_names()
-    declared = {
-        token: letters.quantity(f"continuous_{name}", names[f"continuous_{name}"].meaning)
-        if (name := each.quantity).startswith("gain.")
-        else each
-        for token, each in meant.items()
-    }
-    size = range(order)
-
-    def matrix(name: str, entry: Callable[[int, int], str], rows: Collection[int] = size) -> str:
-        found = [f"[{', '.join(quoted(entry(i, j)) for j in size)}]" for i in rows]
-        return f"{name} = [{', '.join(found)}]"
-
-    lines = (
-        'kind = "kalman_bucy"',
-        matrix("transition", lambda i, j: str(int(j == i + 1))),
-        matrix("process_noise", lambda i, j: driving if i == j == order - 1 else "0"),
-        matrix("measurement", lambda _, j: str(int(j == 0)), (0,)),
-        f"measurement_noise = [[{quoted(measured)}]]",
-    )
-    noise = ("velocity", "acceleration", "jerk")[order - 1]
-    return Candidate(lines, declared, f"Kalman-Bucy filter in its steady state, white {noise}")
 
 
 def _searched(meant: Mapping[str, Meaning]) -> str:

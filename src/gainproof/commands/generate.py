@@ -26,6 +26,8 @@ Other files in DIR are left alone, and nothing is written that would replace one
 source and test program of each module, in which the package computes once `python -m
 PACKAGE.compile` was run; octave a package of functions for MATLAB and Octave with a test script;
 rust a crate without the standard library (no_std) with its tests; fpcore expressions as FPCore.
+--kernel puts only the kernels named into the package, with --format only in one format, in every
+target, with the tests of these.
 
 Where the error of an output is proved relative to something larger than its value, the command says
 how many digits can be lost and in which part of the domain, as docstring and page do. A kernel of
@@ -49,6 +51,14 @@ def configure(parser: argparse.ArgumentParser) -> None:
         default=[],
         help="write this besides NumPy modules; may be repeated",
     )
+    parser.add_argument(
+        "--kernel",
+        metavar="NAME",
+        action="append",
+        default=[],
+        help="only this kernel; may be repeated",
+    )
+    parser.add_argument("--format", choices=("float32", "float64"), help="only this format")
     parser.add_argument("--check", action="store_true", help="compare, write nothing")
     parser.add_argument("--test", action="store_true", help="run the tests of the package too")
     parser.add_argument(
@@ -72,6 +82,8 @@ def run(options: argparse.Namespace) -> int:
         raise BadInputError("--test runs the tests of a package: give --out DIR")
     if set(options.target) - {"numpy"}:
         raise BadInputError("--target puts files into a package: give --out DIR")
+    if options.kernel or options.format:
+        raise BadInputError("--kernel and --format choose what a package has: give --out DIR")
     if any(map(derivations.is_file, options.subjects)):
         raise BadInputError("kernels of your own need a place: give --out DIR")
     return _own_folder(options, session)
@@ -105,7 +117,8 @@ def _package(options: argparse.Namespace, session: Session) -> int:
         testing.require_pytest()
     folder = Path(options.out)
     targets = [target for target in TARGETS if target in options.target]
-    made = making.fresh(options.subjects, session, folder, targets)
+    kernels, only = list(dict.fromkeys(options.kernel)), options.format or ""
+    made = making.fresh(options.subjects, session, folder, targets, kernels, only)
     files = made.files
     if options.check:
         cure = f"`{made.command}` writes them"

@@ -4,11 +4,12 @@ written here.
 
 from __future__ import annotations
 
+import re
 from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
-from gainproof.derive.printer.package import beside
+from gainproof.derive.printer.package import CODE, beside
 from gainproof.standalone.licence import LICENCE
 from gainproof.standalone.record import RECORD
 from gainproof.subjects.generated_files import together
@@ -20,11 +21,15 @@ COMPILING = ("_compiled.py", "compile.py")
 TARGETS = ("c", "fpcore", "octave", "rust")
 """What there may be besides NumPy modules; also the folders in which it lies."""
 HERE = "from gainproof.standalone."
+IMPORTED = re.compile(r"from gainproof\.generated\.(\w+) import")
 EVALUATES = "from gainproof.generated._runtime import evaluate\n"
 
 
-def package_files(parts: Sequence[Mapping[str, Any]], name: str, command: str) -> dict[str, bytes]:
+def package_files(
+    parts: Sequence[Mapping[str, Any]], name: str, command: str, *, needed_only: bool = False
+) -> dict[str, bytes]:
     """Everything but the record, from what each subject gives; `name` is the package's.
+    `needed_only`: of the code that kernels share what these kernels import.
 
     Raises ValueError for a file of several subjects who do not agree on it.
     """
@@ -34,6 +39,7 @@ def package_files(parts: Sequence[Mapping[str, Any]], name: str, command: str) -
     if in_c:
         texts |= {f"{title}.py": _computing_in_c(texts[f"{title}.py"]) for title in titles}
         texts |= {name: shipped(IN_C / name) for name in COMPILING}
+    texts = _needed(texts) if needed_only else texts
     texts |= {
         **{f"tests/{path.name}": shipped(path) for path in _tests(parts)},
         "README.md": _readme(name, titles, command, in_c=in_c),
@@ -42,6 +48,14 @@ def package_files(parts: Sequence[Mapping[str, Any]], name: str, command: str) -
     }
     placed = {n: beside(text) if n.endswith(".py") else text for n, text in texts.items()}
     return {name: text.encode("utf-8") for name, text in placed.items()}
+
+
+def _needed(texts: Mapping[str, str]) -> dict[str, str]:
+    """Without shared code that is imported nowhere, not by other code that is imported either."""
+    found = {name for name in texts if name not in CODE}
+    while more := {f"{each}.py" for n in found for each in IMPORTED.findall(texts[n])} - found:
+        found |= more
+    return {name: text for name, text in texts.items() if name in found}
 
 
 def _tests(parts: Sequence[Mapping[str, Any]]) -> list[Path]:
@@ -103,7 +117,7 @@ is part of. Imports inside it are relative.
     python -m pytest {name}
 
 needs pytest and mpmath. Every kernel is held against exact values within its proved bound, in
-float64 and float32, and its guards against what they must refuse. Gains and covariances of a
+every format, and its guards against what they must refuse. Gains and covariances of a
 steady state are held against the Riccati equation, solved from the matrices of the model alone;
 an expression against itself as it was written, in intervals.
 

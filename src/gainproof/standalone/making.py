@@ -7,7 +7,7 @@ import os
 import sys
 from collections import Counter
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
 
@@ -16,7 +16,7 @@ from gainproof.files import places
 from gainproof.jobs import workers
 from gainproof.jobs.session import Session
 from gainproof.standalone.files import TARGETS, package_files
-from gainproof.subjects import bounds_ledger, derivations
+from gainproof.subjects import bounds_ledger, chosen_kernels, derivations
 from gainproof.subjects.derived import derived_from
 
 TAKEN = frozenset({*sys.stdlib_module_names, "gainproof", "mpmath", "numpy", "pytest", "tests"})
@@ -44,16 +44,23 @@ class Package:
 
 
 def fresh(
-    subjects: Sequence[str], session: Session, folder: Path, targets: Sequence[str] = ()
+    subjects: Sequence[str],
+    session: Session,
+    folder: Path,
+    targets: Sequence[str] = (),
+    kernels: Sequence[str] = (),
+    only: str = "",
 ) -> Package:
-    """The package; no subjects are all of the catalogue, `targets` what there is besides NumPy
-    modules. Raises BadInputError, also for a derivation that the checker rejects.
+    """The package; no subjects are all of the catalogue, no `kernels` all of them, `targets` what
+    there is besides NumPy modules, `only` the one format that is wanted. Raises
+    BadInputError, also for a derivation that the checker rejects.
     """
     name = package_name(folder)
     places.require_folder(folder)
     chosen = list(subjects) or derivations.catalogue()
     derivations.require_names([each for each in chosen if not derivations.is_file(each)])
-    found = _packaged(chosen, session)
+    found = _packaged(chosen, session, {"kernels": list(kernels), "only": only})
+    chosen_kernels.require_found(chosen, [each["part"] for each in found], kernels)
     derived = [derived_from(each["derived"]) for each in found]
     pairs = [(each.certificate, each) for each in derived]
     for subject, report in zip(chosen, derivations.recheck(pairs, session), strict=True):
@@ -68,10 +75,11 @@ def fresh(
     parts = [_aimed(each["part"], targets) for each in found]
     _require_apart(chosen, parts)
     remarks = [Remark(**each) for part in parts for each in part["remarks"]]
-    line = command(subjects, name, targets)
+    line = command(subjects, name, targets, chosen_kernels.options(kernels, only))
     if any(remark.refused for remark in remarks):
         line += " --allow-loss"
-    return Package(package_files(parts, name, line), remarks, line)
+    files = package_files(parts, name, line, needed_only=bool(kernels or only))
+    return Package(files, remarks, line)
 
 
 def _aimed(part: dict[str, Any], targets: Sequence[str]) -> dict[str, Any]:
@@ -90,22 +98,27 @@ def package_name(folder: Path) -> str:
     return name
 
 
-def command(subjects: Sequence[str], name: str, targets: Sequence[str] = ()) -> str:
+def command(
+    subjects: Sequence[str], name: str, targets: Sequence[str] = (), options: str = ""
+) -> str:
     """The command that makes the package, wherever its files lie."""
     words = [Path(s).name if derivations.is_file(s) else s for s in subjects]
     aims = [word for target in targets for word in ("--target", target)]
-    return " ".join(["gainproof generate", *words, "--out", name, *aims])
+    return " ".join(["gainproof generate", *words]) + " ".join([options, "--out", name, *aims])
 
 
-def _packaged(chosen: Sequence[str], session: Session) -> list[dict[str, Any]]:
-    """Each subject derived, with its part of the package."""
+def _packaged(
+    chosen: Sequence[str], session: Session, wanted: Mapping[str, Any]
+) -> list[dict[str, Any]]:
+    """Each subject derived, with its part of the package, of which so much is `wanted`."""
     jobs = []
     known = bounds_ledger.usable(places.generated_folder(), session.cache.fresh)
     for subject in chosen:
         if derivations.is_file(subject):
-            jobs.append(derivations.file_job("package_file", Path(subject), session.cache))
+            job = derivations.file_job("package_file", Path(subject), session.cache)
+            jobs.append(replace(job, arguments={**job.arguments, **wanted}))
         else:
-            arguments = dict(derivations.print_job(subject, known).arguments)
+            arguments = {**derivations.print_job(subject, known).arguments, **wanted}
             jobs.append(workers.Job(subject, "package_one", arguments))
     return session.results("derived and printed", jobs)
 

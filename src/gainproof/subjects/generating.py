@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any
 
 from gainproof.bad_input import BadInputError
@@ -31,6 +31,7 @@ from gainproof.derive.subject_page import subject_page
 from gainproof.jobs.code_digest import of_modules
 from gainproof.jobs.worker_state import WorkerState
 from gainproof.subjects import bounds_ledger
+from gainproof.subjects.chosen_kernels import options
 from gainproof.subjects.deriving import derive, outline, plain_subject, subject_of
 from gainproof.subjects.own_file import kept_by_value
 
@@ -81,23 +82,36 @@ def print_one(state: WorkerState, name: str, bounds: Mapping[str, Any]) -> dict[
     return printed(subject_of(state, name), derive(state, name)["certificate"], bounds)
 
 
-def package_one(state: WorkerState, name: str, bounds: Mapping[str, Any]) -> dict[str, Any]:
+def package_one(
+    state: WorkerState,
+    name: str,
+    bounds: Mapping[str, Any],
+    kernels: Sequence[str] = (),
+    only: str = "",
+) -> dict[str, Any]:
     """One subject of the catalogue for a package of its own: {"derived", "part"}, of which the
     first is what `derive` answers, the second what `packaged` does.
     """
     derived, subject = derive(state, name), subject_of(state, name)
-    return {"derived": derived, "part": packaged(subject, derived["certificate"], bounds)}
+    part = packaged(subject, derived["certificate"], bounds, kernels, only)
+    return {"derived": derived, "part": part}
 
 
-def package_file(path: str, cache: str | None = None, fresh: bool = False) -> dict[str, Any]:
+def package_file(
+    path: str,
+    kernels: Sequence[str] = (),
+    only: str = "",
+    cache: str | None = None,
+    fresh: bool = False,
+) -> dict[str, Any]:
     """The same of what a user's file defines, kept as what `own_file.derive_file` answers is."""
 
     def both(subject: Subject) -> dict[str, Any]:
         derived = plain_subject(subject).plain()
-        part = packaged(subject, derived["certificate"], {}, own=True)
+        part = packaged(subject, derived["certificate"], {}, kernels, only, own=True)
         return {"derived": derived, "part": part}
 
-    return kept_by_value("package_file", path, cache, fresh, both)
+    return kept_by_value("package_file", path, cache, fresh, both, (*kernels, only))
 
 
 def printed(
@@ -156,24 +170,48 @@ def packaged(
     subject: Subject,
     certificate: Mapping[str, Any],
     known: Mapping[str, Any],
+    kernels: Sequence[str] = (),
+    only: str = "",
     *,
     own: bool = False,
 ) -> dict[str, Any]:
     """The same for a package of its own: with a page, values that its tests read, and what the
     other targets have, in folders called after them; "remarks" besides: each a "text", whether the
-    output is "refused", and "where" it loses half. `own`: of a user's file, whose expressions are
+    output is "refused", and "where" it loses half; "kernels" are the names of all, and "left_out"
+    says which there cannot be. `kernels` are those that are wanted, all if none is named, and
+    `only` the one format; where a subject has no wanted kernel it has no files. `own`: of a user's
+    file, whose expressions are
     refused where half of an output's digits or more can be lost. (What a model's kernels lose its
     author cannot write otherwise.) Raises BadInputError where a test against formulas could compare
     nothing.
     """
-    module = subject.module
-    bounds = proved(module, known).bounds
+    whole, left_out = subject.module, subject.derivation.left_out
+    part: dict[str, Any] = {"module": whole.name, "title": whole.title, "left_out": left_out}
+    part |= {"kernels": [kernel.name for kernel in whole.kernels], "files": {}, "remarks": []}
+    # proved with the others, as for the whole module: a bound does not depend on what is wanted
+    pairs = zip(whole.kernels, proved(whole, known).bounds, strict=True)
+    wanted = [pair for pair in pairs if not kernels or pair[0].name in kernels]
+    if not wanted:
+        return part
+    remarks = (
+        [{"text": left_out, "refused": False, "where": ""}] if left_out and not kernels else []
+    )
+    if only:
+        remarks += [_not_accurate(kernel) for kernel, _ in wanted if kernel.accurate]
+    module = replace(
+        whole,
+        command=f"{whole.command}{options(kernels, only)}",
+        kernels=tuple(_in_one_format(k) if only else k for k, _ in wanted),
+    )
+    subject = replace(subject, module=module)
+    both = [pair for _, pair in wanted]
+    bounds = [tuple(b for b in pair if only in ("", b.format.name)) for pair in both]
     values = {
         kernel.name: known_values(kernel, pair, module.name)
         for kernel, pair in zip(module.kernels, bounds, strict=True)
     }
     files = {
-        **module_files(module, certificate, bounds),
+        **module_files(module, certificate, both, only),
         f"{module.name}.md": subject_page(subject, bounds),
         f"tests/values_{module.name}.json": canonical_json(values),
     }
@@ -186,10 +224,22 @@ def packaged(
         except ValueError as error:
             raise BadInputError(f"{subject.name}: {error}") from None
         files[f"tests/formulas_{module.name}.py"] = formulas
-    left_out = subject.derivation.left_out
-    remarks = [{"text": left_out, "refused": False, "where": ""}] if left_out else []
     remarks += _losses(module, bounds, refusing=own and subject.model is None)
-    return {"module": module.name, "title": module.title, "files": files, "remarks": remarks}
+    return {**part, "files": files, "remarks": remarks}
+
+
+def _in_one_format(kernel: Kernel) -> Kernel:
+    """A kernel without what it computes in double-words."""
+    return replace(kernel, accurate=None, accurate_graph=None, refinement=None)
+
+
+def _not_accurate(kernel: Kernel) -> dict[str, Any]:
+    """What is said of a kernel in double-words where one format is wanted."""
+    said = (
+        f"{kernel.name}: without accurate=True, which needs both formats: float32 is computed in "
+        "float64 there"
+    )
+    return {"text": said, "refused": False, "where": ""}
 
 
 def _losses(

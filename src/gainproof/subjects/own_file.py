@@ -11,7 +11,7 @@ import runpy
 import sys
 import sysconfig
 import traceback
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from dataclasses import replace
 from importlib import metadata
@@ -55,8 +55,11 @@ def kept_by_value(
     cache: str | None,
     fresh: bool,
     make: Callable[[Subject], dict[str, Any]],
+    asked: Sequence[str] = (),
 ) -> dict[str, Any]:
-    """What is made of what a file defines: known by the file's name, the value and the code."""
+    """What is made of what a file defines: known by the file's name, the value and the code, and
+    by what is `asked` of it.
+    """
     variable, value = defined(path)
     try:
         content = definition_text(value)
@@ -66,7 +69,7 @@ def kept_by_value(
         return make(built(path, variable, value))
     kept = Cache(Path(cache), fresh)
     versions = json.dumps(code_digest.versions())
-    key = key_of(task, Path(path).name, code_of(task, {}), versions, variable, content)
+    key = key_of(task, Path(path).name, code_of(task, {}), versions, variable, content, *asked)
     found: dict[str, Any] | None = kept.load(key)
     if found is None:
         found = make(built(path, variable, value))

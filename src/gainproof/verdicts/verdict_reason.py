@@ -37,7 +37,7 @@ def reasons(claim: Claim) -> list[str]:
     if ROUNDED in certificate:
         found.append(certificate[ROUNDED])
     if ALONE in certificate:
-        found.append(f"{ALONE}: {certificate[ALONE]}; other claims of its setting exclude that")
+        found.append(f"{ALONE}: {certificate[ALONE]}; not all claims of its setting are")
     strength = [f"{STRENGTH} {certificate[STRENGTH]}"] if certificate.get(STRENGTH) else []
     return found + repaired(claim) + solutions(claim) + strength
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import pytest
 import sympy as sp
+from mpmath import iv
 
 from gainproof.derive.formulas import _Intervals
 from gainproof.derive.formulas_tried import require_values
@@ -27,3 +28,14 @@ def test_one_point_with_a_value_is_enough(formula: str) -> None:
 def test_no_point_with_a_value_is_refused(formula: str) -> None:
     with pytest.raises(ValueError, match="k: its formulas have no real value"):
         require_values(source(formula), VALUES)
+
+
+@pytest.mark.parametrize(
+    ("power", "at", "value"),
+    [("1/3", 27, 3), ("2/3", 27, 9), ("-1/3", 8, 0.5), ("5/6", 64, 32), ("3/4", 16, 8)],
+)
+def test_roots_are_of_their_own_order(power: str, at: int, value: float) -> None:
+    text = _Intervals().doprint(sp.Symbol("x") ** sp.Rational(power))
+    found = eval(text, {"iv": iv, "x": iv.mpf(at)})  # noqa: S307 (text that was just printed)
+    assert value in found
+    assert found.delta < 1e-12

@@ -123,8 +123,27 @@ def test_a_statement_is_the_relation_that_it_says(text: str) -> None:
     assert (relation.kind, relation.parts) == STATEMENTS[text]
 
 
+OF_MATRICES = [
+    "M >= S^-1",
+    "M is invertible if M is positive semidefinite, M' N = 0",
+    "where M",
+    "M is symmetric",
+    "M has full column rank",
+    "M is positive semidefinite",
+]
+
+
+@pytest.mark.parametrize("text", OF_MATRICES)
+def test_a_statement_on_matrices_of_every_size_is_printed_back(text: str) -> None:
+    read = read_statement(text)
+    assert str(read) == text
+    with pytest.raises(FormulaError, match="only matrices of every size"):
+        relation_of(read, MEANINGS)
+
+
 def test_every_form_of_statement_is_tried() -> None:
-    assert {read_statement(text).form for text in STATEMENTS} == set(FORMS)
+    found = {read_statement(text).form for text in (*STATEMENTS, *OF_MATRICES)}
+    assert found == set(FORMS)
 
 
 @pytest.mark.parametrize(
@@ -168,6 +187,10 @@ LATEX = {
     "R_theta": r"R_\theta",
     "c_v": "c_v",
     "P_11": "P_{11}",
+    "x_+": "x_{+}",
+    "V_l|d": "V_{l|d}",
+    "I_m+n": "I_{m+n}",
+    "1": "1",
     "along": "",
     "less_sine": "",
 }

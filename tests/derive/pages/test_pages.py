@@ -6,6 +6,7 @@ from pathlib import Path
 
 import pytest
 
+from gainproof.derive.algebra.evidence import evidence
 from gainproof.derive.algebra.tower import Parameter, Tower
 from gainproof.derive.catalogue import CATALOGUE
 from gainproof.derive.derivation import PageError, Step
@@ -129,6 +130,25 @@ def test_steps_and_settings_of_the_program_are_where_the_page_has_them(tmp_path:
     assert made.steps[-1].sentence == "Made."
 
 
+def test_a_setting_of_numbers_has_no_parameters(tmp_path: Path) -> None:
+    page = PAGE.replace("    a > 0, b >= 0\n    P_11 = double(a)", "    a = 1/2\n    P_11 = 1")
+    page = page.split("include")[0].rstrip().replace("## A", "let\n    K = [a; P_11]\n\n## A")
+    page = page.replace(
+        "    P_11 = 2 a", "    [a; P_11] = K\n    Stable-one: gain [a; P_11] is stable in m"
+    )
+    model = {
+        "transition": [["1", "1"], ["0", "1"]],
+        "process_noise": [["0", "0"], ["0", "0"]],
+        "measurement": [["1", "0"]],
+        "measurement_noise": [["1"]],
+    }
+    made = written("page", Given(models={"m": model}), on_disk(tmp_path, f"{page}\n"))
+    step = next(step for step in made.steps if step.id == "Stable-one")
+    values = evidence(step, made.towers["main"])["values"]
+    # det(z I - F (I - K H)) = z^2 - z/2 + 1/2, and of the next degree 3 z/4 - 1/4
+    assert [value["num"][0][0] for value in values] == ["1/2", "3/2", "1", "1/2"]
+
+
 def test_what_a_part_defines_stays_in_it(tmp_path: Path) -> None:
     part = "let\n    own = a + 1\n\n### {key}\nA sentence.\n\n    own = a + 1\n"
     made = written("page", GIVEN, on_disk(tmp_path, part=part))
@@ -174,7 +194,12 @@ MISTAKES = [
     ("    P_11 = 2 a\n", "    [2] is positive definite\n", 21, "a matrix of quantities is wanted"),
     ("    P_11 = 2 a\n", "    gain [a] is stable in model\n", 21, "a model is wanted"),
     ("    P_11 = 2 a\n", "    P_11 = a/2 b\n", 21, "parentheses around the quotient"),
-    ("    P_11 = 2 a\n", "    P_11 is 2 a\n", 21, "wanted 'positive' after 'P_11 is'"),
+    (
+        "    P_11 = 2 a\n",
+        "    P_11 is 2 a\n",
+        21,
+        "wanted 'positive' or 'symmetric' or 'invertible' after",
+    ),
     ("    P_11 = 2 a\n", "    P_11 2 a\n", 21, "wanted '=' or '>'"),
     ("    P_11 = 2 a\n", "    P_11 = 1/0\n", 21, "'1/0' divides by 0"),
     ("    P_11 = 2 a\n", "    P_11 = [1, a] + [1; a]\n", 21, "has no value"),
@@ -201,6 +226,8 @@ MISTAKES = [
     ),
     ("include part (one)", "include part (two)", 26, "no slots 'two'; known: one, other"),
     ("A sentence.", "A sentence. ", 19, "blanks at the end of the line"),
+    ("A sentence.", "A `a sentence.", 19, "a formula stands between two backticks"),
+    ("because Reason.", "because `a` and `b.", 24, "a formula stands between two backticks"),
     ("A sentence.", "A\tsentence.", 19, "a sign that is not printed"),
 ]
 

@@ -15,6 +15,7 @@ from graph_kernels import function_of, kernel_of, simple
 from numpy.typing import NDArray
 
 from gainproof.derive.printer.bound import Bounds
+from gainproof.derive.printer.c_language.module import c_files
 from gainproof.derive.printer.fixed_point import fixed_point, near_cbrt
 from gainproof.derive.printer.graph import GraphBuilder
 from gainproof.derive.printer.kernel import Kernel, Module, Output, Requirement, closed, signed
@@ -161,6 +162,32 @@ def test_rust(name: str, tmp_path: Path) -> None:
     run("rustc", "--edition", "2021", "main.rs", *linked, "-o", "main", folder=tmp_path)
     found = [int(line, 16) for line in run(tmp_path / "main", folder=tmp_path).split()]
     assert found == wanted
+
+
+@pytest.mark.alike
+@pytest.mark.parametrize("form", KINDS)
+@pytest.mark.parametrize("name", KERNELS)
+def test_one_format_is_that_part_of_both(name: str, form: str, tmp_path: Path) -> None:
+    kernel, module, values, both = printed(name)
+    bounds = [tuple(bound for bound in both[0] if bound.format.name == form)]
+    known = {"kernel": known_values(kernel, bounds[0], "trial")}
+    assert known["kernel"]["points"] == {form: values["kernel"]["points"][form]}
+    octave, rust = octave_files(module, bounds, known), rust_files(module, bounds, known)
+    pairs = [
+        (octave["+trial/kernel.m"], octave_files(module, both, values)["+trial/kernel.m"], "%"),
+        (rust["trial/src/lib.rs"], rust_files(module, both, values)["trial/src/lib.rs"], "//"),
+        (c_files(module, bounds)["trial.c"], c_files(module, both)["trial.c"], "/*"),
+    ]
+    other = "single" if form == "float64" else "double"
+    for text, whole, comment in pairs:
+        more = [each for each in text.splitlines() if each not in whole.splitlines()]
+        told = ("isa(", "all inputs must be", comment)
+        assert all(any(word in line for word in told) for line in more), more
+        assert f"of_{other}" not in text
+        assert f"near_cbrt_{other}" not in text
+        assert f"mod {other}" not in text
+    write(octave, tmp_path)
+    assert run("octave-cli", "--no-init-file", "test_trial.m", folder=tmp_path).startswith("0 of ")
 
 
 def rust_names(text: str) -> list[str]:

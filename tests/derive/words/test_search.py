@@ -13,9 +13,7 @@ from typing import Any
 
 import pytest
 from interacting_values import update_matrices
-from word_values import completed, holds, true
-
-from gainproof.derive.fixed_gain.interacting_steps_best import (
+from update_letters import (
     BEST,
     NOISE,
     PRIOR,
@@ -29,6 +27,8 @@ from gainproof.derive.fixed_gain.interacting_steps_best import (
     S,
     innovation,
 )
+from word_values import completed, holds, true
+
 from gainproof.derive.words.expression import Expression, symbols
 from gainproof.derive.words.hypotheses import definite, invertible, semidefinite
 from gainproof.derive.words.polynomial import ShapeError

@@ -120,6 +120,8 @@ def _at_place(domain: Domain, place: Place, free: Mapping[str, Any]) -> Point:
             known = quantities.memory(subject.setting.degree or 0, place, subject.chosen)
         case "fixed_gain":
             known = steady(subject.setting, place, free)
+        case "fading_memory" | "kalman_bucy":
+            raise NotCovered("a filter that has tests against a batch and SciPy of its own")
         case _:
             known = {"sampling_interval": real(place.interval)}
             known["sample_number"] = real(int(place.parameter))

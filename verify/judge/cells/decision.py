@@ -8,7 +8,7 @@ from fractions import Fraction
 
 from gainproof.verify.judge.cells.certificate import cells_certificate
 from gainproof.verify.judge.cells.domain_text import domain_text
-from gainproof.verify.judge.cells.integers import runs_of
+from gainproof.verify.judge.cells.integers import runs_of, whole_points
 from gainproof.verify.judge.cells.piece import Part, Piece, all_pieces
 from gainproof.verify.judge.cells.pieces import exact_part, parts
 from gainproof.verify.judge.cells.task import Budget, Task
@@ -81,17 +81,32 @@ def _for_integers(
             raise Nowhere
         proofs = [outcome for outcome in found if outcome and outcome.verdict == "proved"]
         if proofs and len(proofs) == len(found):
-            domain = ", ".join(box.text(labels.get(n, n)) for n, box in sorted(boxes.items()))
-            reason = "holds for all integers, though not for all real numbers between them"
-            return Outcome("proved", f"for {domain}", reason, proofs[0].method)
+            return _for_all_integers(proofs, boxes, labels)
         ends = [end for box in runs.intervals for end in (box.lower, box.upper) if end is not None]
         for value in ends if runs.failing is None else [Fraction(runs.failing)]:
             point_box = Box(value, value, lower_open=False, upper_open=False)
             there = _within(task, {**boxes, name: point_box}, labels, limits)
             if there is not None and there.witness is not None:
                 return _failing(outcome, there.witness, 1)
+    few: list[Outcome | None] = []
+    for fixed in whole_points(whole, boxes):
+        there = _within(task, {**boxes, **fixed}, labels, limits)
+        if there is not None and there.witness is not None:
+            return _failing(outcome, there.witness, 1)
+        few.append(there)
     names = ", ".join(labels.get(name, name) for name in whole)
+    proofs = [there for there in few if there is not None and there.verdict == "proved"]
+    if proofs and all(there == EMPTY or there in proofs for there in few):
+        return _for_all_integers(proofs, boxes, labels)
     raise Undecided(f"false for real numbers; whether for integers {names} was not decided")
+
+
+def _for_all_integers(
+    proofs: Sequence[Outcome], boxes: Mapping[str, Box], labels: Mapping[str, str]
+) -> Outcome:
+    domain = ", ".join(box.text(labels.get(n, n)) for n, box in sorted(boxes.items()))
+    reason = "holds for all integers, though not for all real numbers between them"
+    return Outcome("proved", f"for {domain}", reason, proofs[0].method)
 
 
 def _within(
@@ -101,11 +116,15 @@ def _within(
     None if undecided, since a reason of the part is none of the whole.
     """
     try:
-        return decide_in_cells(task.statement, boxes, labels, limits)
+        found = decide_in_cells(task.statement, boxes, labels, limits)
     except Nowhere:
         return EMPTY
     except Undecided:
         return None
+    if found.witness is None:
+        return found
+    put_in = {labels.get(n, n): str(b.lower) for n, b in boxes.items() if b.lower == b.upper}
+    return replace(found, witness=replace(found.witness, point={**put_in, **found.witness.point}))
 
 
 def _failing(outcome: Outcome, witness: Witness, tried: int) -> Outcome:

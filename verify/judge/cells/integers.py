@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from fractions import Fraction
-from itertools import groupby
-from math import ceil, floor
+from itertools import groupby, product
+from math import ceil, floor, prod
 
 from gainproof.verify.judge.cells.lifting import Between, cells
 from gainproof.verify.judge.cells.pieces import piece_of_cell
@@ -18,6 +18,9 @@ from gainproof.verify.judge.exact.box import Box
 from gainproof.verify.judge.exact.limits import Limits
 from gainproof.verify.judge.exact.place import Place
 from gainproof.verify.judge.exact.truth import TRUE
+
+MOST_NUMBERS = 64
+"""Up to so many, or so many together of several symbols, are decided one by one."""
 
 
 @dataclass(frozen=True)
@@ -51,6 +54,22 @@ def runs_of(task: Task, name: str, boxes: Mapping[str, Box], limits: Limits) -> 
     edges.append((start, found[-1].sides[0].right))
     made = (_closed(left, right, boxes[name]) for left, right in edges)
     return Runs(tuple(box for box in made if box is not None))
+
+
+def whole_points(names: Sequence[str], boxes: Mapping[str, Box]) -> Iterator[dict[str, Box]]:
+    """All whole numbers that several symbols may be together, as boxes of one point; none where
+    there are more than MOST_NUMBERS.
+    """
+    extents = []
+    for box in map(boxes.__getitem__, names):
+        if box.lower is None or box.upper is None or box.upper - box.lower > MOST_NUMBERS:
+            return
+        inside = range(ceil(box.lower), floor(box.upper) + 1)
+        extents.append([Fraction(n) for n in inside if box.holds(Fraction(n))])
+    if prod(map(len, extents)) <= MOST_NUMBERS:
+        for values in product(*extents):
+            points = (Box(v, v, lower_open=False, upper_open=False) for v in values)
+            yield dict(zip(names, points, strict=True))
 
 
 def _integers(base: Between) -> list[int]:

@@ -22,7 +22,12 @@ from gainproof.verify.judge.claim.models import (
 from gainproof.verify.judge.claim.record import Formula, Setting, SymbolEntry
 from gainproof.verify.judge.claim.symbols import SymbolTable, complete_symbols
 from gainproof.verify.judge.claim.usual import USUAL, usual_entries
-from gainproof.verify.judge.dimensions.declared import Fault, says_units, setting_fault
+from gainproof.verify.judge.dimensions.declared import (
+    Fault,
+    numbers_count,
+    says_units,
+    setting_fault,
+)
 from gainproof.verify.judge.matrices.declare import read_letters, read_sizes
 
 MOST_SETTINGS = 100
@@ -192,9 +197,10 @@ def _built(
         matrices=None,
         **_conventions(fields, kind, symbols),
     )
-    if says_units(setting):
+    counted = numbers_count(setting)
+    if says_units(setting) and not counted:
         return setting
-    free = {t: replace(e, unit=None) if e.quantity else e for t, e in symbols.items()}
+    free = {t: replace(e, unit=None) if counted or e.quantity else e for t, e in symbols.items()}
     return replace(setting, symbols=free)
 
 
@@ -302,6 +308,9 @@ def _check_kind(
     if kind == "kalman_bucy" and not given:
         problem = "this matrix is missing: a Kalman-Bucy filter has four"
         raise fields.fail(MATRICES[0], problem)
+    for name in CONVENTIONS if kind == "kalman_bucy" else ():
+        if fields.has(name):
+            raise fields.fail(name, f"a setting of kind {kind} has no such convention")
     if (kind != "steady_state" and model is not None) or (given and kind not in OWN):
         raise fields.fail("model", f"a setting of kind {kind} has no model")
     if kind in FITTED and degree is None:

@@ -23,6 +23,7 @@ from gainproof.verify.judge.dimensions.formula import (
 )
 from gainproof.verify.judge.dimensions.names import Names
 from gainproof.verify.judge.exact.constant_value import constant_value
+from gainproof.verify.judge.exact.expression import symbols_of
 from gainproof.verify.judge.exact.limits import Malformed
 from gainproof.verify.judge.exact.tree import read_tree
 from gainproof.verify.judge.formula import Graph
@@ -83,8 +84,8 @@ def says_units(setting: Setting) -> bool:
 
 
 def _counts_positions(setting: Setting) -> bool:
-    """Whether the symbols of a model in continuous time are those of a position with its
-    derivatives: that of each noise has the unit of its density, all others fit.
+    """Whether the entries of a model in continuous time are those of a position with its
+    derivatives: a symbol of each noise has the unit of its density, all else fits.
     """
     said = set()
     for name, i, j, entry in _entries(setting):
@@ -93,10 +94,21 @@ def _counts_positions(setting: Setting) -> bool:
         # of i - j derivatives in F, of i + j in Q
         seconds = {"transition": j - i, "process_noise": -i - j, "measurement": j}.get(name, 0)
         wanted = Unit(metre=metres, second=Fraction(seconds)) / PER_TIME.get(name, Unit())
-        if unit is not None and unit != wanted:
+        if _unit(entry, setting, numbers=True) not in (None, wanted):
             return False
         said |= {name} if unit is not None else set()
     return said >= set(NOISES)
+
+
+def numbers_count(setting: Setting) -> bool:
+    """Whether numbers in a model in continuous time count what symbols beside them have units of,
+    as the rate 2 does in an A of -2: nothing can be compared with them then.
+    """
+    if setting.kind != CONTINUOUS or any(_model_faults(setting)):
+        return False
+    entries = [e for *_, e in _entries(setting) if symbols_of(read_tree(e))]
+    mixed = any(dimension_of(entry, setting) is None for entry in entries)
+    return mixed or any(_model_faults(setting, numbers=True))
 
 
 def shared_fault(symbols: Mapping[str, SymbolEntry]) -> Fault | None:
@@ -159,14 +171,16 @@ def _differs(graph: Graph, wanted: Dimensions, what: str, names: Names) -> str |
     return fault_of(lambda one: agreed([wanted, dimension(read_tree(graph), one)], what), names)
 
 
-def _model_faults(setting: Setting) -> Iterator[Fault]:
-    """Entries of F, Q, H and R from which no units of states and measurements follow."""
+def _model_faults(setting: Setting, *, numbers: bool = False) -> Iterator[Fault]:
+    """Entries of F, Q, H and R from which no units of states and measurements follow; `numbers`
+    have none.
+    """
     solver = _Solver()
     continuous = setting.kind == CONTINUOUS
     if continuous and all(_unit(e, setting) in (None, Unit()) for *_, e in _entries(setting)):
         return  # all of it, times too, is counted in units of its own
     for name, i, j, entry in _entries(setting):
-        unit = _unit(entry, setting)
+        unit = _unit(entry, setting, numbers=numbers)
         if unit is not None and continuous:
             unit = unit * PER_TIME.get(name, Unit())
         if unit is not None and not solver.agrees(_equation(name, i, j), unit):
@@ -191,14 +205,17 @@ def _entries(setting: Setting) -> Iterator[tuple[str, int, int, Graph]]:
                 yield name, i, j, entry
 
 
-def _unit(entry: Graph, setting: Setting) -> Unit | None:
-    """The unit of an entry; None of a number, which may be one in units of T or of a noise."""
+def _unit(entry: Graph, setting: Setting, *, numbers: bool = False) -> Unit | None:
+    """The unit of an entry; None of a number, which may be one in units of T or of a noise, unless
+    `numbers` have none: 0 alone may be of any.
+    """
     try:
-        if constant_value(read_tree(entry)) is not None:
-            return None
+        tree = read_tree(entry)
     except Malformed:
         return None
-    return dimension_of(entry, setting)
+    if symbols_of(tree):
+        return dimension_of(entry, setting)
+    return Unit() if numbers and constant_value(tree) != 0 else None
 
 
 def _equation(name: str, i: int, j: int) -> Mapping[str, int]:

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
+from dataclasses import replace
 from fractions import Fraction
 
 from gainproof.verify.judge.exact.box import Box, bounds_text
@@ -49,12 +50,15 @@ def decide(
     for name, box in boxes.items():
         if box.is_empty:
             raise Undecided(f"the domain of {labels.get(name, name)} is empty")
+    roots: list[tuple[str, str, int]] = []
     for _ in range(8):
         try:
             work = Work(statement, boxes, parameter, labels, limits)
-            return _outcome(work, survey(work))
+            return _in_symbols(_outcome(work, survey(work)), roots)
         except NeedsPower as need:
+            shown = labels.get(need.name, need.name)
             statement, boxes, labels = _with_power(statement, boxes, labels, need)
+            roots.append((labels[f"{need.name} root"], shown, need.order))
     raise Undecided("roots of roots of free symbols nest too deeply")
 
 
@@ -74,6 +78,29 @@ def _with_power(
     kept = {name: b for name, b in boxes.items() if name != need.name}
     shown = labels.get(need.name, need.name)
     return changed, {**kept, new: box}, {**labels, new: f"({shown})^(1/{need.order})"}
+
+
+def _in_symbols(outcome: Outcome, roots: Sequence[tuple[str, str, int]]) -> Outcome:
+    """The outcome told in symbols of which roots were taken for symbols: `roots` are these roots in
+    words, what they are roots of, and their orders. q > 0 for q^(1/2) > 0, q = 4 where that is 2.
+    """
+    for root, symbol_, order in reversed(roots):
+        domain = outcome.domain.replace(f"{root} > 0", f"{symbol_} > 0")
+        outcome = replace(outcome, domain=domain)
+        witness = outcome.witness
+        if witness is None or root not in witness.point:
+            continue
+        try:
+            value = str(Fraction(witness.point[root]) ** order)
+        except ValueError:  # a number that is not rational
+            continue
+        point = {
+            symbol_ if n == root else n: value if n == root else v for n, v in witness.point.items()
+        }
+        told = replace(witness, point=point)
+        reason = outcome.reason.replace(witness.text(), told.text())
+        outcome = replace(outcome, witness=told, reason=reason)
+    return outcome
 
 
 def _outcome(work: Work, judged: list[Judged]) -> Outcome:

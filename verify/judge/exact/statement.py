@@ -156,7 +156,10 @@ class Witness:
 
     def text(self) -> str:
         """Readable."""
-        where = ", ".join(f"{name} = {value}" for name, value in self.point.items())
+        where = ", ".join(
+            f"{name} {'' if value.startswith('->') else '= '}{value}"
+            for name, value in self.point.items()
+        )
         place = f"at {where}:" if where else "with"
         if self.left.undefined == self.right.undefined == NOT_COMPARED:
             return f"{place} {self.note}"

@@ -148,7 +148,7 @@ def _nearer(y: Expr, x: Expr, is_positive: Positive) -> Expr | None:
         above, right = monomials(y), monomials(x)
     except Undecided:
         return None
-    powers = [dict(m) for m in (*above, *right)]
+    powers = [dict(ordered(m)) for m in (*above, *right)]
     shared = frozenset(
         (base, least)
         for base in (powers[0] if powers else {})

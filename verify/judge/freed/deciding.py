@@ -12,7 +12,6 @@ from gainproof.verify.judge.exact.free_names import with_tokens
 from gainproof.verify.judge.exact.limits import Nowhere, Undecided
 from gainproof.verify.judge.exact.points import (
     failure_where,
-    is_seen,
     try_points,
     with_values,
     without_value,
@@ -34,7 +33,7 @@ from gainproof.verify.judge.freed.scaled import scaled
 from gainproof.verify.judge.freed.sizes import by_sizes
 from gainproof.verify.judge.freed.valued import valued
 from gainproof.verify.judge.freed.where_valued import but_where_it_has, but_where_they_differ
-from gainproof.verify.judge.freed.whole_numbers import for_numbers, inductively
+from gainproof.verify.judge.freed.whole_numbers import between_numbers, for_numbers, inductively
 from gainproof.verify.judge.freed.whole_turns import without_whole_turns
 from gainproof.verify.judge.hypothesis import settle
 
@@ -61,10 +60,9 @@ def decided(
     labels = with_tokens(labels, statement.symbols())
     if not has_functions(statement):
         return settle(statement, boxes, parameter, labels)
-    if not statement.symbols() and _is_between_numbers(statement):
-        certificate = certificate_of(statement, {}, parameter, labels)
-        reason = "both sides are numbers, which balls tell apart"
-        return Outcome("proved", "everywhere", reason, "balls round both sides", None, certificate)
+    shown = between_numbers(statement, labels)
+    if shown is not None:
+        return shown
     if jumps(statement):
         return _without_jumps(statement, boxes, parameter, labels)
     statement = statement.mapped(lambda e: without_whole_turns(e, boxes))
@@ -177,13 +175,6 @@ def _in_other_variables(
                 region=(),
             )
     return None
-
-
-def _is_between_numbers(statement: Statement) -> bool:
-    """Whether balls show all its inequalities, which hold no symbols."""
-    if statement.connective != "if" or statement.domain or statement.needed:
-        return False
-    return all(map(is_seen, statement.relations))
 
 
 def _restated(

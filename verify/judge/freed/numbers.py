@@ -8,6 +8,7 @@ from collections.abc import Iterator, Mapping
 from fractions import Fraction
 from math import ceil
 
+from gainproof.verify.judge.cells.integers import MOST_NUMBERS
 from gainproof.verify.judge.exact.box import Box
 from gainproof.verify.judge.exact.calculus import rebuilt, substituted
 from gainproof.verify.judge.exact.expression import Expr, number
@@ -19,8 +20,6 @@ from gainproof.verify.judge.meaning.sequences import with_variables
 from gainproof.verify.judge.meaning.sums import series_of
 
 TRIED = 5
-MOST_NUMBERS = 64
-"""Up to so many are decided one by one."""
 
 
 def first_numbers(

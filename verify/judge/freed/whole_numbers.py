@@ -7,7 +7,9 @@ from dataclasses import replace
 
 from gainproof.verify.judge.exact.box import Box
 from gainproof.verify.judge.exact.limits import Nowhere, Undecided
+from gainproof.verify.judge.exact.points import is_seen, try_points
 from gainproof.verify.judge.exact.statement import Outcome, Statement, Witness
+from gainproof.verify.judge.freed.certificate import certificate_of
 from gainproof.verify.judge.freed.domain_words import domain_text
 from gainproof.verify.judge.freed.freely import VALUED, freely, where_valued
 from gainproof.verify.judge.freed.induction import induction
@@ -41,31 +43,53 @@ def for_numbers(
     all where they are few. Raises Undecided.
     """
     for name, values, are_all in first_numbers(statement, boxes):
-        label, proofs = labels.get(name, name), {}
+        label, proofs, is_proved = labels.get(name, name), {}, are_all
         for value in values:
             part = at_number(statement, name, value)
             if has_functions(part) and not are_all:
                 continue
             try:
-                work = freely if has_functions(part) else settle
+                work = _with_functions if has_functions(part) else settle
                 found = work(part, boxes, parameter, labels)
             except Nowhere:
                 continue  # the conditions are those of other numbers
             except Undecided:
-                are_all = False
+                is_proved = False
                 continue
             if found.verdict == "proved" and VALUED not in found.domain:
                 proofs[f"{label} = {value}"] = dict(found.certificate)
                 continue
-            are_all = False
+            is_proved = False
             refuted = _refuted(found, label, value, boxes[name])
             if refuted is not None:
                 return refuted
-        if are_all and proofs:
+        if is_proved and proofs:
             domain = domain_text(statement, boxes, labels)
             reason, method = "holds for each of the whole numbers", "one whole number after another"
             return Outcome("proved", domain, reason, method, None, proofs)
     raise Undecided("")
+
+
+def _with_functions(
+    statement: Statement, boxes: Mapping[str, Box], parameter: str | None, labels: Mapping[str, str]
+) -> Outcome:
+    """At one whole number: what holds no symbol any more is told by balls. Raises Undecided."""
+    if not statement.symbols():
+        found = between_numbers(statement, labels) or try_points(statement, boxes, labels)
+        if found is not None:
+            return found
+    return freely(statement, boxes, parameter, labels)
+
+
+def between_numbers(statement: Statement, labels: Mapping[str, str]) -> Outcome | None:
+    """The proof of inequalities without symbols that balls show."""
+    if statement.symbols() or statement.connective != "if" or statement.domain or statement.needed:
+        return None
+    if not all(map(is_seen, statement.relations)):
+        return None
+    certificate = certificate_of(statement, {}, None, labels)
+    reason = "both sides are numbers, which balls tell apart"
+    return Outcome("proved", "everywhere", reason, "balls round both sides", None, certificate)
 
 
 def _refuted(found: Outcome, label: str, value: int, box: Box) -> Outcome | None:

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from collections.abc import Mapping
+from dataclasses import dataclass, field, replace
 from fractions import Fraction
 
 from gainproof.verify.judge.exact.box import Box
@@ -17,6 +18,7 @@ from gainproof.verify.judge.exact.expression import (
     symbols_of,
     walk,
 )
+from gainproof.verify.judge.exact.expression_text import labelled
 from gainproof.verify.judge.exact.limit import decide_limit, sides_of
 from gainproof.verify.judge.exact.limits import Undecided
 from gainproof.verify.judge.exact.statement import Rel
@@ -36,18 +38,22 @@ End = Expr | str
 
 @dataclass(frozen=True)
 class Approach:
-    """A base variable and where it goes; `text` is the condition as printed, for messages."""
+    """A base variable and where it goes; `text` is the condition as printed, for messages, with
+    `labels` for the symbols of the point.
+    """
 
     name: str
     point: End
     box: Box
     label: str
+    labels: Mapping[str, str] = field(default_factory=dict)
 
     @property
     def text(self) -> str:
         """Readable."""
-        value = self.point if isinstance(self.point, str) else constant_value(self.point)
-        return f"-> {'the point' if value is None else value}"
+        if isinstance(self.point, str):
+            return f"-> {self.point}"
+        return f"-> {labelled(self.point, self.labels)}"
 
     def sides(self) -> tuple[int, ...]:
         """1 for from above, -1 for from below. Raises Undecided for a point outside the domain."""
@@ -121,7 +127,8 @@ def approach_of(variable: Expr, point: End, frame: Frame) -> Approach:
         name = variable.name
         if not isinstance(point, str) and name in symbols_of(point):
             raise Undecided("a variable that tends to something that holds it")
-        return Approach(name, point, frame.boxes[name], frame.labels.get(name, name))
+        label = frame.labels.get(name, name)
+        return Approach(name, point, frame.boxes[name], label, frame.labels)
     names = symbols_of(variable)
     if len(names) != 1 or not (isinstance(point, str) or not symbols_of(point)):
         raise Undecided("a limit in a quantity that depends on several variables")

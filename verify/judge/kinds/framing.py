@@ -6,7 +6,7 @@ from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, replace
 from fractions import Fraction
 
-from gainproof.verify.judge.claim.record import Claim
+from gainproof.verify.judge.claim.record import Claim, Setting
 from gainproof.verify.judge.domain import bounded
 from gainproof.verify.judge.exact.box import Box
 from gainproof.verify.judge.exact.calculus import substituted
@@ -14,9 +14,9 @@ from gainproof.verify.judge.exact.certificate import statement_data
 from gainproof.verify.judge.exact.constant_value import constant_value
 from gainproof.verify.judge.exact.expression import number, symbols_of
 from gainproof.verify.judge.exact.expression_text import labelled
-from gainproof.verify.judge.exact.free_names import free_name, with_tokens
+from gainproof.verify.judge.exact.free_names import free_name, token_of, with_tokens
 from gainproof.verify.judge.exact.limits import Undecided
-from gainproof.verify.judge.exact.statement import Enclosure, Outcome, Rel, Statement
+from gainproof.verify.judge.exact.statement import ORDERS, Enclosure, Outcome, Rel, Statement
 from gainproof.verify.judge.exact.total import is_total
 from gainproof.verify.judge.freed.certificate import certificate_of
 from gainproof.verify.judge.freed.deciding import decided
@@ -24,8 +24,10 @@ from gainproof.verify.judge.hypothesis import without_equations
 from gainproof.verify.judge.kinds.slopes import with_slopes
 from gainproof.verify.judge.meaning.derivatives import Slope
 from gainproof.verify.judge.meaning.domains import refuse_fractions
+from gainproof.verify.judge.reach import reached
 from gainproof.verify.judge.scope import Scope
 from gainproof.verify.judge.setting.environment import SAMPLE, Environment
+from gainproof.verify.judge.source_symbols import speaks_of
 from gainproof.verify.judge.verdict import Finding, finding_of
 from gainproof.verify.judge.verdict_words import NOT_COMPARED
 
@@ -60,7 +62,7 @@ class Frame:
         of another one, in other variables. Raises Undecided.
         """
         whole = replace(statement, conditions=(*statement.conditions, *self.conditions))
-        found = self.decide_alone(whole)
+        found = _with_fixed(self.decide_alone(whole), self.conditions, self.labels)
         own = {name: box for name, box in self.boxes.items() if name in whole.symbols()}
         asked = statement_data(whole, own, self.parameter, self.labels)
         if found.certificate and found.certificate.get("statement") != asked:
@@ -97,6 +99,30 @@ class Frame:
             return self.decide(Statement(relations)).verdict == "proved"
         except Undecided:
             return False
+
+
+def fixed_numbers(conditions: Iterable[Rel]) -> dict[str, Fraction]:
+    """The symbols that a condition sets to a rational number, with the first that it is."""
+    found: dict[str, Fraction] = {}
+    for c in conditions:
+        for side, other in ((c.left, c.right), (c.right, c.left)):
+            if c.operator == "=" and side.kind == "symbol":
+                value = constant_value(other)
+                if value is not None:
+                    found.setdefault(side.name, value)
+    return found
+
+
+def _with_fixed(found: Outcome, conditions: Iterable[Rel], labels: Mapping[str, str]) -> Outcome:
+    """The outcome with a witness that tells the symbols too that have one value: they were put in,
+    and what is told in other symbols depends on them.
+    """
+    if found.witness is None:
+        return found
+    fixed = {labels.get(n, n): str(value) for n, value in fixed_numbers(conditions).items()}
+    witness = replace(found.witness, point={**fixed, **found.witness.point})
+    reason = found.reason.replace(found.witness.text(), witness.text())
+    return replace(found, witness=witness, reason=reason)
 
 
 def strictly(frame: Frame) -> Frame:
@@ -154,6 +180,8 @@ def framed(
             done.add(token)
             stated += [scope.relation(r) for r in scope.setting.symbols[token].domain]
     stated += [*scope.supposed, *scope.environment.conditions]
+    if _rests_on_model(scope.used, scope.setting, scope.environment):
+        stated += scope.environment.rests
     if scope.uses_steady() and scope.environment.region is not None:
         # without stability a steady covariance or lag has no value
         stated += scope.environment.region.relations
@@ -178,6 +206,35 @@ def framed(
         frame = _without_implied(frame)
         _refuse_other_model(frame, scope)
     return _with_required(frame, scope.required, _unsaid(frame) if claim.kind in NATURAL else set())
+
+
+def where_model_is(
+    found: Finding, claim: Claim, setting: Setting, environment: Environment
+) -> Finding:
+    """The finding with all in its domain that the model of its quantities rests on; a bound of a
+    symbol that the domain speaks of is told there already.
+    """
+    domain = found.domain
+    if domain in (None, "nowhere") or found.verdict == "refuted":
+        return found
+    if not _rests_on_model(reached(claim, setting), setting, environment):
+        return found
+    words = [] if domain == "everywhere" else [domain]
+    told = domain.removeprefix("for ").split(", ")
+    for rel in environment.rests:
+        names = symbols_of(rel.left, rel.right)
+        is_bound = len(names) == 1 and (rel.operator in ORDERS or bool(found.region))
+        more = _words(rel, with_tokens({}, names))
+        if more not in told and not (is_bound and speaks_of(domain, token_of(min(names)))):
+            words.append(more if words else f"for {more}")
+            told.append(more)
+    return replace(found, domain=", ".join(words) or domain)
+
+
+def _rests_on_model(tokens: Iterable[str], setting: Setting, environment: Environment) -> bool:
+    """Whether one of these symbols is a quantity of a model that exists under conditions alone."""
+    named = {entry.quantity for t in tokens if (entry := setting.symbols.get(t)) is not None}
+    return bool(environment.rests) and not named.isdisjoint(environment.quantities)
 
 
 def _meet_hidden(scope: Scope) -> None:

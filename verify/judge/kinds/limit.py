@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from dataclasses import replace
 from fractions import Fraction
 
 from gainproof.verify.judge.claim.record import Claim
 from gainproof.verify.judge.domain import box_conditions
-from gainproof.verify.judge.exact.box import Box
+from gainproof.verify.judge.exact.box import Box, bounds_text
 from gainproof.verify.judge.exact.calculus import substituted
 from gainproof.verify.judge.exact.constant_value import constant_value
 from gainproof.verify.judge.exact.expression import Expr, number, symbols_of, walk
@@ -126,12 +127,33 @@ def _by_value(
     end = f"-> {labelled(point, frame.labels)}"
     method = f"value at the point; {found.method}"
     if found.verdict == "proved":
-        reason, domain = "the limit is the claimed one", f"as {label} {end}"
+        stay = _where_others_stay(symbols_of(expr, claimed, point) - names, frame)
+        reason, domain = "the limit is the claimed one", f"as {label} {end}{stay}"
         return replace(found, reason=reason, domain=domain, method=method)
-    if found.witness is not None:
-        point_told = {**found.witness.point, label: end}
-        found = replace(found, witness=replace(found.witness, point=point_told, operator="->"))
-    return replace(found, method=method)
+    return replace(_on_the_way(found, label, end), method=method)
+
+
+def _where_others_stay(names: Iterable[str], frame: Frame) -> str:
+    """What is stated of all but the variable, in words after the arrow."""
+    own = frame.environment.boxes
+    conditions = [c for c in frame.conditions if c not in frame.natural]
+    told = {*names, *symbols_of(*(s for c in conditions for s in (c.left, c.right)))}
+    boxes = {n: b for n, b in sorted(frame.boxes.items()) if n in told and b != own.get(n)}
+    words = bounds_text(boxes, frame.labels)
+    for c in conditions:
+        left, right = (labelled(side, frame.labels) for side in (c.left, c.right))
+        words.append(f"{left} {c.operator} {right}")
+    return f", for {', '.join(words)}" if words else ""
+
+
+def _on_the_way(found: Finding, label: str, end: str) -> Finding:
+    """The finding with a witness that says where the variable goes, in its reason too."""
+    if found.witness is None:
+        return found
+    point = {label: end, **{n: at for n, at in found.witness.point.items() if n != label}}
+    witness = replace(found.witness, point=point, operator="->")
+    reason = found.reason.replace(found.witness.text(), witness.text())
+    return replace(found, witness=witness, reason=reason)
 
 
 def _unfolded(expr: Expr, claimed: End, frame: Frame, scope: Scope) -> tuple[Expr, End, Frame]:
@@ -159,7 +181,9 @@ def _algebraic(expr: Expr, approach: Approach, claimed: End) -> Outcome:
     point = approach.point
     value = point if isinstance(point, str) else constant_value(point)
     if value is None:
-        raise Undecided("the point of a limit must be a rational number or infinity")
+        raise Undecided(
+            "at a point that is no rational number a limit is seen only where it is the value"
+        )
     box = approach.box
     try:
         return decide_limit(expr, approach.name, box, value, claimed, approach.label)
@@ -243,7 +267,6 @@ def _compared(
 
 
 def _said(outcome: Outcome, approach: Approach, method: str) -> Finding:
-    where = {approach.label: approach.text}
     if outcome.verdict == "proved":
         domain = f"as {approach.label} {approach.text}, {outcome.domain}"
         return replace(
@@ -252,12 +275,10 @@ def _said(outcome: Outcome, approach: Approach, method: str) -> Finding:
             domain=domain.removesuffix(", everywhere"),
             method=method,
         )
-    if outcome.witness is not None:
-        witness = replace(outcome.witness, point={**where, **outcome.witness.point}, operator="->")
-        outcome = replace(outcome, witness=witness)
-    if outcome.verdict != "refuted":
-        return finding_of(outcome)
-    return replace(finding_of(outcome), reason=f"the limit is another: {outcome.reason}")
+    found = _on_the_way(finding_of(outcome), approach.label, approach.text)
+    if found.verdict != "refuted":
+        return found
+    return replace(found, reason=f"the limit is another: {found.reason}")
 
 
 def _shown(end: End) -> Enclosure:

@@ -24,7 +24,6 @@ from gainproof.verify.judge.claim.record import Claim
 from gainproof.verify.judge.exact.algebraic import Algebraic, compare, rational_point, real_roots
 from gainproof.verify.judge.exact.box import Box, bounds_text
 from gainproof.verify.judge.exact.calculus import substituted
-from gainproof.verify.judge.exact.constant_value import constant_value
 from gainproof.verify.judge.exact.expression import Expr, number, symbols_of
 from gainproof.verify.judge.exact.expression_text import labelled
 from gainproof.verify.judge.exact.limits import DEFAULT_LIMITS, Nowhere, Undecided
@@ -53,7 +52,7 @@ from gainproof.verify.judge.exact.tidy import expression_of
 from gainproof.verify.judge.exact.total import divisors
 from gainproof.verify.judge.fixed_gain.rational_system import numerator_and_denominator
 from gainproof.verify.judge.formula import Reading
-from gainproof.verify.judge.kinds.framing import Frame, framed
+from gainproof.verify.judge.kinds.framing import Frame, fixed_numbers, framed
 from gainproof.verify.judge.kinds.identity import resolved
 from gainproof.verify.judge.meaning.evaluation import number_of
 from gainproof.verify.judge.scope import Scope
@@ -180,9 +179,11 @@ class Equation:
         f, *others = (self._at(field, p, point) for p in (self.f, *self.divisors))
         if size < 0 or not all(others):
             return 0  # a divisor that is zero whatever the unknown is leaves none
-        if not f:
-            return None if size else 1
-        return interval, field.simple(f, others)
+        if f:
+            return interval, field.simple(f, others)
+        if size or interval.low is None:
+            return None
+        return int(all(field.value(d, interval.low) for d in others))
 
     def holds(self, point: Point, at: Algebraic = NO_NUMBER) -> bool:
         """Whether the conditions on the parameters hold there."""
@@ -206,9 +207,13 @@ class Equation:
         if degree(f, x) > 0:
             found += [leading(f, x), *discriminants([f], x, DEFAULT_LIMITS)]
         parts = coefficients_in(f, x)
+        # an interval of one point may be where a divisor is zero: of an identity that matters
+        of_ends = [parts, *(coefficients_in(d, x) for d in self.divisors if f.is_zero())]
         for b in self.bounds:
-            powers = (c * b.top**k * b.bottom ** (len(parts) - 1 - k) for k, c in enumerate(parts))
-            found += [sum(powers, 0 * f), b.bottom]
+            for p in of_ends:
+                powers = (c * b.top**k * b.bottom ** (len(p) - 1 - k) for k, c in enumerate(p))
+                found.append(sum(powers, 0 * f))
+            found.append(b.bottom)
         found += [a.top * b.bottom - b.top * a.bottom for a, b in combinations(self.bounds, 2)]
         return irreducible(found)
 
@@ -286,6 +291,8 @@ def _equation(rel: Rel, unknown: str, frame: Frame, needed: Iterable[Expr]) -> E
         if x not in symbols_of(left, right):
             top, bottom = quotient(left - right)
             conditions.append((operator, top * bottom))
+            # where a divisor is zero the condition says nothing, so it does not hold
+            conditions += [("!=", quotient(d)[0]) for d in divisors(left, right)]
             continue
         if right.kind == "symbol" and right.name == x:
             left, right, operator = right, left, TURNED.get(operator, "")
@@ -299,12 +306,12 @@ def _equation(rel: Rel, unknown: str, frame: Frame, needed: Iterable[Expr]) -> E
 
 def _fixed(frame: Frame, unknown: str) -> dict[str, Expr]:
     """Parameters that have one value. Raises Nowhere where that is not in their domain."""
-    found = {n: box.lower for n, box in frame.boxes.items() if box.lower == box.upper}
-    for c in frame.conditions:
-        for side, other in ((c.left, c.right), (c.right, c.left)):
-            if c.operator == "=" and side.kind == "symbol" and found.get(side.name) is None:
-                found[side.name] = constant_value(other)
-    fixed = {n: value for n, value in found.items() if value is not None and n != unknown}
+    points = {n: box.lower for n, box in frame.boxes.items() if box.lower == box.upper}
+    found = {
+        **fixed_numbers(frame.conditions),
+        **{n: value for n, value in points.items() if value is not None},
+    }
+    fixed = {n: value for n, value in found.items() if n != unknown}
     if not all(frame.boxes[n].holds(value) for n, value in fixed.items() if n in frame.boxes):
         raise Nowhere
     return {n: number(value) for n, value in fixed.items()}
@@ -343,12 +350,14 @@ class _Search:
         place, point, count = min(wrong, key=lambda each: each[0].at is not None)
         value = str(point[0]) if point else place.at.text() if place.at else ""
         witness = self._witness({name: value} if name else {}, point, count, place)
-        if not any(place.is_cell for place in kept):
-            reason = f"fails {witness.text()}"
+        reason = f"fails {witness.text()}"
+        if not kept:
             return Finding("refuted", reason, "nowhere", METHOD, witness, certificate)
         holds = f"for {region_text(kept, self._label(name))}"
-        reason = f"fails {witness.text()}; holds exactly {holds}"
-        return Finding("conditional", reason, holds, METHOD, witness, certificate)
+        is_part = any(place.is_cell for place in kept)
+        verdict, word = ("conditional", "exactly") if is_part else ("refuted", "only")
+        reason += f"; holds {word} {holds}"
+        return Finding(verdict, reason, holds, METHOD, witness, certificate)
 
     def in_cells(self) -> Finding:
         """With several parameters: a point of each open cell, and that no wall is met. Raises
@@ -387,12 +396,11 @@ class _Search:
         return Finding("proved", reason, self._domain(), METHOD, None, certificate)
 
     def _is_joined(self) -> bool:
-        """Whether each connected part of the domain holds a cell: it is open, but for the faces of
-        the box, or convex.
+        """Whether each connected part of the domain, which has a point inside, holds a cell: it is
+        open in a convex set.
         """
         conditions = self.equation.conditions
-        convex = all(op not in ("=", "!=") and p.total_degree() == 1 for op, p in conditions)
-        return convex or all(operator in STRICT for operator, _ in conditions)
+        return all(op in STRICT or (op != "=" and p.total_degree() == 1) for op, p in conditions)
 
     def _further(self, walls: Sequence[Poly]) -> Iterator[Point]:
         """Simple points, and points of walls that are of first degree in a parameter."""

@@ -4,7 +4,7 @@ shown, ties as `printed_number` says.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from fractions import Fraction
 from typing import Any
@@ -23,7 +23,7 @@ from gainproof.verify.judge.exact.poly import rational
 from gainproof.verify.judge.exact.statement import Rel, Statement, Witness
 from gainproof.verify.judge.formula import Reading, Relation
 from gainproof.verify.judge.kinds.approach import approach_of, arrow_of, end_of
-from gainproof.verify.judge.kinds.framing import Frame, framed, only_plain
+from gainproof.verify.judge.kinds.framing import Frame, fixed_numbers, framed, only_plain
 from gainproof.verify.judge.kinds.limit import limit_by_expansion
 from gainproof.verify.judge.kinds.near_limit import open_sides, others_frame
 from gainproof.verify.judge.kinds.printed_number import PrintedNumber
@@ -124,7 +124,7 @@ def _naming(findings: Sequence[Finding], entries: Sequence[str]) -> Finding:
 
 
 def _within(exact: Expr, shown: PrintedNumber, frame: Frame) -> Finding:
-    point = _point(frame.conditions)
+    point = fixed_numbers(frame.conditions)
     if symbols_of(exact) <= set(point):
         found = _by_ball(exact, shown, point, frame)
         if found is not None:
@@ -145,18 +145,8 @@ def _against_printed(found: Finding, shown: PrintedNumber) -> Finding:
     # at a tie the value is an end of the interval, not the number as printed
     right, note = shown.ball(), shown.note()
     told = replace(witness, operator="approx", left=value, right=right, exact=False, note=note)
-    return replace(found, witness=told)
-
-
-def _point(conditions: Iterable[Rel]) -> dict[str, Fraction]:
-    """Symbols that a condition sets to a number."""
-    found = {}
-    for rel in conditions:
-        for side, other in ((rel.left, rel.right), (rel.right, rel.left)):
-            value = constant_value(other)
-            if rel.operator == "=" and side.kind == "symbol" and value is not None:
-                found[side.name] = value
-    return found
+    reason = found.reason.replace(witness.text(), told.text())
+    return replace(found, witness=told, reason=reason)
 
 
 def _by_ball(

@@ -13,17 +13,48 @@ if TYPE_CHECKING:
 
 
 def long_sum(builder: Builder, tree: Branch) -> int:
-    """A sum or a product over an index from a lower to an upper bound."""
+    """A sum or a product over an index from a lower to an upper bound. It ends before the next one
+    over the same index; whether a product goes on over one with another index, nobody can tell,
+    unless that holds the index of the product.
+    """
     kind = str(tokens(tree, "SUM")[0])
-    parts = children(tree)
-    index_range, upper, summand = parts
-    if tree.data == "big_sum_from_above":
-        upper, index_range, summand = parts
-    index = builder.nodes.add("symbol", str(tokens(index_range, "SYMBOL")[0]))
+    index_range, upper, summand = _in_order(tree)
+    name = str(tokens(index_range, "SYMBOL")[0])
+    further = children(summand)[-1] if summand.data == "times_big" else None
+    behind = None
+    if further is not None and further.data in _SERIES:
+        if _index(further) == name:
+            summand, behind = children(summand)[0], further
+        elif kind == "product" and not _is_free(name, further):
+            problem = "what the product goes over is not clear: write brackets round its factors"
+            raise builder.error(problem, tree)
+    index = builder.nodes.add("symbol", name)
     lower = builder.value(children(index_range)[0])
-    return builder.nodes.add(
-        "call", kind, builder.value(summand), index, lower, builder.value(upper)
-    )
+    ends = index, lower, builder.value(upper)
+    number = builder.nodes.add("call", kind, builder.value(summand), *ends)
+    return number if behind is None else builder.many("mul", [number, builder.value(behind)])
+
+
+_SERIES = ("big_sum", "big_sum_from_above")
+
+
+def _in_order(tree: Branch) -> tuple[Branch, Branch, Branch]:
+    """Index and lower bound, upper bound, and what stands behind."""
+    first, second, summand = children(tree)
+    return (first, second, summand) if tree.data == "big_sum" else (second, first, summand)
+
+
+def _index(tree: Branch) -> str:
+    return str(tokens(_in_order(tree)[0], "SYMBOL")[0])
+
+
+def _is_free(name: str, tree: Branch) -> bool:
+    """Whether a symbol stands there, but not as the index of another sum or product."""
+    parts = children(tree)
+    if tree.data in _SERIES:
+        index_range, upper, summand = _in_order(tree)
+        parts = [*children(index_range), upper, *([] if _index(tree) == name else [summand])]
+    return name in map(str, tokens(tree, "SYMBOL")) or any(_is_free(name, part) for part in parts)
 
 
 def family(builder: Builder, tree: Branch) -> int:

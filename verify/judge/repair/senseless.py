@@ -9,7 +9,7 @@ from collections.abc import Iterator
 from fractions import Fraction
 from functools import lru_cache
 
-from gainproof.verify.judge.exact.expression import Expr, walk
+from gainproof.verify.judge.exact.expression import Expr, symbols_of, walk
 from gainproof.verify.judge.repair.construct import ONE, places
 from gainproof.verify.judge.repair.expanded import Terms, added, expanded
 from gainproof.verify.judge.repair.printed import Printed
@@ -24,6 +24,8 @@ def is_more_senseless(formula: Printed, than: Printed) -> bool:
     """
     if senseless_parts(formula) > senseless_parts(than):
         return True
+    if _solved_for(formula) - _solved_for(than):
+        return True
     # a sign changed in (a + b)^2 + (a - b)^2 cancels terms too, and may well be meant
     if _leaves(formula) > _leaves(than) and _undone(formula) > _undone(than):
         return True
@@ -31,6 +33,17 @@ def is_more_senseless(formula: Printed, than: Printed) -> bool:
         return False
     # a factor that another one was exchanged for may well stand on both sides
     return _number_of_factors(formula) > _number_of_factors(than)
+
+
+def _solved_for(formula: Printed) -> frozenset[str]:
+    """Symbols that are the left side of an equation and stand on the right too: what is said of a
+    symbol does not hold it.
+    """
+    pairs = [
+        (formula.sides[x.left], formula.sides[x.right]) for x in formula.links if x.operator == "="
+    ]
+    lone = [(a.name, b) for a, b in pairs if a.kind == "symbol" and b.kind != "symbol"]
+    return frozenset(name for name, other in lone if name in symbols_of(other))
 
 
 def senseless_parts(formula: Printed) -> int:

@@ -55,6 +55,9 @@ class Environment:
     Of a filter in numbers `conditions` leave the parameter, if it has one, a single value.
     With two parameters `fixing` are two that fix these, and each may change while the other stays.
 
+    `rests` are relations of free symbols without which the model has no quantities: what is told of
+    these is told where the relations hold.
+
     Where two parameters are needed they are `coordinates`, and `chart` may be the same setting in
     other base variables, in which more is decided: there `decide` is what decides, `charted` are
     the coordinates, whatever a source calls them, and `squares` those of these.
@@ -78,6 +81,7 @@ class Environment:
     assigned: Mapping[str, Expr] = field(default_factory=dict)
     intensity: str | None = None
     conditions: tuple[Rel, ...] = ()
+    rests: tuple[Rel, ...] = ()
     fixing: tuple[str, ...] = ()
     coordinates: tuple[str, ...] = ()
     chart: Environment | None = None

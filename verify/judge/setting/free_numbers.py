@@ -30,7 +30,7 @@ from gainproof.verify.judge.exact.poly import Poly, coefficients_in, degree
 from gainproof.verify.judge.exact.statement import Rel, Statement
 from gainproof.verify.judge.exact.tidy import expression_of, tidied
 from gainproof.verify.judge.fixed_gain.rational_system import lowest, numerator_and_denominator
-from gainproof.verify.judge.freed.monomials import Monomial, monomial_expr, monomials
+from gainproof.verify.judge.freed.monomials import Monomial, monomial_expr, monomials, ordered
 from gainproof.verify.judge.hypothesis import settle
 from gainproof.verify.judge.meaning.square import determinant
 from gainproof.verify.judge.setting.environment import (
@@ -198,7 +198,7 @@ def _driving(monomial: Monomial, fixed: set[str]) -> tuple[tuple[Expr, int, Expr
     """The strength in a monomial of the process noise, with its exponent and unit, and all other
     factors. Raises Undecided for several.
     """
-    powers = dict(monomial)
+    powers = dict(ordered(monomial))
     own = [b for b in powers if (is_free(b) and b.name not in fixed) or b == symbol(INDEX)]
     if not own and SIGMA in powers:
         own = [SIGMA]

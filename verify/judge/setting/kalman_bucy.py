@@ -32,13 +32,20 @@ from gainproof.verify.judge.exact.expression import (
     symbols_of,
 )
 from gainproof.verify.judge.exact.expression_text import labelled
+from gainproof.verify.judge.exact.formal import decide_formally
 from gainproof.verify.judge.exact.free_names import is_free, with_tokens
 from gainproof.verify.judge.exact.limits import Undecided
 from gainproof.verify.judge.exact.statement import Rel, Statement
 from gainproof.verify.judge.fixed_gain.rational_system import lowest
 from gainproof.verify.judge.hypothesis import settle
 from gainproof.verify.judge.meaning.square import determinant, inverse
-from gainproof.verify.judge.setting.environment import Environment, Fact, NotEstablished
+from gainproof.verify.judge.scope import Scope
+from gainproof.verify.judge.setting.environment import (
+    ANY_REAL,
+    Environment,
+    Fact,
+    NotEstablished,
+)
 from gainproof.verify.judge.setting.established import UNIQUENESS, characteristic
 from gainproof.verify.judge.setting.matrix import Exprs, minus, plus, scaled, times, transposed
 from gainproof.verify.judge.setting.own_matrices import not_symmetric, read_matrices
@@ -72,6 +79,17 @@ class Domain:
         except Undecided:
             return False
 
+    def equal(self, left: Expr, right: Expr) -> bool:
+        """Whether sides that have a value wherever the symbols lie are proved to be equal there:
+        mostly by the relations of their roots alone, which is the quicker way.
+        """
+        statement = Statement((Rel("=", left, right),))
+        anywhere = dict.fromkeys(statement.symbols(), ANY_REAL)
+        try:
+            return decide_formally(statement, anywhere, {}).verdict == "proved"
+        except Undecided:
+            return self.holds(*statement.relations)
+
     def require(self, expr: Expr, operator: str, what: str) -> None:
         """Raises Undecided unless it compares so with 0."""
         if not self.holds(Rel(operator, expr, ZERO)):
@@ -91,16 +109,25 @@ def kalman_bucy(setting: Setting) -> Environment:
         raise Undecided("the matrices of a Kalman-Bucy filter hold free symbols and numbers alone")
     if len(r) != 1:
         raise Undecided(f"a Kalman-Bucy filter with {len(r)} measurements is not covered")
-    said = [scope.relation(d) for t in tuple(scope.used) for d in setting.symbols[t].domain]
     a, q, h = (tuple(map(tuple, rows)) for rows in (a, q, h))
-    gain, covariance, facts = _solved(a, q, h, r[0][0], tuple(sorted(names)), Domain(tuple(said)))
+    said = _said(scope)
+    gain, covariance, facts = _solved(a, q, h, r[0][0], tuple(sorted(names)), Domain(said))
     quantities = {f"continuous_gain.{i + 1}": row[0] for i, row in enumerate(gain)}
     quantities |= {
         f"covariance.{i + 1}.{j + 1}": covariance[max(i, j)][min(i, j)]
         for i in range(len(gain))
         for j in range(len(gain))
     }
-    return Environment("a Kalman-Bucy filter", quantities, facts=facts)
+    return Environment("a Kalman-Bucy filter", quantities, facts=facts, rests=said)
+
+
+def _said(scope: Scope) -> tuple[Rel, ...]:
+    """What the source says of the symbols of the matrices, and of those that it says it with."""
+    found: dict[str, tuple[Rel, ...]] = {}
+    while pending := [token for token in scope.used if token not in found]:
+        for token in pending:
+            found[token] = tuple(map(scope.relation, scope.setting.symbols[token].domain))
+    return tuple(rel for relations in found.values() for rel in relations)
 
 
 def _solved(
@@ -150,8 +177,8 @@ def _solved(
     relations = [Rel("=", x, ZERO) for row in (*residual, *other) for x in row]
     relations += [Rel("=", x, c) for x, c in zip(loop, coefficients, strict=True)]
     for rel in relations:
-        left, right = (substituted(side, roots) for side in (rel.left, rel.right))
-        if not domain.holds(Rel("=", left, right)):
+        # they divide by the density r and the determinant alone, which are not 0 on the domains
+        if not domain.equal(substituted(rel.left, roots), substituted(rel.right, roots)):
             raise NotEstablished("the Riccati equation does not hold identically")
     stable = left_half_plane([*(substituted(c, roots) for c in coefficients), ONE])
     if not domain.holds(*stable):

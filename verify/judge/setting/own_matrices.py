@@ -25,9 +25,10 @@ from gainproof.verify.judge.exact.limits import Undecided
 from gainproof.verify.judge.exact.statement import Rel, Statement
 from gainproof.verify.judge.exact.tree import read_tree
 from gainproof.verify.judge.formula import Graph
-from gainproof.verify.judge.freed.monomials import UNIT, Monomial, monomials
+from gainproof.verify.judge.freed.monomials import UNIT, Monomial, monomials, ordered
 from gainproof.verify.judge.hypothesis import settle
 from gainproof.verify.judge.meaning.reach import Reach, names_in
+from gainproof.verify.judge.reach import closure
 from gainproof.verify.judge.scope import Scope
 from gainproof.verify.judge.setting.environment import (
     DEVIATION,
@@ -51,7 +52,8 @@ def model_key(setting: Setting) -> str:
     trees = [read_tree(entry) for matrix in matrices for row in matrix for entry in row]
     direct = {name for tree in trees for name in names_in(tree)}
     reach = Reach(setting.symbols)
-    used = sorted(direct.union(*[reach.of(name) for name in direct]))
+    # domains too may speak of further symbols, which have their own
+    used = sorted(closure(direct.union(*[reach.of(name) for name in direct]), setting.symbols))
     return repr((setting.name, own, [setting.symbols.get(name) for name in used]))
 
 
@@ -164,7 +166,7 @@ def measurement_noise(r: Expr) -> dict[str, Expr]:
         return {}
     if len(found) == 1:
         ((monomial, c),) = found.items()
-        powers = dict(monomial)
+        powers = dict(ordered(monomial))
         unknown = [base for base in powers if source_token(base)]
         if len(unknown) == 1 and powers[unknown[0]] in (1, 2) and len(powers) == 1 and c > 0:
             exponent = Fraction(1, powers[unknown[0]])
@@ -283,7 +285,7 @@ def _strength(shared: Monomial) -> Driven:
     """From index^2 = shared what the one free symbol of it is, be it of the process noise or
     of the measurement. Raises Undecided.
     """
-    powers = dict(shared)
+    powers = dict(ordered(shared))
     unknown = [base for base in powers if source_token(base)]
     if len(unknown) == 1 and powers[unknown[0]] in (1, 2):
         rest = [power(base, -n) for base, n in powers.items() if base != unknown[0]]

@@ -65,12 +65,13 @@ def same_bits(module: str, folder: Path = SOURCES) -> dict[str, str]:
     return found
 
 
-def functions(loaded: ctypes.CDLL, name: str) -> tuple[Function, Function]:
-    """Those of a kernel for arrays of float64 and of float32."""
-    return getattr(loaded, f"{name}_array"), getattr(loaded, f"{name}_array_float")
+def functions(loaded: ctypes.CDLL, name: str) -> tuple[Function | None, Function | None]:
+    """Those of a kernel for arrays of float64 and of float32, of which one may not be there."""
+    double, single = (getattr(loaded, f"{name}_array{ending}", None) for ending in ("", "_float"))
+    return double, single
 
 
-def in_c(block: Block, work: int, double: Function, single: Function) -> Block:
+def in_c(block: Block, work: int, double: Function | None, single: Function | None) -> Block:
     """What `block` does, which takes so many buffers, by functions of C."""
 
     def block_in_c(given: Arrays, out: Arrays, buffers: Arrays, is_single: bool) -> None:
@@ -80,7 +81,7 @@ def in_c(block: Block, work: int, double: Function, single: Function) -> Block:
         if all(x.flags.aligned for x in arrays):
             places = [ctypes.c_void_p(x.ctypes.data) for x in arrays]
             function = single if is_single else double
-            if not function(ctypes.c_size_t(size), *places, None):
+            if function and not function(ctypes.c_size_t(size), *places, None):
                 return
         # C knows no numbers across their natural places; what it refuses is NumPy's to decide
         block(given, out, [np.empty_like(out[0]) for _ in range(work)], is_single)

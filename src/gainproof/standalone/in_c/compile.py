@@ -121,8 +121,11 @@ def differences(module: str, loaded: ctypes.CDLL) -> int:
     for kernel in _kernels(module):
         if kernel.name not in same:
             continue
-        block = in_c(kernel.block, kernel.work, *functions(loaded, same[kernel.name]))
+        found = functions(loaded, same[kernel.name])
+        block = in_c(kernel.block, kernel.work, *found)
         for single in (False, True):
+            if found[single] is None:
+                continue
             given = points(kernel, single)
             mine, theirs = (
                 [np.full_like(given[0], np.nan) for _ in kernel.outputs] for _ in range(2)

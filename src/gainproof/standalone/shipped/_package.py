@@ -11,13 +11,18 @@ from typing import Any
 
 FOLDER = Path(__file__).resolve().parent
 PACKAGE = FOLDER.parent
-FORMATS = ("float64", "float32")
 
 VALUES: dict[str, dict[str, Any]] = {
     path.stem.removeprefix("values_"): json.loads(path.read_text(encoding="utf-8"))
     for path in sorted(FOLDER.glob("values_*.json"))
 }
 """Of each module, of each of its kernels: inputs, outputs with their bounds, points."""
+FORMATS = tuple(
+    form
+    for form in ("float64", "float32")
+    if any(form in each["points"] for kernels in VALUES.values() for each in kernels.values())
+)
+"""Those that this package has, one or both."""
 KERNELS = [(module, kernel) for module, kernels in VALUES.items() for kernel in kernels]
 CASES = [(module, kernel, form) for module, kernel in KERNELS for form in FORMATS]
 

@@ -7,7 +7,7 @@ from typing import Any
 import numpy as np
 import pytest
 
-from gainproof.standalone.shipped._package import CASES, KERNELS, VALUES, function
+from gainproof.standalone.shipped._package import CASES, FORMATS, KERNELS, VALUES, function
 
 
 def outside(given: dict[str, Any], form: str) -> list[Any]:
@@ -45,17 +45,22 @@ def test_what_is_outside_is_refused_with_its_name_and_place(
 
 @pytest.mark.parametrize(("module", "kernel"), KERNELS)
 def test_what_is_no_real_number_is_refused(module: str, kernel: str) -> None:
-    base = VALUES[module][kernel]["points"]["float64"][0]["at"]
+    base = VALUES[module][kernel]["points"][FORMATS[0]][0]["at"]
     for wrong in ("one", 1j, None, np.float16(1.0)):
         with pytest.raises(TypeError, match=rf"^{kernel}: .* must be real numbers"):
             function(module, kernel)(wrong, *base[1:])
+    for form in {"float64", "float32"}.difference(FORMATS):
+        with pytest.raises(TypeError, match=rf"^{kernel}: only {FORMATS[0]} is here"):
+            function(module, kernel)(*map(np.dtype(form).type, base))
 
 
 @pytest.mark.parametrize(("module", "kernel"), KERNELS)
 def test_arrays_that_do_not_fit_are_refused(module: str, kernel: str) -> None:
     described = VALUES[module][kernel]
-    base = described["points"]["float64"][0]["at"]
-    for shape, kind in (((2,), "float64"), ((), "float32")):
+    form = np.dtype(FORMATS[0])
+    other = "float32" if form == "float64" else "float64"
+    base = [form.type(x) for x in described["points"][form.name][0]["at"]]
+    for shape, kind in (((2,), form), ((), other)):
         out = tuple(np.empty(shape, kind) for _ in described["outputs"])
         with pytest.raises((TypeError, ValueError), match=rf"^{kernel}: out "):
             function(module, kernel)(*base, out=out)

@@ -61,8 +61,8 @@ def test_the_bits_are_those_of_numpy(module: str, tmp_path: Path) -> None:
 def test_what_is_outside_of_a_domain_is_refused(module: str, tmp_path: Path) -> None:
     lines = []
     for kernel, described in VALUES[module].items():
-        count = len(described["points"]["float64"][0]["at"])
-        for value in ("NaN", "int8(1)"):
+        count = len(described["inputs"])
+        for value in (f"{KIND[FORMATS[0]][0]}(NaN)", "int8(1)"):
             call = f"{module}.{kernel}({', '.join([value] * count)})"
             lines.append(f"try, {call}; catch e, disp(e.identifier), end")
     script = tmp_path / "refused.m"

@@ -15,7 +15,7 @@ import mpmath
 import numpy as np
 import pytest
 
-from gainproof.standalone.shipped._package import VALUES, certificate, function
+from gainproof.standalone.shipped._package import FORMATS, VALUES, certificate, function
 
 DIGITS = 50
 ORDINARY = 1e4
@@ -131,18 +131,19 @@ def test_steady_states_solve_the_riccati_equation(
     held, described = certificate(module), VALUES[module][kernel]
     claim, meant = claim_of(held), held["programs"][kernel]["inputs"]
     assert claim is not None
-    points = [p["at"] for p in described["points"]["float64"] if ordinary(p["at"])]
+    form = FORMATS[0]
+    points = [p["at"] for p in described["points"][form] if ordinary(p["at"])]
     assert points
     for at in points:
         with mpmath.workdps(DIGITS):
             inputs = zip((each["name"] for each in described["inputs"]), at, strict=True)
             names = {meant[name]: mpmath.mpf(x) for name, x in inputs}
             exact = entries(claim, steady_state(claim["model"], names[claim["index"]], names))
-            came = function(module, kernel)(*at)
+            came = function(module, kernel)(*map(np.dtype(form).type, at))
             for output, value in zip(described["outputs"], came, strict=True):
                 if output["name"] not in named:
                     continue
                 true = exact[named[output["name"]]]
                 error = abs(mpmath.mpf(float(value)) - true) / abs(true)
-                bound = number(output["float64"]["bound"], {}) * float(np.finfo(float).eps)
+                bound = number(output[form]["bound"], {}) * float(np.finfo(form).eps)
                 assert error <= bound + mpmath.mpf(10) ** -20, (output["name"], at)

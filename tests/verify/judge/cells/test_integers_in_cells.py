@@ -2,14 +2,17 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from fractions import Fraction
 
 import pytest
 
 from gainproof.verify.judge.cells.decision import decide_in_cells
 from gainproof.verify.judge.exact.box import Box
+from gainproof.verify.judge.exact.calculus import substituted
+from gainproof.verify.judge.exact.constant_value import constant_value
 from gainproof.verify.judge.exact.expression import Expr, number, symbol
-from gainproof.verify.judge.exact.limits import Nowhere
+from gainproof.verify.judge.exact.limits import Nowhere, Undecided
 from gainproof.verify.judge.exact.statement import Outcome, Rel, Statement
 
 k, n, y = symbol("k"), symbol("n"), symbol("y")
@@ -89,3 +92,45 @@ def test_conditions_that_hold_for_no_integer_hold_nowhere() -> None:
     t = symbol("t")
     with pytest.raises(Nowhere):
         _with_parts(n, k, (Rel("<", k, n + t), Rel("<", n + t + 3, k)), "t")
+
+
+EIGHT = Box(Fraction(1), Fraction(8), lower_open=False, upper_open=False, integer=True)
+SHOWN = (Rel("!=", k * n, number(35)), Rel("<=", k * n, number(62)), Rel("!=", k * k * n, k + 69))
+
+
+@pytest.mark.parametrize("rel", [*SHOWN, Rel("!=", k * n * n, number(63))])
+def test_few_pairs_of_integers_are_tried_one_by_one(rel: Rel) -> None:
+    found = judged(rel.operator, rel.left, rel.right, EIGHT)
+    holds = {"!=": int.__ne__, "<=": int.__le__}[rel.operator]
+
+    def value(side: Expr, at: dict[str, int]) -> int:
+        filled = constant_value(substituted(side, {m: number(v) for m, v in at.items()}))
+        assert filled is not None
+        return int(filled)
+
+    def is_true(a: int, b: int) -> bool:
+        at = {"k": a, "n": b}
+        return holds(value(rel.left, at), value(rel.right, at))
+
+    true = all(is_true(a, b) for a in range(1, 9) for b in range(1, 9))
+    assert (found.verdict == "proved") == true
+    if not true:
+        assert found.witness is not None
+        assert not is_true(*(int(found.witness.point[m]) for m in "kn"))
+
+
+@pytest.mark.parametrize("value", [37, 59])
+def test_more_pairs_are_not_tried(value: int) -> None:
+    """Both are primes beyond 9, which no such pair has as its product."""
+    nine = replace(EIGHT, upper=Fraction(9))
+    assert judged("!=", k * n, number(value), EIGHT).verdict == "proved"
+    with pytest.raises(Undecided, match="whether for integers"):
+        judged("!=", k * n, number(value), nine)
+
+
+def test_a_real_number_beside_pairs_of_integers() -> None:
+    assert judged(">", (k * n - 37) * (k * n - 37) * y, zero, EIGHT).verdict == "proved"
+    found = judged(">", (k * n - 35) * (k * n - 35) * y, zero, EIGHT)
+    assert found.witness is not None
+    assert sorted(found.witness.point[m] for m in "kn") == ["5", "7"]
+    assert "y" in found.witness.point

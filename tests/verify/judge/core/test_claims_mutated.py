@@ -45,7 +45,7 @@ def chosen(models: Sequence[Mapping[str, Any]]) -> list[Subject]:
     return subjects(HAND_PICKED, models, 60.0, 1)
 
 
-@pytest.mark.parametrize("seed", cases((3, 4, SEED), lambda seed: seed == 3))
+@pytest.mark.parametrize("seed", cases((3, 5, SEED), lambda seed: seed == 3))
 def test_no_false_mutant_is_proved_and_rewritings_are(
     models: Sequence[Mapping[str, Any]], seed: int
 ) -> None:

@@ -18,10 +18,12 @@ from gainproof.verify.judge.claim.file import read_claim_text
 from gainproof.verify.judge.claim.record import ClaimFile
 from gainproof.verify.judge.exact.expression import Expr, walk
 from gainproof.verify.judge.exact.free_names import free_name
+from gainproof.verify.judge.hypothesis import settle
 from gainproof.verify.judge.judge import judge_file
 from gainproof.verify.judge.setting import kalman_bucy as module
 from gainproof.verify.judge.setting.environment import NotEstablished
 from gainproof.verify.judge.setting.kalman_bucy import kalman_bucy
+from gainproof.verify.judge.setting.own_matrices import model_key
 from gainproof.verify.judge.verdict import ClaimVerdict
 
 Rows = list[list[str]]
@@ -53,20 +55,31 @@ POINTS = [
 UNITS = {"q": "m^2 s^-3", "r": "m^2 s", "a": "s^-1", "b": "1", "u": "s^-1"}
 
 
-def read(model: Model, *claims: str, units: bool = False, domains: str = "qrab") -> ClaimFile:
+POSITIVE = {name: f"{name} > 0" for name in "qrab"}
+
+
+def read(
+    model: Model,
+    *claims: str,
+    units: bool | dict[str, str] = False,
+    domains: str | dict[str, str] = "qrab",
+    more: str = "",
+) -> ClaimFile:
     text = HEAD + "[symbols]\n"
-    for name, unit in UNITS.items():
-        domain = f"domain = '{name} > 0', " if name in domains else ""
+    said = {n: POSITIVE[n] for n in domains} if isinstance(domains, str) else domains
+    for name, unit in (units if isinstance(units, dict) else UNITS).items():
+        domain = f"domain = '{said[name]}', " if said.get(name) else ""
         text += f"'{name}' = {{ unit = '{unit if units else '1'}', {domain}meaning = 'd' }}\n"
     a, q, h, r = model
-    text += f"[settings.s]\ntitle = 's'\nkind = 'kalman_bucy'\ntransition = {a}\n"
+    text += f"[settings.s]\ntitle = 's'\nkind = 'kalman_bucy'\ntransition = {a}\n{more}"
     text += f"process_noise = {q}\nmeasurement = {h}\nmeasurement_noise = {[[r]]}\n"
     text += "[settings.s.symbols]\n"
     for i in range(1, min(len(a), 3) + 1):
         text += f"'K_{i}' = {{ quantity = 'continuous_gain.{i}', meaning = 'g' }}\n"
         text += f"'P_{i}' = {{ quantity = 'covariance.{i}.{i}', meaning = 'v' }}\n"
     for at, latex in enumerate(claims or ("q = q",)):
-        text += f"[[claims]]\nid = 'c{at}'\nplace = 'p'\nkind = 'identity'\nsetting = 's'\n"
+        kind = "inequality" if ">" in latex else "identity"
+        text += f"[[claims]]\nid = 'c{at}'\nplace = 'p'\nkind = '{kind}'\nsetting = 's'\n"
         text += f"latex = '{latex}'\n"
     return read_claim_text(text)
 
@@ -184,6 +197,121 @@ def test_units_of_densities_are_compared() -> None:
     assert "dimensions" not in found.reason
     with pytest.raises(ClaimFileError, match="a unit that fits no state"):
         read(([["-q"]], [["q"]], [["1"]], "r"), units=True)
+
+
+V = {"q": "m^2 s^-1"}
+"""Of white velocity."""
+COUNTED: list[tuple[Model, dict[str, str], str, str]] = [
+    (([["-2"]], [["q"]], [["1"]], "r"), V, r"K_1 = \sqrt{4 + q/r} - 2", "K_1 = 2 + q/r"),
+    (([["-2 - a"]], [["q"]], [["1"]], "r"), V, r"P_1 = r(K_1)", r"P_1 = q r + a"),
+    (([["0"]], [["q"]], [["3"]], "r"), V, r"P_1 = \sqrt{q r}/3", r"P_1 = \sqrt{q r}"),
+    (([["-1"]], [["2"]], [["1"]], "r"), V, r"K_1 = \sqrt{1 + 2/r} - 1", "K_1 = 1 + r"),
+    (
+        ([["0", "1"], ["-4", "0"]], ACCELERATION, FIRST, "r"),
+        {},
+        r"K_2 = \sqrt{16 + q/r} - 4",
+        r"K_2 = \sqrt{16 + q/r}",
+    ),
+    (
+        ([["0", "1"], ["0", "-3"]], ACCELERATION, FIRST, "r"),
+        {},
+        r"K_1 = \sqrt{9 + 2 \sqrt{q/r}} - 3",
+        r"K_1 = \sqrt{9 + \sqrt{q/r}} - 3",
+    ),
+    (([["0", "2"], ["0", "0"]], ACCELERATION, FIRST, "r"), {}, "K_1^2 = 4 K_2", "K_1^2 = 2 K_2"),
+]
+"""Numbers that count rates, or what the measurement shows, beside symbols with units."""
+
+
+@pytest.mark.parametrize(("model", "other", "true", "false"), COUNTED)
+def test_numbers_beside_units_may_count_anything(
+    model: Model, other: dict[str, str], true: str, false: str
+) -> None:
+    found = judged(model, true, false, units={**UNITS, **other})
+    assert [each.verdict for each in found] == ["proved", "refuted"]
+    assert "dimensions" not in found[1].reason
+
+
+@pytest.mark.parametrize("one", ["1", "2/2"])
+def test_numbers_that_count_nothing_leave_units_compared(one: str) -> None:
+    model = ([["0", one], ["0", "0"]], ACCELERATION, [[one, "0"]], "r")
+    (found,) = judged(model, r"K_2 = (q/r)^{1/3}", units=True)
+    assert "s^-2 and s^(-4/3)" in found.reason
+    (found,) = judged(([["-a"]], [["q"]], [[one]], "r"), "K_1 = a + 2", units={**UNITS, **V})
+    assert "dimensions" in found.reason
+
+
+RESTING: list[tuple[Model, dict[str, str], str, set[str]]] = [
+    (
+        ([["a", "1"], ["0", "b"]], [["0", "0"], ["0", "0"]], FIRST, "r"),
+        {"a": r"a \neq 0", "b": r"b \neq 0"},
+        r"K_1 = a + b + \left|a\right| + \left|b\right|",
+        {"a != 0", "b != 0", "r > 0"},
+    ),
+    (
+        ([["a"]], [["0"]], [["b"]], "r"),
+        {"a": r"a \neq 0", "b": r"b \neq 0"},
+        r"b K_1 = a + \left|a\right|",
+        {"a != 0", "b != 0", "r > 0"},
+    ),
+    (([["0"]], [["q - a"]], [["1"]], "r"), {"q": "q > a", "a": ""}, "K_1 > 0", {"q > a", "r > 0"}),
+    # a bound that is told says nothing of the number that is taken out
+    (
+        ([["a"]], [["0"]], [["b"]], "r"),
+        {"a": r"a > -5, a \neq 0", "b": r"b \neq 0"},
+        r"b K_1 = a + \left|a\right|",
+        {"a > -5", "a != 0", "b != 0", "r > 0"},
+    ),
+    # a relation with a symbol that no matrix holds
+    (
+        ([["a"]], [["0"]], [["1"]], "r"),
+        {"a": "a > b", "b": "b > 0"},
+        "K_1 = 2 a",
+        {"a > b", "b > 0", "r > 0"},
+    ),
+    (
+        ([["0"]], [["q"]], [["b"]], "r"),
+        {"b": r"b \neq 0"},
+        "P_1 > 0",
+        {"b < 0 or b > 0", "q > 0", "r > 0"},
+    ),
+    (([["0"]], [["q"]], [["1"]], "r"), {}, "P_1 = r K_1", {"q > 0", "r > 0"}),
+]
+
+
+@pytest.mark.parametrize(("model", "domains", "latex", "wanted"), RESTING)
+def test_the_domain_holds_all_that_the_steady_state_rests_on(
+    model: Model, domains: dict[str, str], latex: str, wanted: set[str]
+) -> None:
+    (found,) = judged(model, latex, domains={**POSITIVE, **domains})
+    assert found.verdict == "proved", found.reason
+    told = (found.domain or "").replace("(q)^(1/2)", "q").replace("(r)^(1/2)", "r")
+    assert {part.removeprefix("for ") for part in told.split(", ")} == wanted
+    # what speaks of no gain rests on nothing
+    (found,) = judged(model, "a + a = 2 a", domains={**POSITIVE, **domains})
+    assert found.verdict == "proved"
+    assert "r > 0" not in (found.domain or "")
+
+
+def test_what_is_kept_of_a_model_depends_on_all_that_it_rests_on() -> None:
+    model = ([["a"]], [["0"]], [["1"]], "r")
+    domains = [{**POSITIVE, "a": "a > b", "b": b} for b in ("b > 0", "b > 1", "")]
+    assert len({model_key(read(model, domains=d).settings["s"]) for d in domains}) == 3
+
+
+def test_equations_follow_from_the_relations_of_roots(monkeypatch: pytest.MonkeyPatch) -> None:
+    def refused(statement: Any, *given: Any, **more: Any) -> Any:
+        assert all(rel.operator != "=" for rel in statement.relations)
+        return settle(statement, *given, **more)
+
+    monkeypatch.setattr(module, "settle", refused)
+    model = ([["a", "b"], ["q", "u"]], [["b", "0"], ["0", "q"]], FIRST, "r")
+    assert "covariance.2.2" in kalman_bucy(read(model).settings["s"]).quantities
+
+
+def test_a_convention_has_no_effect_and_is_refused() -> None:
+    with pytest.raises(ClaimFileError, match=r"gain: .* no such convention"):
+        read(MODELS["decaying"], more="gain = 'predictor'\n")
 
 
 WIDE = [["q" if i == j else "0" for j in range(12)] for i in range(12)]

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from fractions import Fraction
+
 import numpy as np
 import pytest
 from small_claims import check, judged
@@ -96,3 +98,59 @@ def test_limits_in_the_noise(formula: str, domain: str, wanted: str) -> None:
 def test_limits_at_irrational_points(formula: str, domain: str, wanted: str) -> None:
     fields = f"latex = '{formula}'" + (f"\ndomain = '{domain}'" if domain else "")
     check(judged("limit", fields), wanted)
+
+
+@pytest.mark.parametrize(
+    ("kind", "formula", "domain"),
+    [
+        ("limit", r"A \to \frac{1}{3} \quad (w \to 1)", "T = 2, v = 3"),
+        ("limit", r"A \to \frac{1}{3} \quad (w \to 5)", "v = 0.5, T = 0.25"),
+        ("limit", r"A \to \frac{1}{3} \quad (w \to v)", "T = 2"),
+        ("identity", r"A = \frac{1}{3}", "w = 1, T = 2, v = 3"),
+        ("inequality", r"A < \frac{1}{3}", "T = 2"),
+        ("inequality", r"A < \frac{1}{3}", "v = 7"),
+    ],
+)
+def test_a_witness_keeps_what_the_domain_sets(kind: str, formula: str, domain: str) -> None:
+    """The recursion in NumPy at the index of the point that is told."""
+    fields = f"latex = '{formula}'\ndomain = '{domain}'"
+    found = judged(kind, fields, SYMBOLS, TWO)
+    assert found.witness is not None
+    point = found.witness["point"]
+    for said in domain.split(", "):
+        name, value = said.split(" = ")
+        assert Fraction(point[name]) == Fraction(value)
+    index = Fraction(point["w"]) * Fraction(point["T"]) ** 2 / Fraction(point["v"])
+    assert abs(float(found.witness["left"]["midpoint"]) - _gain(2, float(index))) < 1e-9
+    assert "tracking_index" not in found.reason
+    assert all(f"{name} = {value}" in found.reason for name, value in point.items())
+
+
+@pytest.mark.parametrize(
+    ("setting", "formula", "domain", "told"),
+    [
+        (TWO, r"A \to \frac{3}{4} \quad (w \to 1)", "T = 2, v = 4", "as w -> 1, for T = 2, v = 4"),
+        (TWO, r"A \to \frac{3}{4} \quad (w \to v)", "T = 1", "as w -> v, for T = 1"),
+        ("", r"\lim_{x \to a} x = a", "a > 3", "as x -> a, for a > 3"),
+        ("", r"\lim_{x^2 \to \sqrt{2}} b x^4 = 2 b", "x > 0", "as x^{2} -> sqrt(2)"),
+        (
+            "",
+            r"\lim_{x^2 \to \sqrt{2}} a b x^4 = 6 a",
+            "a > 3, x > 0, b = 3",
+            "as x^{2} -> sqrt(2), for a > 3, b = 3",
+        ),
+    ],
+)
+def test_a_limit_is_told_with_its_conditions(
+    setting: str, formula: str, domain: str, told: str
+) -> None:
+    fields = f"latex = '{formula}'\ndomain = '{domain}'"
+    found = judged("limit", fields, SYMBOLS, setting) if setting else judged("limit", fields)
+    check(found, "proved")
+    assert found.domain == told
+
+
+def test_a_refuted_limit_names_its_point() -> None:
+    found = judged("limit", r"latex = '\lim_{x \to a} x = 2 a'" + "\ndomain = 'a = 3'")
+    check(found, "refuted")
+    assert found.reason.startswith("the limit is another: fails at x -> a, a = 3: left 3")

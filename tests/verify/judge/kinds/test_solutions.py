@@ -84,6 +84,20 @@ def _judged(equation: str, count: int, domain: str = "") -> Any:
         ("c x = 0", 1, "c > 0", "proved"),
         ("c x = 0", 1, "", "conditional"),
         ("c x = c", 1, r"0 < x \leq 1", "conditional"),
+        # an interval of one point, where an identity may have no value
+        (r"\frac{(c - 1) x}{x - 1} = 0", 1, r"1 \leq x \leq c, c = 1", "refuted"),
+        (r"\frac{(c - 1) x}{x - 1} = 0", 0, r"1 \leq x \leq c, c = 1", "proved"),
+        (r"\frac{0}{x} = 0", 1, r"0 \leq x \leq 0", "refuted"),
+        (r"\frac{0}{x} = 0", 1, r"2 \leq x \leq 2", "proved"),
+        (r"\frac{0}{x^2 - 2} = 0", 1, r"c \leq x \leq c, c > 0", "conditional"),
+        (r"\frac{0}{x - a} = 0", 1, r"b \leq x \leq b", "refuted"),
+        (r"\frac{0}{x - a} = 0", 1, r"b \leq x \leq b, a > b", "proved"),
+        # conditions without a value where a divisor is zero
+        ("x^2 = c", 2, r"\frac{1}{c} \geq 0", "proved"),
+        ("x^2 = c", 2, r"\frac{c^2}{c} \geq 0", "proved"),
+        ("x^2 = c", 2, r"\frac{a}{c} \geq 0, a > 0", "undecided"),  # true: c > 0
+        ("c x = a", 1, r"\frac{1}{c} \geq a - \frac{a c}{c}", "proved"),
+        ("x^2 = c", 1, r"\frac{1}{c} \geq a, a > 0", "refuted"),
         # what is not covered
         (r"\sqrt{x} = c", 1, "c > 0", "undecided"),
         ("x^2 = c", 1, "x^2 < c", "undecided"),
@@ -113,6 +127,26 @@ def test_where_one_parameter_has_so_many() -> None:
     inside = _judged(only, 1, "p > 0, 0 < x < 1")
     check(inside, "proved")
     assert inside.reading == "exactly 1 real x with 0 < x < 1 satisfies it"
+
+
+@pytest.mark.parametrize(
+    ("equation", "count", "domain", "holds"),
+    [
+        ("x^2 = c", 2, "c^2 = 2", "for c = sqrt(2)"),
+        ("x^2 = c", 0, "c^2 = 2", "for c = -sqrt(2)"),
+        ("x^2 = c", 2, "(c^2 - 9)(c - 5) = 0", "for c = 3 or c = 5"),
+        ("x^2 = c", 1, "", "for c = 0"),
+        ("x^4 + 4 x + c = 0", 1, r"c \geq 3", "for c = 3"),
+        ("x^2 = c", 3, "c^2 = 2", "nowhere"),
+    ],
+)
+def test_isolated_points_that_have_so_many(
+    equation: str, count: int, domain: str, holds: str
+) -> None:
+    found = _judged(equation, count, domain)
+    check(found, "refuted")
+    assert found.domain == holds
+    assert f"; holds only {holds}" in found.reason or holds == "nowhere"
 
 
 def _clear(roots: Any, ends: tuple[float, ...]) -> bool:

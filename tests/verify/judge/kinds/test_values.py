@@ -51,6 +51,24 @@ def test_value(fields: str, wanted: str) -> None:
     check(judged("value", fields), wanted)
 
 
+@pytest.mark.parametrize(
+    ("fields", "value", "digits"),
+    [
+        (r"\frac{3}{4} \approx 0.7", "0.75", "0.7 +/- 0.05"),
+        (r"-\frac{3}{4} \approx -0.7", "-0.75", "-0.7 +/- 0.05"),
+        (r"(\frac{1}{2}, \frac{3}{4}) \approx (0.5, 0.7)", "0.75", "0.7 +/- 0.05"),
+        (r"\frac{a}{b} \approx 0.7 \quad (a = 3, b = 4)", "0.75", "0.7 +/- 0.05"),
+    ],
+)
+def test_a_tie_that_is_not_rounded_so_is_not_told_as_equal(
+    fields: str, value: str, digits: str
+) -> None:
+    found = judged("value", fields)
+    check(found, "refuted")
+    assert f"left {value} +/- 0, right {digits}" in found.reason
+    assert "equal" not in found.reason
+
+
 @pytest.mark.parametrize("shown", ["0.3821", "0.3818"])
 def test_a_witness_shows_the_exact_value_and_the_number_printed(shown: str) -> None:
     found = judged("value", rf"latex = 'x \approx {shown}'{ROOT}1'")

@@ -12,6 +12,7 @@ CONSTANT = r"\prod_{k=1}^{n} (1 - \frac{p}{k p + r})"
 POSITIVE = r"n \geq 1, p > 0, r > 0"
 EACH = r"\prod_{k=1}^{n} \frac{k}{k+1}"
 TURNED = r"\prod_{k=1}^{n} (1 - \frac{k}{n+1}) = \prod_{k=1}^{n} \frac{k}{n+1}"
+INVERSE = r"\prod_{k=1}^{n} (1 + \frac{1}{k}) \prod_{k=1}^{n} (1 - \frac{1}{k+1}) = 1"
 ONES = r"\begin{pmatrix} 1 & %s \\ 0 & 1 \end{pmatrix}"
 
 
@@ -74,6 +75,9 @@ def test_every_number_of_a_range(last: int, wrong: bool) -> None:
     ("kind", "claim", "domain", "wanted"),
     [
         ("identity", TURNED, r"1 \leq n \leq 12", "proved"),
+        # n + 1 times 1/(n + 1)
+        ("identity", INVERSE, r"1 \leq n \leq 12", "proved"),
+        ("identity", INVERSE.replace("= 1", "= n"), r"1 \leq n \leq 12", "refuted"),
         (
             "inequality",
             r"\prod_{k=1}^{n} (1 + k x) \geq 1 + n x",
@@ -93,6 +97,13 @@ def test_every_number_of_a_range(last: int, wrong: bool) -> None:
         # 2^n > n^2 from 5 on
         ("inequality", "2^n > n^2", r"4 < n \leq 40", "proved"),
         ("inequality", "2^n > n^2", r"4 \leq n \leq 40", "refuted"),
+        # functions of numbers: sin 14 = 0.9906, and cos 22 = -0.99996 is the least up to 40
+        ("inequality", r"\sin(n) \leq 0.99", r"1 \leq n \leq 13", "proved"),
+        ("inequality", r"\sin(n) \leq 0.99", r"1 \leq n \leq 20", "refuted"),
+        ("inequality", r"\cos(n) > -0.9999", r"1 \leq n \leq 21", "proved"),
+        ("inequality", r"\cos(n) > -0.9999", r"1 \leq n \leq 40", "refuted"),
+        ("inequality", r"n e^{-n/9} \leq 3.311", r"1 \leq n \leq 30", "proved"),  # 9/e = 3.3109
+        ("inequality", r"n e^{-n/9} \leq 3.31", r"1 \leq n \leq 30", "refuted"),
         # more than a few numbers, and none that is whole
         ("inequality", r"\sum_{k=1}^{n} \frac{1}{k} < 30", r"1 \leq n \leq 100", "undecided"),
     ],

@@ -93,6 +93,10 @@ def test_undeclared(text: str, line: int, column: int, token: str, nearest: str 
         (r"a = b + \quad c", 9, "separates relations"),
         (r"a = \frac{b \quad c}{2}", 13, "separates relations"),
         (r"a = b/c \sum_{k=0}^2 k", 6, "a slash before a sum"),
+        (r"a = \prod_{k=0}^2 b \prod_{c=0}^2 c", 5, "what the product goes over"),
+        (r"a = b \prod_{k=0}^2 k \sum_{c=0}^2 c", 7, "what the product goes over"),
+        # the index there is another one
+        (r"a = \prod_{k=0}^2 k \sum_{c=0}^2 \prod_{k=0}^c k", 5, "what the product goes over"),
         (r"a = 1/2 \cdot \frac{\partial}{\partial k} k", 6, "a slash before a sum"),
         ("a = .5", 5, "digits on both sides"),
         ("a = 1.2.3", 5, "digits on both sides"),
