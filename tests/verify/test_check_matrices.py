@@ -47,7 +47,7 @@ def made(latex: str) -> Data:
     kind = "inequality" if latex[0] == "0" else "identity"
     verdict = judged_matrices(latex, kind=kind)
     assert verdict.verdict == "proved", verdict.reason
-    found = matrix_certificate({"latex": latex}, verdict.certificate["words"])
+    found, _ = matrix_certificate({"latex": latex}, verdict.certificate["words"])
     return json.loads(json.dumps(found))  # type: ignore[no-any-return]
 
 
@@ -57,32 +57,35 @@ def certificates() -> list[Data]:
 
 
 def certificate(*lines: Any, sizes: Any = None, **numbers: Any) -> Data:
-    said = {k: [[str(x) for x in row] for row in a] for k, a in numbers.items()}
-    return {"format": FORMAT, "sizes": sizes or {"n": 1, "m": 2}, "numbers": said, "lines": lines}
+    """A number stands for that multiple of the unit matrix of 2 rows."""
+    all_of = {k: a if isinstance(a, list) else [[a, 0], [0, a]] for k, a in numbers.items()}
+    said = {k: [[str(x) for x in row] for row in a] for k, a in all_of.items()}
+    sizes = sizes or {"size_n": 2, "size_m": 3}
+    return {"format": FORMAT, "sizes": sizes, "numbers": said, "lines": lines}
 
 
-A, B = ["matrix", "A = n by m"], ["matrix", "B = m by n"]
-S, T = ["matrix", "S = n by n"], ["matrix", "T = n by n"]
-ROW, COLUMN = [[1, 2]], [[3], [4]]
+A, B = ["matrix", "A = size_n by size_m"], ["matrix", "B = size_m by size_n"]
+S, T = ["matrix", "S = size_n by size_n"], ["matrix", "T = size_n by size_n"]
+ROW, COLUMN = [[1, 2, 0], [0, 1, 1]], [[3, 1], [4, 0], [5, 2]]
 SYMMETRIC = ["where", "S.T == S"]
 POSITIVE = ["where", "S > 0"]
 INVERSE = ["inverse", "T = S**-1"]
 FREE = {"A": ROW, "B": COLUMN}
-TWO = {"S": [[2]], "T": [["1/2"]]}
+TWO = {"S": 2, "T": "1/2"}
 
 RIGHT: list[Any] = [
     ([A, B, ["claim", "(A*B).T == B.T*A.T"], ["shows", "(A*B).T == B.T*A.T", []]], FREE),
     ([A, ["claim", "A.T*A >= 0"], ["shows", "A.T*A >= 0", [], [["1", "A", None]]]], {"A": ROW}),
-    ([S, SYMMETRIC, ["claim", "S == S.T"], ["shows", "S == S.T", [["-1", 0, "1"]]]], {"S": [[3]]}),
+    ([S, SYMMETRIC, ["claim", "S == S.T"], ["shows", "S == S.T", [["-1", 0, "1"]]]], {"S": 3}),
     ([S, POSITIVE, INVERSE, ["claim", "T*S == 1"], ["opens", "T", 0]], TWO),
     (
         [
             S,
             POSITIVE,
             ["claim", "S + 1 > 0"],
-            ["shows", "S + 1 > 0", [], [["1", "1", 0], ["1", "1", None]], [["1", 1]]],
+            ["shows", "S + 1 > 0", [], [["1", "1", 0], ["1", "1", None]], [["1", 1, "1"]]],
         ],
-        {"S": [[2]]},
+        {"S": 2},
     ),
     (
         [
@@ -92,27 +95,27 @@ RIGHT: list[Any] = [
             ["claim", "E(A.T*v*v.T*A) == A.T*S*A"],
             ["shows", "A.T*S*A == A.T*S*A", []],
         ],
-        {"S": [[2]], "v": [[0]], "A": ROW},
+        {"S": 2, "v": 0, "A": ROW},
     ),
     (
         [
             S,
             ["random", "v = S"],
             ["random", "w = S"],
-            ["matrix", "A = 1 by n"],
+            ["matrix", "A = 1 by size_n"],
             ["claim", "E(v*v.T + v*w.T + v*A) == S"],
             ["shows", "E(v*v.T + v*w.T + v*A) == S", []],
         ],
-        {"S": [[2]], "v": [[0]], "w": [[0]], "A": [[1]]},
+        {"S": 2, "v": 0, "w": 0, "A": [[1, 2]]},
     ),
-    ([["unit", "I = n"], ["claim", "I*I == I"], ["shows", "I*I == I", []]], {}),
+    ([["unit", "I = size_n"], ["claim", "I*I == I"], ["shows", "I*I == I", []]], {}),
 ]
 WRONG: list[Any] = [
     # a property that is not printed
-    ([S, ["claim", "S == S.T"], ["shows", "S == S.T", []]], {"S": [[3]]}),
-    ([S, ["claim", "S == S.T"], ["shows", "S == S.T", [["-1", 0, "1"]]]], {"S": [[3]]}),
-    ([S, ["claim", "S >= 0"], ["shows", "S >= 0", [], [["1", "1", 0]]]], {"S": [[3]]}),
-    ([S, SYMMETRIC, ["claim", "S >= 0"], ["shows", "S >= 0", [], [["1", "1", 0]]]], {"S": [[3]]}),
+    ([S, ["claim", "S == S.T"], ["shows", "S == S.T", []]], {"S": 3}),
+    ([S, ["claim", "S == S.T"], ["shows", "S == S.T", [["-1", 0, "1"]]]], {"S": 3}),
+    ([S, ["claim", "S >= 0"], ["shows", "S >= 0", [], [["1", "1", 0]]]], {"S": 3}),
+    ([S, SYMMETRIC, ["claim", "S >= 0"], ["shows", "S >= 0", [], [["1", "1", 0]]]], {"S": 3}),
     # an inverse that is not supposed or shown, or of something else
     ([S, INVERSE, ["claim", "T*S == 1"], ["shows", "T*S == 1", []]], TWO),
     ([S, SYMMETRIC, INVERSE, ["claim", "T*S == 1"], ["opens", "T", 0]], TWO),
@@ -128,11 +131,11 @@ WRONG: list[Any] = [
     ([A, B, ["claim", "A.T*B == A.T*B"], ["shows", "A.T*B == A.T*B", []]], FREE),
     ([A, ["claim", "A > 0"], ["shows", "A > 0", [], [["1", "A", None]]]], {"A": ROW}),
     # letters do not commute, products are transposed backwards
-    ([S, T, ["claim", "S*T == T*S"], ["shows", "S*T == T*S", []]], {"S": [[3]], "T": [[4]]}),
+    ([S, T, ["claim", "S*T == T*S"], ["shows", "S*T == T*S", []]], {"S": 3, "T": 4}),
     ([S, T, ["claim", "(S*T).T == S.T*T.T"], ["shows", "(S*T).T == S.T*T.T", []]], TWO),
     # a relation that is not printed, one that does not exist, an order in its place
     ([S, T, ["claim", "S == T"], ["shows", "S == T", [["1", 0, "1"]]]], TWO),
-    ([S, POSITIVE, ["claim", "S == 0"], ["shows", "S == 0", [["1", 0, "1"]]]], {"S": [[3]]}),
+    ([S, POSITIVE, ["claim", "S == 0"], ["shows", "S == 0", [["1", 0, "1"]]]], {"S": 3}),
     # squares: a negative number, rank that is missing, an equation by squares
     ([A, ["claim", "0 >= A.T*A"], ["shows", "0 >= A.T*A", [], [["-1", "A", None]]]], {"A": ROW}),
     ([A, ["claim", "A.T*A > 0"], ["shows", "A.T*A > 0", [], [["1", "A", None]]]], {"A": ROW}),
@@ -146,26 +149,44 @@ WRONG: list[Any] = [
             S,
             ["where", "S >= 0"],
             ["claim", "S > 0"],
-            ["shows", "S > 0", [], [["1", "1", 0]], [["1", 0]]],
+            ["shows", "S > 0", [], [["1", "1", 0]], [["1", 0, "1"]]],
         ],
-        {"S": [[3]]},
+        {"S": 3},
     ),
+    ([S, POSITIVE, ["claim", "S.T == 0"], ["shows", "S.T == 0", [["1", 1, "1"]]]], {"S": 3}),
     (
-        [S, ["where", "S >= 0"], ["claim", "S == 0"], ["equal", 0, 0]],
-        {"S": [[0]]},
+        [
+            S,
+            ["claim", "S.T*S + S*S.T*S >= 0"],
+            ["shows", "S.T*S + S*S.T*S >= 0", [], [["1 + S", "S", None]]],
+        ],
+        {"S": 3},
     ),
     # conditions that nothing meets, or not these numbers
-    ([S, POSITIVE, ["where", "S == 0"], ["claim", "S == 0"]], {"S": [[0]]}),
-    ([S, POSITIVE, ["claim", "S > 0"]], {"S": [[-2]]}),
-    ([S, POSITIVE, ["claim", "S > 0"]], {"S": [[0]]}),
-    ([S, ["where", "0 - S.T*S - 1 >= 0"], ["claim", "S == 1"]], {"S": [[1]]}),
+    (
+        [
+            S,
+            POSITIVE,
+            INVERSE,
+            ["opens", "T", 0],
+            ["where", "S == 2"],
+            ["where", "T == 5"],
+            ["claim", "S == S"],
+            ["shows", "S == S", []],
+        ],
+        {"S": 2, "T": 5},
+    ),
+    ([S, POSITIVE, ["where", "S == 0"], ["claim", "S == 0"]], {"S": 0}),
+    ([S, POSITIVE, ["claim", "S > 0"]], {"S": -2}),
+    ([S, POSITIVE, ["claim", "S > 0"]], {"S": 0}),
+    ([S, ["where", "0 - S.T*S - 1 >= 0"], ["claim", "S == 1"]], {"S": 1}),
     ([S, POSITIVE, ["claim", "S > 0"]], {}),
-    ([S, POSITIVE, ["claim", "S > 0"]], {"S": [[1, 0], [0, 1]]}),
+    ([S, POSITIVE, ["claim", "S > 0"]], {"S": [[1, 0, 0], [0, 1, 0], [0, 0, 1]]}),
     ([["matrix", "S = 2 by 2"], POSITIVE, ["claim", "S > 0"]], {"S": [[1, 2], [2, 1]]}),
     ([["matrix", "S = 2 by 2"], POSITIVE, ["claim", "S > 0"]], {"S": [[1, 1], [0, 1]]}),
     # means: a mean of one, of other words, conditions on what is random, what is named later
-    ([S, ["random", "v = S"], ["claim", "E(v) == v"]], {"S": [[2]], "v": [[0]]}),
-    ([S, ["random", "v = S"], ["claim", "E(v.T*v) == S"]], {"S": [[2]], "v": [[0]]}),
+    ([S, ["random", "v = S"], ["claim", "E(v) == v"]], {"S": 2, "v": 0}),
+    ([S, ["random", "v = S"], ["claim", "E(v.T*v) == S"]], {"S": 2, "v": 0}),
     (
         [
             S,
@@ -174,46 +195,131 @@ WRONG: list[Any] = [
             ["claim", "E(v*c*v.T) == E(v*c*v.T)"],
             ["shows", "E(v*c*v.T) == E(v*c*v.T)", []],
         ],
-        {"S": [[2]], "v": [[0]], "c": [[1]]},
+        {"S": 2, "v": 0, "c": [[1]]},
     ),
-    ([S, ["random", "v = S"], ["claim", "E(v.T*S*v) == 0"]], {"S": [[2]], "v": [[0]]}),
-    ([S, ["random", "v = S"], ["where", "v == 0"], ["claim", "v == 0"]], {"S": [[2]], "v": [[0]]}),
+    ([S, ["random", "v = S"], ["claim", "E(v.T*S*v) == 0"]], {"S": 2, "v": 0}),
+    (
+        [
+            S,
+            *(["random", f"{v} = S"] for v in "uvw"),
+            ["claim", "E(u*v.T*w) == 0"],
+            ["shows", "E(u*v.T*w) == 0", []],
+        ],
+        {"S": 2},
+    ),
+    ([S, ["random", "v = S"], ["where", "v == 0"], ["claim", "v == 0"]], {"S": 2, "v": 0}),
     (
         [S, ["random", "v = S"], ["let", "w = v"], ["claim", "E(w) == w"], ["shows", "w == w", []]],
-        {"S": [[2]], "v": [[0]], "w": [[0]]},
+        {"S": 2, "v": 0, "w": 0},
     ),
     (
         [
             S,
-            ["matrix", "v = n by 1"],
+            ["matrix", "v = size_n by 1"],
             ["claim", "E(v) == v"],
             ["shows", "v == v", []],
             ["random", "v = S"],
         ],
-        {"S": [[2]], "v": [[0]]},
+        {"S": 2, "v": 0},
     ),
     (
         [S, ["random", "v = S"], ["claim", "E(v) == 0"], ["shows", "E(v) == 0", []]],
-        {"S": [[-2]], "v": [[0]]},
+        {"S": -2, "v": 0},
     ),
     (
         [A, ["random", "v = A"], ["claim", "E(v) == 0"], ["shows", "E(v) == 0", []]],
-        {"A": ROW, "v": [[0]]},
+        {"A": ROW, "v": 0},
     ),
     # nothing claimed, or nothing shown
-    ([S], {"S": [[3]]}),
+    ([S], {"S": 3}),
     ([], {}),
-    ([S, ["claim", "S == 0"]], {"S": [[0]]}),
+    ([S, ["claim", "S == 0"]], {"S": 0}),
     # lines that mislead
-    ([S, ["claim", "S == S"], ["shows", "S == S", []], ["with", "S = 5"]], {"S": [[3]]}),
-    ([S, ["claim", "S == S"], ["shows", "S == S", []], ["matrix", "S = 2 by 2"]], {"S": [[3]]}),
-    ([S, ["claim", "S == S"], ["shows", "S == S", []], ["typed", "a\nproved"]], {"S": [[3]]}),
-    ([S, ["claim", "S == S"], ["shows", "S == S", []], ["matrix", "\nU = n by n"]], {"S": [[3]]}),
-    ([S, ["claim", "S == S"], ["shows", "S == S", []], ["unit", "I = n by m"]], {"S": [[3]]}),
-    ([S, ["claim", "S == S"], ["shows", "S == S", []], ["other", "S"]], {"S": [[3]]}),
-    ([["matrix", "E = n by n"], ["claim", "E == E"], ["shows", "E == E", []]], {"E": [[3]]}),
-    ([["matrix", "S = n by 0"], ["claim", "S == S"], ["shows", "S == S", []]], {"S": [[]]}),
+    ([S, ["claim", "S == S"], ["shows", "S == S", []], ["with", "S = 5"]], {"S": 3}),
+    ([S, ["claim", "S == S"], ["shows", "S == S", []], ["matrix", "S = 2 by 2"]], {"S": 3}),
+    ([S, ["claim", "S == S"], ["shows", "S == S", []], ["typed", "a\nproved"]], {"S": 3}),
+    (
+        [S, ["claim", "S == S"], ["shows", "S == S", []], ["matrix", "\nU = size_n by size_n"]],
+        {"S": 3},
+    ),
+    ([S, ["claim", "S == S"], ["shows", "S == S", []], ["unit", "I = size_n by size_m"]], {"S": 3}),
+    ([S, ["claim", "S == S"], ["shows", "S == S", []], ["other", "S"]], {"S": 3}),
+    ([["matrix", "E = size_n by size_n"], ["claim", "E == E"], ["shows", "E == E", []]], {"E": 3}),
+    ([["matrix", "S = size_n by 0"], ["claim", "S == S"], ["shows", "S == S", []]], {"S": [[]]}),
 ]
+
+
+SHOWN = [["claim", "S == S"], ["shows", "S == S", []]]
+"""What is right, of S."""
+ONES: list[Any] = [["matrix", "e = size_n by 1"], ["where", "e*e.T == 1"]]
+FAULTS: list[Any] = [
+    # words of Python as letters
+    *(
+        ([["matrix", f"{name} = size_n by size_n"], S, *SHOWN], {"S": 3, name: 3}, "not known")
+        for name in ("True", "False", "None", "lambda", "if", "E")
+    ),
+    ([S, ["claim", "S/True == S"], ["shows", "S/True == S", []]], {"S": 3}, "not known"),
+    # an order, a variance of what is not square, where nothing is left of it too
+    ([A, ["claim", "A >= A"], ["shows", "0 >= 0", []]], {"A": ROW}, "not square"),
+    ([A, ["where", "A > A - A"], S, *SHOWN], {"A": ROW, "S": 3}, "not square"),
+    ([A, ["random", "v = A - A"], S, *SHOWN], {"A": ROW, "S": 3, "v": 0}, "not square"),
+    # a run of blanks that pushes text out of sight
+    *(
+        ([S, *SHOWN, line], {"S": 3}, "misleads")
+        for line in (
+            ["where", "S  == S"],
+            ["claim", " S == S"],
+            ["typed", "a  proved"],
+            ["typed", "a\tb"],
+            ["typed", "a\x1b[2Jproved"],
+            ["name", "S for\u00a0T"],
+        )
+    ),
+    # numbers that look like others
+    *(
+        ([S, ["claim", f"{n}*S == {n}*S"], ["shows", f"{n}*S == {n}*S", []]], {"S": 3}, "")
+        for n in ("1_0", "0x10", "1e1", "1.0", "00", "0b1", "1j")
+    ),
+    # a relation inside of an expression, none where there has to be one
+    ([S, *SHOWN, ["with", "T = (S == S)"]], {"S": 3}, "a relation, or none"),
+    ([S, *SHOWN, ["with", "T = S == S"]], {"S": 3}, ""),
+    ([S, *SHOWN, ["let", "T = (S == S)*S"]], {"S": 3, "T": 3}, "a relation, or none"),
+    ([S, *SHOWN, ["where", "S"]], {"S": 3}, "a relation, or none"),
+    ([S, *SHOWN, ["where", "S == S == S"]], {"S": 3}, "not known"),
+    # a number that is a letter as the weight of a square
+    (
+        [
+            A,
+            ["let", "x = 2"],
+            ["claim", "0 >= A.T*A"],
+            ["shows", "0 >= A.T*A", [["-1", 0, "A.T*A"]], [["1 - x", "A", None]]],
+        ],
+        {"A": ROW, "x": 2},
+        "no shape",
+    ),
+    ([["matrix", "R = rows by rows"], S, *SHOWN], {"R": 3, "S": 3}, "no shape"),
+    ([S, POSITIVE, ["inverse", "T = S"], ["opens", "T", 0], *SHOWN], TWO, "no inverse"),
+    # conditions that nothing meets but one row, or sizes that are the same
+    ([*ONES, S, *SHOWN], {"S": 3, "e": [[1], [0]]}, "do not meet"),
+    ([*ONES, S, *SHOWN], {"S": [[3]], "e": [[1]], "sizes": {"size_n": 1}}, "sizes alike"),
+    ([A, S, *SHOWN], {"A": [[1, 2], [3, 4]], "S": 3, "sizes": {"size_n": 2, "size_m": 2}}, "alike"),
+    ([S, *SHOWN], {"S": 3, "sizes": {"size_n": True}}, "sizes alike"),
+    ([S, *SHOWN], {"S": 3, "sizes": {"size_n": 2.0}}, "sizes alike"),
+    # one name of two things
+    ([["name", "T for S"], S, *SHOWN], {"S": 3}, "not known: matrix"),
+    ([S, ["name", "T for S"], *SHOWN], {"S": 3}, "two things"),
+    ([S, ["name", "T for Q"], ["name", "R for Q"], *SHOWN], {"S": 3}, "two things"),
+    # what is random under a condition
+    ([S, ["random", "v = S"], ["where", "v.T*v >= 1"], *SHOWN], {"S": 3, "v": [[1], [0]]}, "v"),
+]
+
+
+@pytest.mark.parametrize("number", range(len(FAULTS)))
+def test_a_fault_is_refused_for_what_it_is(number: int) -> None:
+    lines, numbers, reason = FAULTS[number]
+    found = rejected(certificate(*lines, **numbers))
+    assert found is not None
+    assert reason in found
 
 
 @pytest.mark.parametrize("number", range(len(RIGHT)))
@@ -393,20 +499,37 @@ HOSTILE: list[Any] = [
     "",
     "[]",
     "[" * 100_000 + "]" * 100_000,
-    certificate(S, ["claim", "(" * 900 + "S" + ")" * 900 + " == S"], S=[[1]]),
-    certificate(S, ["claim", "+".join(["S"] * 4000) + " == S"], S=[[1]]),
-    certificate(S, ["claim", "*".join(["S"] * 100) + " == S"], S=[[1]]),
-    certificate(S, ["with", "T = " + "*".join(["(S + S.T)"] * 30)], S=[[1]]),
-    certificate(S, ["claim", f"{'9' * 9000}*S == S"], S=[[1]]),
-    certificate(S, ["claim", "S**9 == S"], S=[[1]]),
-    certificate(S, ["claim", "S/0 == S"], S=[[1]]),
-    certificate(S, POSITIVE, ["claim", "S > 0"], S=[["1e99999999"]]),
-    certificate(S, POSITIVE, ["claim", "S > 0"], S=[["1/0"]]),
-    certificate(S, POSITIVE, ["claim", "S > 0"], sizes={"n": 10**9}, S=[[1]]),
-    certificate(S, ["claim", "__import__ == 0"], S=[[1]]),
-    certificate(S, ["claim", "S.real == S"], S=[[1]]),
-    certificate(S, ["claim", "F(S) == S"], S=[[1]]),
-    certificate(S, ["shows", "S >= 0", [], [["1e999", "1", None]]], S=[[1]]),
+    certificate(S, ["claim", "(" * 900 + "S" + ")" * 900 + " == S"], S=1),
+    certificate(S, ["claim", "+".join(["S"] * 4000) + " == S"], S=1),
+    certificate(S, ["claim", "*".join(["S"] * 100) + " == S"], S=1),
+    certificate(S, ["with", "T = " + "*".join(["(S + S.T)"] * 30)], S=1),
+    certificate(S, ["claim", f"{'9' * 9000}*S == S"], S=1),
+    certificate(S, ["claim", "S**9 == S"], S=1),
+    certificate(S, ["claim", "S/0 == S"], S=1),
+    certificate(S, POSITIVE, ["claim", "S > 0"], S="1e99999999"),
+    certificate(S, POSITIVE, ["claim", "S > 0"], S="1/0"),
+    certificate(S, POSITIVE, ["claim", "S > 0"], sizes={"size_n": 10**9}, S=1),
+    certificate(S, ["claim", "__import__ == 0"], S=1),
+    certificate(S, ["claim", "S.real == S"], S=1),
+    certificate(S, ["claim", "F(S) == S"], S=1),
+    certificate(S, ["shows", "S >= 0", [], [["1e999", "1", None]]], S=1),
+    # short lines that multiply out to much, each and all together
+    certificate(
+        S, ["with", f"T = {'*'.join(['(S + S.T)'] * 12)}"], *[["claim", "T == T*2"]] * 4000
+    ),
+    *(
+        certificate(S, ["with", f"T = {'*'.join(['(S + S.T)'] * 13)}"], *[["where", line]] * 4000)
+        for line in ("T.T == S", "-" * 900 + "T == S")
+    ),
+    certificate(S, ["claim", "S" + ".T" * 9000 + " == S"], S=1),
+    certificate(S, ["claim", "-" * 19000 + "S == S"], S=1),
+    certificate(
+        *[["matrix", f"S{k} = 39 by 39"] for k in range(4)],
+        ["where", f"{'*'.join(['S0*S1*S2*S3'] * 15)} > 0"],
+        **{f"S{k}": [[f"{j + 7}/{i + 9}" for j in range(39)] for i in range(39)] for k in range(4)},
+    ),
+    certificate(S, ["claim", "S == \x1b[31m proved" + "x" * 5000], S=1),
+    certificate(S, ["\x1b]0;proved\x07", "S"], S=1),
     certificate(["claim", 1]),
     certificate(["shows"]),
     certificate([]),
@@ -423,4 +546,7 @@ def test_what_is_hostile_is_refused_in_a_line(
     status, lines = run(tmp_path / "one.json", HOSTILE[number], capsys)
     assert (status, len(lines)) == (1, 1)
     assert lines[0].startswith("REJECTED: ")
+    assert lines[0].isascii()
+    assert lines[0].isprintable()
+    assert len(lines[0]) < 260
     assert time.process_time() - start < 20

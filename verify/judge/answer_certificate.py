@@ -52,6 +52,14 @@ NO_SYMBOLS = re.compile(
 """What is no symbol in a formula: layout, signs, functions, transposes, Euler's number."""
 
 
+UNKEPT = "what a symbol of the formula stands for is not kept"
+OF_MATRICES = re.compile(
+    r"(?<![A-Za-z\\])[IO](?:_(?:\{(?:[^{}]|\{(?:[^{}]|\{[^{}]*\})*\})*\}|\w))?|\bE\b"
+    r"|\\Rightarrow|\\underline\s*\{0\}|\\underline 0"
+)
+"""Unit matrix and zero with their sizes, a mean, what follows."""
+
+
 class NoCertificateError(ValueError):
     """Why there is no certificate."""
 
@@ -67,7 +75,10 @@ def answer_certificate(claim: Mapping[str, Any]) -> Data:
     statement = evidence.get("asked", evidence.get("statement"))
     try:
         if in_words:
-            return matrix_certificate(claim, evidence["words"])
+            found, names = matrix_certificate(claim, evidence["words"])
+            if left := unexplained(OF_MATRICES.sub(" ", claim["latex"]), names):
+                raise NoCertificateError(f"{UNKEPT}: {left}")
+            return found
         if statement is not None:
             return _certificate(claim, evidence, statement)
     except (
@@ -103,7 +114,9 @@ def _certificate(
         raise Malformed("an equivalence or implication")
     graphs = {**evidence.get("other symbols", {}), **evidence.get("quantities", {})}
     meanings = {t: read_graph(graph) for t, graph in graphs.items()}
-    tokens = {e.key: symbol(t) for t, e in meanings.items() if e.kind not in ("symbol", "number")}
+    # of several that are the same the first, and none that is an entry of a matrix if another is
+    ordered = sorted(meanings.items(), key=lambda item: "[" in item[0])
+    tokens = {e.key: symbol(t) for t, e in ordered[::-1] if e.kind not in ("symbol", "number")}
 
     def in_tokens(expr: Expr) -> Expr:
         return rebuilt(expr, lambda node, _: tokens.get(node.key))
@@ -124,6 +137,9 @@ def _certificate(
         for token, expr in letters.items()
         if token in used and labels.get(str(expr.value), expr.value) != token
     }
+    for token in evidence.get("means", ()):
+        if any(name == token or name.startswith(f"{token}[") for name in letters):
+            raise NoCertificateError(f"a mean, that of {token}")
     for token in evidence.get("of the filter", ()):
         if token not in used:
             raise NoCertificateError(f"{token} of the filter is not kept in the statement")
@@ -162,7 +178,7 @@ def _certificate(
         if rel.left.key == rel.right.key and meant and meant.kind not in ("symbol", "number"):
             raise NoCertificateError(f"only that it is itself is kept of {rel.left.value}")
     if left := unexplained(said.typed, (*said.boxes, *said.letters)):
-        raise NoCertificateError(f"what a symbol of the formula stands for is not kept: {left}")
+        raise NoCertificateError(f"{UNKEPT}: {left}")
     refutes = claim["verdict"] == "refuted"
     points = _inner_points(said.boxes)
     if refutes:
@@ -456,7 +472,9 @@ def unexplained(latex: str, tokens: Iterable[str]) -> str:
     known = {_plain(re.sub(r"^free |\[[\d, ]*\]$", "", token)) for token in tokens}
     for token in sorted(known, key=len, reverse=True):
         before = r"(?<![\\_])" if token[:1].isalpha() else ""
-        text = re.sub(before + re.escape(token) + r"(?![_'])", " ", text)
+        # not in the name of a command
+        sought = rf"{before}({re.escape(token)})(?![_'])|\\[A-Za-z]+"
+        text = re.sub(sought, lambda found: " " if found[1] else found[0], text)
     return " ".join(text.split()) if re.search("[A-Za-z]", text) else ""
 
 
@@ -466,7 +484,10 @@ def _plain(latex: str) -> str:
     while old != text:
         old, text = text, re.sub(r"(_|\\[a-zA-Z]+)\s*\{([^{}]*)\}", r"\1 \2", text)
     text = re.sub(r"[{}]", " ", text)
-    return re.sub(r"(_|\\(?:hat|bar|tilde|d+ot|underline|vec|check|breve))\s+", r"\1", text).strip()
+    accent = r"\\(?:hat|bar|tilde|d+ot|underline|vec|check|breve)"
+    several = rf"(?:{accent}\s+){{2,}}"
+    text = re.sub(several, lambda found: " ".join([*sorted(found[0].split()), ""]), text)
+    return re.sub(rf"(_|{accent})\s+", r"\1", text).strip()
 
 
 def _bracketed(part: tuple[str, int], least: int) -> str:

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import json
 import random
+import re
 from collections.abc import Mapping, Sequence
 from fractions import Fraction
 from operator import mul
@@ -25,26 +26,24 @@ FACTS = {"positive definite": "definite", "positive semidefinite": "semidefinite
 SECONDS = 5
 """Of the processor, after which nothing more is looked for."""
 TRIED = 40
-SIZES = 1, 2, 7
-"""Of matrices that may meet the conditions."""
+NAME = re.compile("[A-Za-z][A-Za-z0-9_]*")
 
 
-def matrix_certificate(claim: Data, proofs: Sequence[Data]) -> dict[str, Any]:
-    """The certificate of a claim with a proof in words, the last: what others show of what it is
-    about (that inverses exist) are conditions of it. Raises ValueError and others.
+def matrix_certificate(claim: Data, proofs: Sequence[Data]) -> tuple[dict[str, Any], list[str]]:
+    """The certificate of a claim with a proof in words, the last, and the names that it explains.
+    Raises ValueError and others.
     """
     proof = proofs[-1]
-    supposed = [h["kind"] for s in proof["statements"] for h in s["claim"]["given"]]
-    if len(proofs) > 1 and "equal" in supposed:
-        raise ValueError("its proof rests on equations that others show")
     if proof.get("asked") is None:
         raise ValueError("how it was asked is not kept as text")
+    if proof["asked"]["rests"]:
+        raise ValueError("its proof rests on what others show")
     if proof["setting"]["parameters"]:
         raise ValueError("numbers of any value beside matrices of any size")
     writer = Writer(claim, proof)
     found = writer.written()
     check_matrices.Certificate(found).decide()
-    return found
+    return found, [*writer.checker.meaning]
 
 
 class Writer:
@@ -84,9 +83,12 @@ class Writer:
             if name != token:
                 self.say("name", f"{name} for {token}")
         elements, inverses = setting["elements"], setting["inverses"]
+        for name, (shown, *_) in asked["sizes"].items():
+            self.say("name", f"{name} for {shown}")
         vectors = {text.split(" = ")[0] for title, text in asked["lines"] if title == "random"}
+        spoken = self.spoken()
         for name, shape in {**asked["matrices"], **setting["matrices"]}.items():
-            if name not in elements and name not in inverses and name not in vectors:
+            if name in spoken - elements.keys() - inverses.keys() - vectors:
                 self.say("matrix", f"{name} = {' by '.join(shape)}")
         for name, size in setting["units"].items():
             self.define("unit", f"{name} = {size}")
@@ -114,6 +116,14 @@ class Writer:
         for text in asked["claims"]:
             self.conclude(text)
         return {"format": check_matrices.FORMAT, **self.instance(), "lines": self.lines}
+
+    def spoken(self) -> set[str]:
+        """Names of letters that the statement or its proof need, with all blocks of a size."""
+        parts = [[s["evidence"], s["claim"]["given"], _claimed(s)] for s in self.statements]
+        said = self.asked["lines"], self.asked["claims"], self.setting["elements"], parts
+        found = {*NAME.findall(json.dumps([*said, self.setting["inverses"]]))}
+        self.blocks = {size: own for size, own in self.blocks.items() if found & {*own}}
+        return found.union(*self.blocks.values())
 
     # what is printed
 
@@ -198,7 +208,7 @@ class Writer:
             claim = f"{name}.T - {name} == 0"
             if name in self.lets:
                 k = self.lets[name]
-                p = self.checker.value(claim)[0]
+                p = self.checker.value(claim, True)[0]
                 first = self.checker.facts[k + 1][0].less(self.checker.facts[k][0])
                 if p.shape == first.shape:
                     rest, steps = self.reduced(p.less(first))
@@ -246,17 +256,13 @@ class Writer:
 
     def statement(self, s: Data) -> None:
         """A statement of the proof as a step."""
-        e, claim = s["evidence"], s["claim"]
+        e = s["evidence"]
         if s["kind"] == "matrix_invertible":
             self.invertible(s)
-        elif "above" in e:
-            self.between(s)
         elif s["kind"] == "matrix_equal" and {*e} == {"cofactors"}:
-            text = f"{graph_text(claim['left'])} == {graph_text(claim['right'])}"
-            k = self.say("shows", text, self.cofactors(s, e["cofactors"]))
+            k = self.say("shows", _claimed(s), self.cofactors(s, e["cofactors"]))
             self.sources[key("statement", s["id"])] = k
         elif s["kind"] == "matrix_order":
-            smaller = graph_text(claim["smaller"])
             squares = [
                 [q["weight"][0][0], text_of(q["factor"]), self.definite(s, q["definite"])]
                 for q in e["squares"]
@@ -264,28 +270,14 @@ class Writer:
             rank = e.get("rank", {})
             if "square" in rank:
                 raise ValueError("a matrix of full column rank")
-            inverses = [[text_of(one[1]), one[0]] for one in rank.get("left_inverses", ())]
+            inverses = [[text_of(one[1]), one[0], "1"] for one in rank.get("left_inverses", ())]
             terms = self.cofactors(s, e["cofactors"])
             ones = self.cofactors(s, rank.get("cofactors", ()))
-            text = f"{graph_text(claim['larger'])} {claim['relation']} {smaller}"
-            k = self.say("shows", text, terms, squares, inverses, ones)
+            k = self.say("shows", _claimed(s), terms, squares, inverses, ones)
             self.sources[key("statement", s["id"])] = k
         else:
             raise ValueError(f"a proof by {', '.join(e)}")
         self.symmetric()
-
-    def between(self, s: Data) -> None:
-        """An equation of what is at least 0 and at most 0."""
-        e, claim = s["evidence"], s["claim"]
-        p = f"{graph_text(claim['left'])} - {graph_text(claim['right'])}"
-        above, below = (self.definite(s, e[name]) for name in ("above", "below"))
-        terms = self.cofactors(s, e["cofactors"])
-        least = self.say("shows", f"{p} >= 0", terms, [["1", "1", above]])
-        # -p = below - (above + below) - (p - above)
-        terms = [*terms, *self.cofactors(s, e["opposite"])]
-        terms = [[f"-({left})", k, right] for left, k, right in terms]
-        most = self.say("shows", f"-({p}) >= 0", terms, [["1", "1", below]])
-        self.sources[key("statement", s["id"])] = self.say("equal", least, most)
 
     def definite(self, s: Data, reference: Sequence[Any]) -> int | None:
         if reference[0] == "unit":
@@ -310,7 +302,7 @@ class Writer:
 
     def conclude(self, text: str) -> None:
         """The claim, from the statements."""
-        p, sign = self.checker.value(text)
+        p, sign = self.checker.value(text, True)
         rest, steps = self.reduced(p)
         for s in reversed(self.statements):
             k = self.sources.get(key("statement", s["id"]), -1)
@@ -322,7 +314,7 @@ class Writer:
                     if sign == "==":
                         steps.append(["1", k, "1"])
                     else:
-                        self.say("shows", text, steps, [["1", "1", k]], [["1", 0]])
+                        self.say("shows", text, steps, [["1", "1", k]], [["1", 0, "1"]])
                         return
         if rest:
             raise ValueError("the claim is not what was proved")
@@ -334,11 +326,12 @@ class Writer:
         """Sizes and numbers. Raises ValueError if simple ones do not do."""
         for seed in range(TRIED):
             source = random.Random(seed)
-            sizes = self.sizes(source, *(SIZES if seed >= len(SIZES) else SIZES[: seed + 1][-1:]))
+            sizes = self.sizes(source, 4 if seed < TRIED // 2 else 8)
             try:
-                numbers = self.drawn(sizes, source, seed % 4 if seed > 2 * len(SIZES) else 0)
+                numbers = self.drawn(sizes, source, seed % 4)
                 said = {n: [[str(x) for x in row] for row in a] for n, a in numbers.items()}
                 self.checker.data = {"sizes": sizes, "numbers": said}
+                self.checker.work = 0
                 self.checker.meet()
                 return {"sizes": sizes, "numbers": said}
             except ValueError:
@@ -346,16 +339,20 @@ class Writer:
                     break
         raise ValueError("no simple matrices meet the conditions")
 
-    def sizes(self, source: random.Random, *among: int) -> dict[str, int]:
-        shapes = {name: p.shape for name, p in self.checker.letters.items()}
-        names = {n for shape in shapes.values() for n in shape if not n.isdigit()}
-        sizes = {name: source.choice(among) for name in sorted(names - {*self.blocks})}
-        for _ in self.blocks:
-            for size, own in self.blocks.items():
-                widths = [shapes[each][1] for each in own]
-                if all(w.isdigit() or w in sizes for w in widths):
-                    sizes[size] = sum(int(w) if w.isdigit() else sizes[w] for w in widths)
-        return sizes
+    def sizes(self, source: random.Random, most: int) -> dict[str, int]:
+        """Of steps of up to `most`, so that all are different and those of blocks their sum."""
+        known = self.asked["sizes"]
+        names = {n for p in self.checker.letters.values() for n in p.shape if not n.isdigit()}
+        while process_time() < self.latest:
+            steps = dict[str, int]()
+            found = {}
+            for name in sorted(names):
+                _, constant, terms = known[name]
+                values = {n: steps.setdefault(n, source.randint(1, most)) for n in terms}
+                found[name] = constant + sum(c * values[n] for n, c in terms.items())
+            if len({*found.values()}) == len(found) and all(1 < n < 40 for n in found.values()):
+                return found
+        raise ValueError("no sizes that are different")
 
     def drawn(self, sizes: dict[str, int], source: random.Random, way: int) -> dict[str, Any]:
         facts: dict[str, set[str]] = {}
@@ -366,22 +363,20 @@ class Writer:
                 facts.setdefault(h.get("matrix", ""), set()).add(h["kind"])
         place = {n: (size, at) for size, own in self.blocks.items() for at, n in enumerate(own)}
         found: dict[str, Any] = {}
+        all_sizes = {str(n): n for n in range(40)} | sizes
         for name, p in self.checker.letters.items():
-            rows, columns = check_matrices.shape_of(p, sizes)
+            rows, columns = (all_sizes[side] for side in p.shape)
             free = [[Fraction(source.randint(-2, 2)) for _ in range(columns)] for _ in range(rows)]
             if way and source.randrange(4) < way:
                 free = [[Fraction()] * columns for _ in range(rows)]
             if name in place:
                 size, at = place[name]
                 before = self.blocks[size][:at]
-                start = sum(
-                    check_matrices.shape_of(self.checker.letters[n], sizes)[1] for n in before
-                )
+                start = sum(all_sizes[self.checker.letters[n].shape[1]] for n in before)
                 free = [[Fraction(i == j + start) for j in range(columns)] for i in range(rows)]
             elif name in self.lets:
-                free = check_matrices.evaluated(
-                    p.less(self.checker.facts[self.lets[name]][0]), found, sizes
-                )
+                value = p.less(self.checker.facts[self.lets[name]][0])
+                free = self.checker.evaluated(value, found, all_sizes)
             elif name in self.bases:
                 free = _inverted(found[self.bases[name]])
             elif facts.get(name, set()) & {*PROPERTIES}:
@@ -416,11 +411,22 @@ def graph_text(graph: Data) -> str:
             joined = {"add": " + ", "mul": "*"}.get(kind, "")
             if kind == "transpose":
                 texts.append(f"{parts[0]}.T")
+            elif joined == "*" and "(0)" in parts:
+                texts.append("0")
             elif joined:
                 texts.append(f"({joined.join(parts)})")
             else:
                 raise ValueError(f"a {kind} of matrices")
     return texts[-1]
+
+
+def _claimed(s: Data) -> str:
+    """The relation of a statement, empty of one that an inverse exists."""
+    claim = s["claim"]
+    if s["kind"] == "matrix_invertible":
+        return ""
+    sides = ("larger", "smaller") if s["kind"] == "matrix_order" else ("left", "right")
+    return f" {claim.get('relation', '==')} ".join(graph_text(claim[side]) for side in sides)
 
 
 def text_of(poly: Sequence[Any]) -> str:

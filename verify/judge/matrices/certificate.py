@@ -11,11 +11,14 @@ from gainproof.verify.judge.matrices.book import Book
 __all__ = ["accepted", "rejected", "written"]
 
 
-def accepted(book: Book) -> tuple[dict[str, Any], str | None]:
-    """The proof with what it was asked for, and why the checker does not accept it if so."""
+def accepted(book: Book, rests: bool = False) -> tuple[dict[str, Any], str | None]:
+    """The proof with what it was asked for, and why the checker does not accept it if so; `rests`:
+    whether it supposes what other proofs show.
+    """
     certificate = written(book)
     fault = rejected(certificate)
-    return {**certificate, "asked": book.asked}, fault
+    asked = book.asked and {**book.asked, "rests": rests, "sizes": book.alphabet.sizes_named()}
+    return {**certificate, "asked": asked}, fault
 
 
 def written(book: Book) -> dict[str, Any]:

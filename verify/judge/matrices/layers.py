@@ -157,7 +157,9 @@ class Layers:
                     reasons.append("what is left of it is not true")
                     continue
                 most = MOST_PRODUCTS if closed or not question.premises else FEW_PRODUCTS
-                certificate, fault = accepted(proof_of(asked, setting, most, self.budget))
+                rests = bool(given or facts or invertible or inverses)
+                proof = proof_of(asked, setting, most, self.budget)
+                certificate, fault = accepted(proof, rests)
                 if fault is None:
                     hidden = self._of_hidden(question, setting, deep, given, invertible)
                     definite = [c for c in given if c.operators in ((">",), ("<",))]
