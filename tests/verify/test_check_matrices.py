@@ -22,6 +22,7 @@ import pytest
 from matrix_claims import judged_matrices
 
 from gainproof.verify import check_matrices
+from gainproof.verify.certificate.words import proof as words
 from gainproof.verify.check_matrices import FORMAT, is_positive, main
 from gainproof.verify.judge.answer_certificate import rejected
 from gainproof.verify.judge.matrix_certificate import matrix_certificate
@@ -47,7 +48,9 @@ def made(latex: str) -> Data:
     kind = "inequality" if latex[0] == "0" else "identity"
     verdict = judged_matrices(latex, kind=kind)
     assert verdict.verdict == "proved", verdict.reason
-    found, _ = matrix_certificate({"latex": latex}, verdict.certificate["words"])
+    proofs = verdict.certificate["words"]
+    assert all(words.rejected(proof | {"asked": [None, True]}) is None for proof in proofs)
+    found, _ = matrix_certificate({"latex": latex}, proofs)
     return json.loads(json.dumps(found))  # type: ignore[no-any-return]
 
 

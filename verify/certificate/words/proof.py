@@ -27,9 +27,9 @@ def rejected(proof: object) -> str | None:
     text for others and not read. Never raises.
     """
     try:
-        entries = dict(schema.table(plain(proof), "proof"))
-        entries.pop("asked", None)
-        fields = schema.record(entries, ("setting", "statements"), "proof")
+        if isinstance(proof, dict):
+            proof = {name: part for name, part in proof.items() if name != "asked"}
+        fields = schema.record(plain(proof), ("setting", "statements"), "proof")
         setting = read_setting(fields["setting"], Meter(), "setting")
         statements = [_read(entry) for entry in schema.items(fields["statements"], "statements")]
         if not statements:
