@@ -6,6 +6,7 @@ Rideau (2023) for the root; products by Dekker and Veltkamp, since NumPy has no 
 
 from __future__ import annotations
 
+from math import sqrt
 from typing import TYPE_CHECKING, TypeAlias
 
 import numpy as np
@@ -21,9 +22,9 @@ if TYPE_CHECKING:
 SPLIT = 134217729.0  # 2^27 + 1
 
 
-def exact(x: Array) -> Pair:
-    """A number of either type as it is."""
-    return x.astype(np.float64), 0.0
+def exact(x: Array | float) -> Pair:
+    """Numbers of either type as they are."""
+    return x.astype(np.float64) if isinstance(x, np.ndarray) else float(x), 0.0
 
 
 def add(a: Pair, b: Pair) -> Pair:
@@ -59,7 +60,7 @@ def divide(a: Pair, b: Pair) -> Pair:
 
 def root(a: Pair) -> Pair:
     """The square root, 25/8 u^2 off."""
-    first: Part = np.sqrt(a[0])
+    first: Part = sqrt(a[0]) if isinstance(a[0], float) else np.sqrt(a[0])
     high, low = _product(first, first)
     return _short(first, (a[1] + ((a[0] - high) - low)) / (2.0 * first))
 

@@ -8,15 +8,15 @@ from typing import TYPE_CHECKING
 
 from numpy import add, copyto, divide, multiply, negative, sqrt, square, subtract
 
+from gainproof.generated._numbers import ONE, Double, named
 from gainproof.generated._runtime import evaluate
 from gainproof.generated._signature import Domain, Signature
 
 if TYPE_CHECKING:
     from typing import NamedTuple
 
-    from numpy.typing import ArrayLike
-
-    from gainproof.generated._signature import Arrays, Real
+    from gainproof.generated._numbers import Form
+    from gainproof.generated._signature import ArrayLike, Arrays, Real
 else:
     from gainproof.generated._result import NamedTuple
 
@@ -158,7 +158,26 @@ def coordinates(
 
     Source: derivation alpha-beta
     """
+    if (
+        type(alpha) is float
+        and type(beta) is float
+        and 1e-30 <= alpha <= 0.9999999
+        and 1e-30 <= beta <= 1.9999999
+        and out is None
+        and workers is ONE
+    ):
+        try:
+            return named(Coordinates, _coordinates_of_numbers(alpha, beta))
+        except (ArithmeticError, ValueError):
+            pass  # arrays say what is wrong
     return Coordinates(*evaluate(_COORDINATES, (alpha, beta), out, workers))
+
+
+def _coordinates_of_numbers(alpha: float, beta: float, _form: Form = Double) -> tuple[float, ...]:
+    t7 = ((1.0 - alpha) * 2.0) + (2.0 - beta)
+    t9 = (alpha * 2.0) / beta
+    t10 = t7 / beta
+    return (t7, t9, t10)
 
 
 def _coordinates_block(
@@ -182,6 +201,7 @@ _COORDINATES = Signature(
     ("margin", "linear_coefficient", "quadratic_coefficient"),
     2,
     _coordinates_block,
+    numbers=_coordinates_of_numbers,
 )
 
 
@@ -227,9 +247,35 @@ def gains_of_coordinates(
 
     Source: derivation alpha-beta
     """
+    if (
+        type(linear_coefficient) is float
+        and type(quadratic_coefficient) is float
+        and 1e-60 <= linear_coefficient <= 1e60
+        and 1e-60 <= quadratic_coefficient <= 1e60
+        and out is None
+        and workers is ONE
+    ):
+        try:
+            return named(
+                GainsOfCoordinates,
+                _gains_of_coordinates_of_numbers(linear_coefficient, quadratic_coefficient),
+            )
+        except (ArithmeticError, ValueError):
+            pass  # arrays say what is wrong
     return GainsOfCoordinates(
         *evaluate(_GAINS_OF_COORDINATES, (linear_coefficient, quadratic_coefficient), out, workers)
     )
+
+
+def _gains_of_coordinates_of_numbers(
+    linear_coefficient: float,
+    quadratic_coefficient: float,
+    _form: Form = Double,
+) -> tuple[float, ...]:
+    t4 = (1.0 + linear_coefficient) + quadratic_coefficient
+    t7 = (linear_coefficient * 2.0) / t4
+    t9 = 4.0 / t4
+    return (t7, t9)
 
 
 def _gains_of_coordinates_block(
@@ -257,6 +303,7 @@ _GAINS_OF_COORDINATES = Signature(
     ("alpha", "beta"),
     2,
     _gains_of_coordinates_block,
+    numbers=_gains_of_coordinates_of_numbers,
 )
 
 
@@ -325,7 +372,34 @@ def variances(
 
     Source: derivation alpha-beta
     """
+    if (
+        type(alpha) is float
+        and type(beta) is float
+        and 1e-30 <= alpha <= 0.9999999
+        and 1e-30 <= beta <= 1.9999999
+        and out is None
+        and workers is ONE
+    ):
+        try:
+            return named(Variances, _variances_of_numbers(alpha, beta))
+        except (ArithmeticError, ValueError):
+            pass  # arrays say what is wrong
     return Variances(*evaluate(_VARIANCES, (alpha, beta), out, workers))
+
+
+def _variances_of_numbers(alpha: float, beta: float, _form: Form = Double) -> tuple[float, ...]:
+    t3 = 1.0 - alpha
+    t7 = (t3 * 2.0) + (2.0 - beta)
+    t8 = beta / alpha
+    t13 = (((alpha * 2.0) + (t8 * 2.0)) + beta) / t7
+    t15 = (beta * 2.0) / t7
+    t16 = t8 * beta
+    t17 = t16 / t7
+    t18 = t15 - t17
+    t20 = (t16 * 2.0) / t7
+    t21 = t15 + t17
+    t25 = ((t3 * t3) * t13) + (alpha * alpha)
+    return (t13, t21, t20, t25, t18, t20)
 
 
 def _variances_block(
@@ -365,6 +439,7 @@ _VARIANCES = Signature(
     ("predicted_11", "predicted_12", "predicted_22", "updated_11", "updated_12", "updated_22"),
     4,
     _variances_block,
+    numbers=_variances_of_numbers,
 )
 
 
@@ -431,6 +506,21 @@ def variances_of_coordinates(
 
     Source: derivation alpha-beta
     """
+    if (
+        type(linear_coefficient) is float
+        and type(quadratic_coefficient) is float
+        and 1e-60 <= linear_coefficient <= 1e60
+        and 1e-60 <= quadratic_coefficient <= 1e60
+        and out is None
+        and workers is ONE
+    ):
+        try:
+            return named(
+                VariancesOfCoordinates,
+                _variances_of_coordinates_of_numbers(linear_coefficient, quadratic_coefficient),
+            )
+        except (ArithmeticError, ValueError):
+            pass  # arrays say what is wrong
     return VariancesOfCoordinates(
         *evaluate(
             _VARIANCES_OF_COORDINATES,
@@ -439,6 +529,22 @@ def variances_of_coordinates(
             workers,
         )
     )
+
+
+def _variances_of_coordinates_of_numbers(
+    linear_coefficient: float,
+    quadratic_coefficient: float,
+    _form: Form = Double,
+) -> tuple[float, ...]:
+    t3 = 1.0 + linear_coefficient
+    t5 = linear_coefficient + -1.0
+    t6 = linear_coefficient * quadratic_coefficient
+    t9 = ((t3 * t3) + quadratic_coefficient) / t6
+    t12 = (t3 * 2.0) / t6
+    t14 = 4.0 / t6
+    t17 = ((t5 * t5) + quadratic_coefficient) / t6
+    t19 = (t5 * 2.0) / t6
+    return (t9, t12, t14, t17, t19, t14)
 
 
 def _variances_of_coordinates_block(
@@ -477,6 +583,7 @@ _VARIANCES_OF_COORDINATES = Signature(
     ("predicted_11", "predicted_12", "predicted_22", "updated_11", "updated_12", "updated_22"),
     5,
     _variances_of_coordinates_block,
+    numbers=_variances_of_coordinates_of_numbers,
 )
 
 
@@ -569,7 +676,47 @@ def process_noise_variances(
 
     Source: derivation alpha-beta
     """
+    if (
+        type(alpha) is float
+        and type(beta) is float
+        and 1e-30 <= alpha <= 0.9999999
+        and 1e-30 <= beta <= 1.9999999
+        and out is None
+        and workers is ONE
+    ):
+        try:
+            return named(ProcessNoiseVariances, _process_noise_variances_of_numbers(alpha, beta))
+        except (ArithmeticError, ValueError):
+            pass  # arrays say what is wrong
     return ProcessNoiseVariances(*evaluate(_PROCESS_NOISE_VARIANCES, (alpha, beta), out, workers))
+
+
+def _process_noise_variances_of_numbers(
+    alpha: float,
+    beta: float,
+    _form: Form = Double,
+) -> tuple[float, ...]:
+    t3 = 1.0 - alpha
+    t5 = 2.0 - alpha
+    t8 = (t3 * 2.0) + (2.0 - beta)
+    t9 = beta / alpha
+    t10 = alpha * t8
+    t11 = beta * t8
+    t12 = 2.0 / t10
+    t14 = (t5 / alpha) / t11
+    t15 = t9 * t3
+    t16 = t5 + t15
+    t28 = t3 * t3
+    t17 = t16 / t11
+    t23 = ((alpha * t5) + (t15 * 2.0)) / t11
+    t27 = ((t3 * t5) / t11) - (t3 / t10)
+    t29 = t9 / t8
+    t31 = (t9 * t5) / t8
+    t32 = -((t16 * 2.0) / t8)
+    t33 = t28 * t12
+    t34 = t28 * t14
+    t36 = -(t15 / t8)
+    return (t12, t14, t29, t17, t31, t32, t33, t34, t36, t27, t23)
 
 
 def _process_noise_variances_block(
@@ -643,6 +790,7 @@ _PROCESS_NOISE_VARIANCES = Signature(
     ),
     9,
     _process_noise_variances_block,
+    numbers=_process_noise_variances_of_numbers,
 )
 
 
@@ -712,6 +860,23 @@ def process_noise_variances_of_coordinates(
 
     Source: derivation alpha-beta
     """
+    if (
+        type(linear_coefficient) is float
+        and type(quadratic_coefficient) is float
+        and 1e-60 <= linear_coefficient <= 1e60
+        and 1e-60 <= quadratic_coefficient <= 1e60
+        and out is None
+        and workers is ONE
+    ):
+        try:
+            return named(
+                ProcessNoiseVariancesOfCoordinates,
+                _process_noise_variances_of_coordinates_of_numbers(
+                    linear_coefficient, quadratic_coefficient
+                ),
+            )
+        except (ArithmeticError, ValueError):
+            pass  # arrays say what is wrong
     return ProcessNoiseVariancesOfCoordinates(
         *evaluate(
             _PROCESS_NOISE_VARIANCES_OF_COORDINATES,
@@ -720,6 +885,28 @@ def process_noise_variances_of_coordinates(
             workers,
         )
     )
+
+
+def _process_noise_variances_of_coordinates_of_numbers(
+    linear_coefficient: float,
+    quadratic_coefficient: float,
+    _form: Form = Double,
+) -> tuple[float, ...]:
+    t3 = quadratic_coefficient + 1.0
+    t4 = linear_coefficient + t3
+    t5 = linear_coefficient * quadratic_coefficient
+    t6 = t4 / t5
+    t7 = t3 / t5
+    t8 = t7 + 1.0
+    t9 = t6 * t4
+    t24 = ((t3 * t3) / t5) + (linear_coefficient + 4.0)
+    t11 = t9 * 0.25
+    t14 = (t9 * t3) * 0.0625
+    t16 = t6 * 0.5
+    t19 = (t4 * t8) * 0.125
+    t20 = -t8
+    t25 = t24 * 0.25
+    return (t11, t14, t16, t19, t7, t20, t25)
 
 
 def _process_noise_variances_of_coordinates_block(
@@ -780,6 +967,7 @@ _PROCESS_NOISE_VARIANCES_OF_COORDINATES = Signature(
     ),
     2,
     _process_noise_variances_of_coordinates_block,
+    numbers=_process_noise_variances_of_coordinates_of_numbers,
 )
 
 
@@ -839,7 +1027,30 @@ def lags(
 
     Source: derivation alpha-beta
     """
+    if (
+        type(alpha) is float
+        and type(beta) is float
+        and 1e-30 <= alpha <= 0.9999999
+        and 1e-30 <= beta <= 1.9999999
+        and out is None
+        and workers is ONE
+    ):
+        try:
+            return named(Lags, _lags_of_numbers(alpha, beta))
+        except (ArithmeticError, ValueError):
+            pass  # arrays say what is wrong
     return Lags(*evaluate(_LAGS, (alpha, beta), out, workers))
+
+
+def _lags_of_numbers(alpha: float, beta: float, _form: Form = Double) -> tuple[float, ...]:
+    t5 = beta * 2.0
+    t7 = (alpha * 2.0) / t5
+    t8 = beta / t5
+    t9 = t7 - t8
+    t10 = 1.0 / beta
+    t11 = t7 + t8
+    t12 = (1.0 - alpha) / beta
+    return (t10, t11, t12, t9)
 
 
 def _lags_block(
@@ -870,6 +1081,7 @@ _LAGS = Signature(
     ),
     3,
     _lags_block,
+    numbers=_lags_of_numbers,
 )
 
 
@@ -926,7 +1138,31 @@ def closed_loop_poles(
 
     Source: derivation alpha-beta
     """
+    if (
+        type(alpha) is float
+        and type(beta) is float
+        and 1e-30 <= alpha <= 0.9999999
+        and 1e-30 <= beta <= 1.9999999
+        and out is None
+        and workers is ONE
+    ):
+        try:
+            return named(ClosedLoopPoles, _closed_loop_poles_of_numbers(alpha, beta))
+        except (ArithmeticError, ValueError):
+            pass  # arrays say what is wrong
     return ClosedLoopPoles(*evaluate(_CLOSED_LOOP_POLES, (alpha, beta), out, workers))
+
+
+def _closed_loop_poles_of_numbers(
+    alpha: float,
+    beta: float,
+    form: Form = Double,
+) -> tuple[float, ...]:
+    t6 = (alpha + beta) * 0.5
+    t7 = 1.0 - t6
+    t9 = (t6 * t6) - beta
+    t10 = form.sqrt(1.0 - alpha)
+    return (t7, t10, t9)
 
 
 def _closed_loop_poles_block(
@@ -950,6 +1186,7 @@ _CLOSED_LOOP_POLES = Signature(
     ("half_sum", "modulus", "quarter_discriminant"),
     3,
     _closed_loop_poles_block,
+    numbers=_closed_loop_poles_of_numbers,
 )
 
 
@@ -997,7 +1234,20 @@ def minimum_variance_by_lag(
 
     Source: derivation alpha-beta
     """
+    if type(lag) is float and 0.25000000000000006 <= lag <= 1e30 and out is None and workers is ONE:
+        try:
+            return named(MinimumVarianceByLag, _minimum_variance_by_lag_of_numbers(lag))
+        except (ArithmeticError, ValueError):
+            pass  # arrays say what is wrong
     return MinimumVarianceByLag(*evaluate(_MINIMUM_VARIANCE_BY_LAG, (lag,), out, workers))
+
+
+def _minimum_variance_by_lag_of_numbers(lag: float, form: Form = Double) -> tuple[float, ...]:
+    t10 = ((lag * 4.0) + -1.0) / ((form.sqrt(lag) * 2.0) + 1.0)
+    t12 = t10 / (lag * 2.0)
+    t13 = 1.0 / lag
+    t17 = (((t10 * 2.0) + 1.0) / t10) / t10
+    return (t12, t13, t17)
 
 
 def _minimum_variance_by_lag_block(
@@ -1034,6 +1284,7 @@ _MINIMUM_VARIANCE_BY_LAG = Signature(
     ("minimum_variance_alpha", "minimum_variance_beta", "minimum_variance_predicted_11"),
     2,
     _minimum_variance_by_lag_block,
+    numbers=_minimum_variance_by_lag_of_numbers,
 )
 
 
@@ -1090,9 +1341,32 @@ def minimum_smoothed_variance_by_lag(
 
     Source: derivation alpha-beta
     """
+    if type(lag) is float and 0.5000000000000001 <= lag <= 1e30 and out is None and workers is ONE:
+        try:
+            return named(
+                MinimumSmoothedVarianceByLag, _minimum_smoothed_variance_by_lag_of_numbers(lag)
+            )
+        except (ArithmeticError, ValueError):
+            pass  # arrays say what is wrong
     return MinimumSmoothedVarianceByLag(
         *evaluate(_MINIMUM_SMOOTHED_VARIANCE_BY_LAG, (lag,), out, workers)
     )
+
+
+def _minimum_smoothed_variance_by_lag_of_numbers(
+    lag: float,
+    form: Form = Double,
+) -> tuple[float, ...]:
+    t1 = form.sqrt(lag)
+    t3 = t1 * 2.0
+    t5 = t3 + 1.0
+    t6 = t5 * t5
+    t17 = ((((t3 * 2.0) + 7.0) * t3) + 8.0) * t3
+    t21 = t5 / (t1 * (t3 + 2.0))
+    t22 = 1.0 / lag
+    t24 = ((t17 + 2.0) / t6) / ((lag * 4.0) + -2.0)
+    t27 = ((t5 * 2.0) + 1.0) / t6
+    return (t21, t22, t24, t27)
 
 
 def _minimum_smoothed_variance_by_lag_block(
@@ -1149,6 +1423,7 @@ _MINIMUM_SMOOTHED_VARIANCE_BY_LAG = Signature(
     ),
     5,
     _minimum_smoothed_variance_by_lag_block,
+    numbers=_minimum_smoothed_variance_by_lag_of_numbers,
 )
 
 
@@ -1196,7 +1471,23 @@ def random_acceleration_by_lag(
 
     Source: derivation alpha-beta
     """
+    if type(lag) is float and 0.5000000000000001 <= lag <= 1e30 and out is None and workers is ONE:
+        try:
+            return named(RandomAccelerationByLag, _random_acceleration_by_lag_of_numbers(lag))
+        except (ArithmeticError, ValueError):
+            pass  # arrays say what is wrong
     return RandomAccelerationByLag(*evaluate(_RANDOM_ACCELERATION_BY_LAG, (lag,), out, workers))
+
+
+def _random_acceleration_by_lag_of_numbers(lag: float, form: Form = Double) -> tuple[float, ...]:
+    t2 = lag * 8.0
+    t3 = form.sqrt(t2)
+    t8 = (t2 + -1.0) / (t3 + 1.0)
+    t10 = lag * 2.0
+    t16 = t8 / t10
+    t21 = (((t8 * 3.0) + 1.0) / t8) / (((t10 + -1.0) * 4.0) / (t3 + 2.0))
+    t22 = 1.0 / lag
+    return (t16, t22, t21)
 
 
 def _random_acceleration_by_lag_block(
@@ -1238,6 +1529,7 @@ _RANDOM_ACCELERATION_BY_LAG = Signature(
     ("random_acceleration_alpha", "random_acceleration_beta", "random_acceleration_predicted_11"),
     2,
     _random_acceleration_by_lag_block,
+    numbers=_random_acceleration_by_lag_of_numbers,
 )
 
 
@@ -1285,7 +1577,27 @@ def random_velocity_by_lag(
 
     Source: derivation alpha-beta
     """
+    if type(lag) is float and 0.6036 <= lag <= 1e30 and out is None and workers is ONE:
+        try:
+            return named(RandomVelocityByLag, _random_velocity_by_lag_of_numbers(lag))
+        except (ArithmeticError, ValueError):
+            pass  # arrays say what is wrong
     return RandomVelocityByLag(*evaluate(_RANDOM_VELOCITY_BY_LAG, (lag,), out, workers))
+
+
+def _random_velocity_by_lag_of_numbers(lag: float, form: Form = Double) -> tuple[float, ...]:
+    t2 = lag * 4.0
+    t4 = lag * 8.0
+    t7 = form.sqrt(t4 + 1.0)
+    t8 = t7 + 1.0
+    t11 = (t2 + -2.414213562373095) + (
+        9.500605813173024e-08 if form.single else -1.2537167179050217e-16
+    )
+    t16 = (t11 * (t2 + 0.41421356237309503)) / (t2 + t7)
+    t20 = (((t7 * t7) + t16) / (t4 / t8)) / t16
+    t21 = 4.0 / t8
+    t22 = 1.0 / lag
+    return (t21, t22, t20)
 
 
 def _random_velocity_by_lag_block(
@@ -1331,6 +1643,7 @@ _RANDOM_VELOCITY_BY_LAG = Signature(
     ("random_velocity_alpha", "random_velocity_beta", "random_velocity_predicted_11"),
     4,
     _random_velocity_by_lag_block,
+    numbers=_random_velocity_by_lag_of_numbers,
 )
 
 
@@ -1387,7 +1700,29 @@ def minimum_variance_by_gain(
 
     Source: derivation alpha-beta
     """
+    if (
+        type(alpha) is float
+        and 1e-15 <= alpha <= 0.49999999999999994
+        and out is None
+        and workers is ONE
+    ):
+        try:
+            return named(MinimumVarianceByGain, _minimum_variance_by_gain_of_numbers(alpha))
+        except (ArithmeticError, ValueError):
+            pass  # arrays say what is wrong
     return MinimumVarianceByGain(*evaluate(_MINIMUM_VARIANCE_BY_GAIN, (alpha,), out, workers))
+
+
+def _minimum_variance_by_gain_of_numbers(alpha: float, form: Form = Double) -> tuple[float, ...]:
+    t2 = alpha * 2.0
+    t5 = form.sqrt(1.0 - t2)
+    t6 = t5 + 1.0
+    t7 = t2 / t6
+    t13 = t6 * t6
+    t9 = t7 * t7
+    t14 = (t7 * (t5 + 3.0)) / t13
+    t19 = (((1.0 - alpha) + t5) / alpha) * ((t6 + alpha) / alpha)
+    return (t9, t14, t13, t19)
 
 
 def _minimum_variance_by_gain_block(
@@ -1436,6 +1771,7 @@ _MINIMUM_VARIANCE_BY_GAIN = Signature(
     ),
     3,
     _minimum_variance_by_gain_block,
+    numbers=_minimum_variance_by_gain_of_numbers,
 )
 
 
@@ -1485,9 +1821,40 @@ def minimum_smoothed_variance_by_gain(
 
     Source: derivation alpha-beta
     """
+    if (
+        type(alpha) is float
+        and 1e-15 <= alpha <= 0.9999999999999999
+        and out is None
+        and workers is ONE
+    ):
+        try:
+            return named(
+                MinimumSmoothedVarianceByGain, _minimum_smoothed_variance_by_gain_of_numbers(alpha)
+            )
+        except (ArithmeticError, ValueError):
+            pass  # arrays say what is wrong
     return MinimumSmoothedVarianceByGain(
         *evaluate(_MINIMUM_SMOOTHED_VARIANCE_BY_GAIN, (alpha,), out, workers)
     )
+
+
+def _minimum_smoothed_variance_by_gain_of_numbers(
+    alpha: float,
+    form: Form = Double,
+) -> tuple[float, ...]:
+    t1 = alpha * alpha
+    t4 = form.sqrt(1.0 + t1)
+    t5 = 1.0 - alpha
+    t6 = t5 + t4
+    t9 = (alpha * 2.0) / t6
+    t10 = 1.0 + t4
+    t11 = alpha / t10
+    t19 = (((t6 * 2.0) + (alpha * 7.0)) * t6) + (t1 * 8.0)
+    t24 = t11 * ((t19 * t6) + ((t1 * alpha) * 2.0))
+    t28 = t24 / ((t5 * 2.0) * (t10 * t10))
+    t29 = t9 * t9
+    t31 = t11 * (t11 + 2.0)
+    return (t29, t28, t31)
 
 
 def _minimum_smoothed_variance_by_gain_block(
@@ -1546,6 +1913,7 @@ _MINIMUM_SMOOTHED_VARIANCE_BY_GAIN = Signature(
     ),
     5,
     _minimum_smoothed_variance_by_gain_block,
+    numbers=_minimum_smoothed_variance_by_gain_of_numbers,
 )
 
 
@@ -1588,7 +1956,26 @@ def random_acceleration_by_gain(
 
     Source: derivation alpha-beta
     """
+    if (
+        type(alpha) is float
+        and 1e-15 <= alpha <= 0.9999999999999999
+        and out is None
+        and workers is ONE
+    ):
+        try:
+            return named(RandomAccelerationByGain, _random_acceleration_by_gain_of_numbers(alpha))
+        except (ArithmeticError, ValueError):
+            pass  # arrays say what is wrong
     return RandomAccelerationByGain(*evaluate(_RANDOM_ACCELERATION_BY_GAIN, (alpha,), out, workers))
+
+
+def _random_acceleration_by_gain_of_numbers(alpha: float, form: Form = Double) -> tuple[float, ...]:
+    t3 = form.sqrt(1.0 - alpha)
+    t4 = t3 + 1.0
+    t5 = alpha / t4
+    t8 = (t5 * t5) * 2.0
+    t12 = (t5 * (t3 + 2.0)) / (t3 * t4)
+    return (t8, t12)
 
 
 def _random_acceleration_by_gain_block(
@@ -1615,6 +2002,7 @@ _RANDOM_ACCELERATION_BY_GAIN = Signature(
     ("random_acceleration_beta", "random_acceleration_predicted_11"),
     3,
     _random_acceleration_by_gain_block,
+    numbers=_random_acceleration_by_gain_of_numbers,
 )
 
 
@@ -1656,7 +2044,24 @@ def random_velocity_by_gain(
 
     Source: derivation alpha-beta
     """
+    if (
+        type(alpha) is float
+        and 1e-15 <= alpha <= 0.9999999999999999
+        and out is None
+        and workers is ONE
+    ):
+        try:
+            return named(RandomVelocityByGain, _random_velocity_by_gain_of_numbers(alpha))
+        except (ArithmeticError, ValueError):
+            pass  # arrays say what is wrong
     return RandomVelocityByGain(*evaluate(_RANDOM_VELOCITY_BY_GAIN, (alpha,), out, workers))
+
+
+def _random_velocity_by_gain_of_numbers(alpha: float, _form: Form = Double) -> tuple[float, ...]:
+    t5 = alpha * alpha
+    t9 = t5 / (2.0 - alpha)
+    t13 = (alpha * (6.0 - alpha)) / (((1.0 - alpha) * 8.0) + t5)
+    return (t9, t13)
 
 
 def _random_velocity_by_gain_block(
@@ -1689,4 +2094,5 @@ _RANDOM_VELOCITY_BY_GAIN = Signature(
     ("random_velocity_beta", "random_velocity_predicted_11"),
     4,
     _random_velocity_by_gain_block,
+    numbers=_random_velocity_by_gain_of_numbers,
 )

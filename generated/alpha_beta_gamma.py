@@ -9,15 +9,15 @@ from typing import TYPE_CHECKING
 from numpy import add, divide, multiply, sqrt, square, subtract
 
 from gainproof.generated._bits import near_cbrt
+from gainproof.generated._numbers import ONE, Double, named
 from gainproof.generated._runtime import evaluate
 from gainproof.generated._signature import Domain, Signature
 
 if TYPE_CHECKING:
     from typing import NamedTuple
 
-    from numpy.typing import ArrayLike
-
-    from gainproof.generated._signature import Arrays, Real
+    from gainproof.generated._numbers import Form
+    from gainproof.generated._signature import ArrayLike, Arrays, Real
 else:
     from gainproof.generated._result import NamedTuple
 
@@ -199,7 +199,37 @@ def coordinates(
 
     Source: derivation alpha-beta-gamma
     """
+    if (
+        type(alpha) is float
+        and type(beta) is float
+        and type(share) is float
+        and 1e-20 <= alpha <= 0.999999
+        and 1e-20 <= beta <= 1.9999999
+        and 1e-20 <= share <= 0.999999
+        and out is None
+        and workers is ONE
+    ):
+        try:
+            return named(Coordinates, _coordinates_of_numbers(alpha, beta, share))
+        except (ArithmeticError, ValueError):
+            pass  # arrays say what is wrong
     return Coordinates(*evaluate(_COORDINATES, (alpha, beta, share), out, workers))
+
+
+def _coordinates_of_numbers(
+    alpha: float,
+    beta: float,
+    share: float,
+    _form: Form = Double,
+) -> tuple[float, ...]:
+    t10 = ((1.0 - alpha) * 2.0) + (2.0 - beta)
+    t14 = (alpha * share) * ((beta * 2.0) / (2.0 - alpha))
+    t15 = beta / t14
+    t21 = ((alpha / t14) * t15) * (1.0 - share)
+    t16 = t15 * 2.0
+    t18 = (t10 * 2.0) / t14
+    t23 = t21 * 8.0
+    return (t14, t10, t16, t18, t23)
 
 
 def _coordinates_block(
@@ -240,6 +270,7 @@ _COORDINATES = Signature(
     ("gamma", "margin", "linear_coefficient", "cubic_coefficient", "hurwitz_determinant"),
     4,
     _coordinates_block,
+    numbers=_coordinates_of_numbers,
 )
 
 
@@ -293,6 +324,25 @@ def gains_of_coordinates(
 
     Source: derivation alpha-beta-gamma
     """
+    if (
+        type(linear_coefficient) is float
+        and type(cubic_coefficient) is float
+        and type(hurwitz_determinant) is float
+        and 1e-20 <= linear_coefficient <= 1e20
+        and 1e-20 <= cubic_coefficient <= 1e20
+        and 1e-20 <= hurwitz_determinant <= 1e20
+        and out is None
+        and workers is ONE
+    ):
+        try:
+            return named(
+                GainsOfCoordinates,
+                _gains_of_coordinates_of_numbers(
+                    linear_coefficient, cubic_coefficient, hurwitz_determinant
+                ),
+            )
+        except (ArithmeticError, ValueError):
+            pass  # arrays say what is wrong
     return GainsOfCoordinates(
         *evaluate(
             _GAINS_OF_COORDINATES,
@@ -301,6 +351,21 @@ def gains_of_coordinates(
             workers,
         )
     )
+
+
+def _gains_of_coordinates_of_numbers(
+    linear_coefficient: float,
+    cubic_coefficient: float,
+    hurwitz_determinant: float,
+    _form: Form = Double,
+) -> tuple[float, ...]:
+    t3 = cubic_coefficient + hurwitz_determinant
+    t4 = t3 / linear_coefficient
+    t8 = ((1.0 + linear_coefficient) + t4) + cubic_coefficient
+    t12 = ((1.0 + t4) * 2.0) / t8
+    t15 = (linear_coefficient * 4.0) / t8
+    t17 = 8.0 / t8
+    return (t12, t15, t17)
 
 
 def _gains_of_coordinates_block(
@@ -335,6 +400,7 @@ _GAINS_OF_COORDINATES = Signature(
     ("alpha", "beta", "gamma"),
     2,
     _gains_of_coordinates_block,
+    numbers=_gains_of_coordinates_of_numbers,
 )
 
 
@@ -444,7 +510,60 @@ def variances(
 
     Source: derivation alpha-beta-gamma
     """
+    if (
+        type(alpha) is float
+        and type(beta) is float
+        and type(share) is float
+        and 1e-20 <= alpha <= 0.999999
+        and 1e-20 <= beta <= 1.9999999
+        and 1e-20 <= share <= 0.999999
+        and out is None
+        and workers is ONE
+    ):
+        try:
+            return named(Variances, _variances_of_numbers(alpha, beta, share))
+        except (ArithmeticError, ValueError):
+            pass  # arrays say what is wrong
     return Variances(*evaluate(_VARIANCES, (alpha, beta, share), out, workers))
+
+
+def _variances_of_numbers(
+    alpha: float,
+    beta: float,
+    share: float,
+    _form: Form = Double,
+) -> tuple[float, ...]:
+    t4 = 1.0 - alpha
+    t6 = 2.0 - alpha
+    t7 = 1.0 - share
+    t8 = t4 * 2.0
+    t10 = t8 + (2.0 - beta)
+    t11 = beta * 2.0
+    t12 = t11 / t6
+    t14 = (alpha * share) * t12
+    t15 = alpha * t7
+    t17 = t12 * (t8 + t15)
+    t19 = share / (t6 * t7)
+    t20 = t15 * t10
+    t21 = t11 + t14
+    t26 = (((beta * 4.0) / t20) + alpha) / t6
+    t27 = beta * t19
+    t29 = (t27 * t21) / t10
+    t31 = (t27 * t17) / t10
+    t41 = (t14 * 2.0) / t10
+    t47 = t20 * 2.0
+    t55 = ((beta * (beta + t14)) / t15) + (t14 * (share / t7))
+    t34 = ((t27 * 4.0) * t14) / t10
+    t42 = (t17 / (t7 * t10)) - (((beta * 0.5) * t17) / t20)
+    t43 = t41 - t31
+    t48 = (((alpha * 2.0) + beta) * t21) / t47
+    t49 = t41 + t29
+    t57 = (t55 * 2.0) / t10
+    t58 = t29 * 2.0
+    t62 = ((t4 * t4) * t26) + (alpha * alpha)
+    t66 = ((t17 * t17) / t47) + (t14 * t19)
+    t67 = t31 * 2.0
+    return (t26, t48, t49, t57, t58, t34, t62, t42, t43, t66, t67)
 
 
 def _variances_block(
@@ -554,6 +673,7 @@ _VARIANCES = Signature(
     ),
     9,
     _variances_block,
+    numbers=_variances_of_numbers,
 )
 
 
@@ -624,6 +744,25 @@ def variances_of_coordinates(
 
     Source: derivation alpha-beta-gamma
     """
+    if (
+        type(linear_coefficient) is float
+        and type(cubic_coefficient) is float
+        and type(hurwitz_determinant) is float
+        and 1e-20 <= linear_coefficient <= 1e20
+        and 1e-20 <= cubic_coefficient <= 1e20
+        and 1e-20 <= hurwitz_determinant <= 1e20
+        and out is None
+        and workers is ONE
+    ):
+        try:
+            return named(
+                VariancesOfCoordinates,
+                _variances_of_coordinates_of_numbers(
+                    linear_coefficient, cubic_coefficient, hurwitz_determinant
+                ),
+            )
+        except (ArithmeticError, ValueError):
+            pass  # arrays say what is wrong
     return VariancesOfCoordinates(
         *evaluate(
             _VARIANCES_OF_COORDINATES,
@@ -632,6 +771,28 @@ def variances_of_coordinates(
             workers,
         )
     )
+
+
+def _variances_of_coordinates_of_numbers(
+    linear_coefficient: float,
+    cubic_coefficient: float,
+    hurwitz_determinant: float,
+    _form: Form = Double,
+) -> tuple[float, ...]:
+    t4 = 1.0 + linear_coefficient
+    t5 = linear_coefficient * t4
+    t6 = cubic_coefficient * hurwitz_determinant
+    t7 = t5 + hurwitz_determinant
+    t8 = t5 * t4
+    t10 = cubic_coefficient * (hurwitz_determinant + t8)
+    t18 = (t4 * (t7 + cubic_coefficient)) * 2.0
+    t14 = (t10 + (t7 * t7)) / (t6 * linear_coefficient)
+    t19 = t18 / t6
+    t22 = (t7 * 4.0) / t6
+    t25 = ((cubic_coefficient + t8) * 4.0) / t6
+    t28 = (t5 * 8.0) / t6
+    t31 = (linear_coefficient * 16.0) / t6
+    return (t14, t19, t22, t25, t28, t31)
 
 
 def _variances_of_coordinates_block(
@@ -687,6 +848,7 @@ _VARIANCES_OF_COORDINATES = Signature(
     ),
     8,
     _variances_of_coordinates_block,
+    numbers=_variances_of_coordinates_of_numbers,
 )
 
 
@@ -765,6 +927,25 @@ def updated_variances_of_coordinates(
 
     Source: derivation alpha-beta-gamma
     """
+    if (
+        type(linear_coefficient) is float
+        and type(cubic_coefficient) is float
+        and type(hurwitz_determinant) is float
+        and 1e-20 <= linear_coefficient <= 1e20
+        and 1e-20 <= cubic_coefficient <= 1e20
+        and 1e-20 <= hurwitz_determinant <= 1e20
+        and out is None
+        and workers is ONE
+    ):
+        try:
+            return named(
+                UpdatedVariancesOfCoordinates,
+                _updated_variances_of_coordinates_of_numbers(
+                    linear_coefficient, cubic_coefficient, hurwitz_determinant
+                ),
+            )
+        except (ArithmeticError, ValueError):
+            pass  # arrays say what is wrong
     return UpdatedVariancesOfCoordinates(
         *evaluate(
             _UPDATED_VARIANCES_OF_COORDINATES,
@@ -773,6 +954,28 @@ def updated_variances_of_coordinates(
             workers,
         )
     )
+
+
+def _updated_variances_of_coordinates_of_numbers(
+    linear_coefficient: float,
+    cubic_coefficient: float,
+    hurwitz_determinant: float,
+    _form: Form = Double,
+) -> tuple[float, ...]:
+    t3 = cubic_coefficient + hurwitz_determinant
+    t6 = (t3 / linear_coefficient) + 1.0
+    t7 = cubic_coefficient * hurwitz_determinant
+    t8 = linear_coefficient * linear_coefficient
+    t11 = (linear_coefficient / t7) * 2.0
+    t14 = ((t6 + 1.0) * linear_coefficient) * t11
+    t17 = hurwitz_determinant + linear_coefficient
+    t24 = linear_coefficient + -1.0
+    t27 = (linear_coefficient * 8.0) / t7
+    t29 = t14 - ((t8 + t6) * t11)
+    t31 = ((t17 / t7) * 4.0) - ((t8 / t7) * 4.0)
+    t33 = (t27 * linear_coefficient) - t27
+    t39 = (((t27 * t24) * t24) * 0.5) + (4.0 / hurwitz_determinant)
+    return (t29, t31, t33, t39)
 
 
 def _updated_variances_of_coordinates_block(
@@ -827,6 +1030,7 @@ _UPDATED_VARIANCES_OF_COORDINATES = Signature(
     ("updated_12", "updated_13", "updated_23", "updated_22"),
     5,
     _updated_variances_of_coordinates_block,
+    numbers=_updated_variances_of_coordinates_of_numbers,
 )
 
 
@@ -958,9 +1162,73 @@ def acceleration_noise_variances(
 
     Source: derivation alpha-beta-gamma
     """
+    if (
+        type(alpha) is float
+        and type(beta) is float
+        and type(share) is float
+        and 1e-20 <= alpha <= 0.999999
+        and 1e-20 <= beta <= 1.9999999
+        and 1e-20 <= share <= 0.999999
+        and out is None
+        and workers is ONE
+    ):
+        try:
+            return named(
+                AccelerationNoiseVariances,
+                _acceleration_noise_variances_of_numbers(alpha, beta, share),
+            )
+        except (ArithmeticError, ValueError):
+            pass  # arrays say what is wrong
     return AccelerationNoiseVariances(
         *evaluate(_ACCELERATION_NOISE_VARIANCES, (alpha, beta, share), out, workers)
     )
+
+
+def _acceleration_noise_variances_of_numbers(
+    alpha: float,
+    beta: float,
+    share: float,
+    _form: Form = Double,
+) -> tuple[float, ...]:
+    t4 = 1.0 - alpha
+    t7 = 1.0 - share
+    t8 = t4 * 2.0
+    t11 = beta * 2.0
+    t12 = t11 / (2.0 - alpha)
+    t14 = (alpha * share) * t12
+    t19 = alpha * 4.0
+    t20 = (t8 + (2.0 - beta)) * 2.0
+    t24 = ((alpha * beta) * t7) * 8.0
+    t25 = t19 + t11
+    t29 = (t19 * t25) / t14
+    t30 = t19 / t14
+    t31 = 8.0 / t24
+    t37 = t11 * 1.0
+    t39 = t20 * ((t20 * 1.0) + t37)
+    t42 = (t19 * t19) / t24
+    t43 = t37 / t14
+    t51 = t19 / t24
+    t52 = 1.0 / t14
+    t60 = ((((t11 + t14) / t14) * t42) + t43) * 8.0
+    t64 = ((t42 + t43) * 16.0) * 0.015625
+    t65 = t4 * 8.0
+    t67 = t65 / t24
+    t72 = (t67 * 2.0) * 0.015625
+    t73 = t30 * t19
+    t79 = (4.0 / t24) * 0.015625
+    t93 = ((t12 * (t8 + (alpha * t7))) / t14) * t42
+    t35 = ((t30 * t31) * 8.0) * 0.015625
+    t50 = ((t29 * 2.0) * t31) * 0.015625
+    t56 = (((t51 + t52) * 8.0) * 4.0) * 0.015625
+    t59 = ((((t29 * t25) + t39) * 4.0) / t24) * 0.015625
+    t61 = t60 * 0.015625
+    t70 = ((t30 * t67) * t65) * 0.015625
+    t99 = (t73 * t72) - ((t30 * t11) * t72)
+    t101 = (((t52 * t65) * 4.0) * 0.015625) - (((t51 * t65) * 4.0) * 0.015625)
+    t103 = ((((t30 * t25) * t25) + t39) * t79) - (((t73 * t11) * 4.0) * t79)
+    t105 = ((t93 * 8.0) * 0.015625) - ((t43 * 8.0) * 0.015625)
+    t107 = t64 - ((t7 + share) * 1.0)
+    return (t35, t50, t56, t59, t61, t64, t70, t99, t101, t103, t105, t107)
 
 
 def _acceleration_noise_variances_block(
@@ -1107,6 +1375,7 @@ _ACCELERATION_NOISE_VARIANCES = Signature(
     ),
     13,
     _acceleration_noise_variances_block,
+    numbers=_acceleration_noise_variances_of_numbers,
 )
 
 
@@ -1230,7 +1499,83 @@ def jerk_noise_variances(
 
     Source: derivation alpha-beta-gamma
     """
+    if (
+        type(alpha) is float
+        and type(beta) is float
+        and type(share) is float
+        and 1e-20 <= alpha <= 0.999999
+        and 1e-20 <= beta <= 1.9999999
+        and 1e-20 <= share <= 0.999999
+        and out is None
+        and workers is ONE
+    ):
+        try:
+            return named(JerkNoiseVariances, _jerk_noise_variances_of_numbers(alpha, beta, share))
+        except (ArithmeticError, ValueError):
+            pass  # arrays say what is wrong
     return JerkNoiseVariances(*evaluate(_JERK_NOISE_VARIANCES, (alpha, beta, share), out, workers))
+
+
+def _jerk_noise_variances_of_numbers(
+    alpha: float,
+    beta: float,
+    share: float,
+    _form: Form = Double,
+) -> tuple[float, ...]:
+    t4 = 1.0 - alpha
+    t6 = 2.0 - alpha
+    t7 = 1.0 - share
+    t8 = t4 * 2.0
+    t10 = t8 + (2.0 - beta)
+    t11 = beta * 2.0
+    t12 = t11 / t6
+    t14 = (alpha * share) * t12
+    t17 = t12 * (t8 + (alpha * t7))
+    t19 = alpha * 4.0
+    t24 = ((alpha * 2.0) * ((beta * t7) + t10)) / t6
+    t25 = t10 * 2.0
+    t29 = ((alpha * beta) * t7) * 8.0
+    t30 = t19 + t11
+    t35 = (t24 * 9.0) + (6.0 * t14)
+    t37 = (t11 * 1.0) / t25
+    t39 = t37 + 1.0
+    t44 = t35 + (t37 * t14)
+    t45 = t11 + t14
+    t47 = (t35 * t30) / t14
+    t48 = t44 / t14
+    t49 = 8.0 / t29
+    t57 = t25 * ((t25 * 9.0) + (t11 * 6.0))
+    t58 = t14 * 1.0
+    t65 = (t19 * t14) * 1.0
+    t69 = (t47 * t30) + (t57 + (((t45 * t45) * t39) + t65))
+    t70 = ((t19 * t35) + ((t39 * t14) * t14)) / t29
+    t72 = (t11 * 9.0) / t14
+    t76 = t70 + t72
+    t78 = ((t47 + (t58 + (t37 * t45))) * 2.0) * t49
+    t80 = t44 / t29
+    t81 = 9.0 / t14
+    t90 = ((((t45 / t14) * t70) + t72) + 9.0) * 8.0
+    t97 = t4 * 8.0
+    t99 = t97 / t29
+    t103 = t35 / t14
+    t105 = (t99 * 2.0) / 576.0
+    t106 = t103 * t19
+    t117 = ((t103 * t30) * t30) + (t57 + (((t17 * t17) * t39) + t65))
+    t119 = (4.0 / t29) / 576.0
+    t136 = ((((t17 / t14) * t70) + 9.0) * 8.0) / 576.0
+    t53 = ((t48 * t49) * 8.0) / 576.0
+    t79 = t78 / 576.0
+    t85 = (((t80 + t81) * 8.0) * 4.0) / 576.0
+    t88 = ((t69 * 4.0) / t29) / 576.0
+    t91 = t90 / 576.0
+    t96 = ((t76 + 18.0) * 16.0) / 576.0
+    t102 = ((t48 * t99) * t97) / 576.0
+    t143 = ((t106 + t58) * t105) - (((t103 * t11) + (t37 * t17)) * t105)
+    t145 = (((t81 * t97) * 4.0) / 576.0) - (((t80 * t97) * 4.0) / 576.0)
+    t147 = (t117 * t119) - (((t106 * t11) * 4.0) * t119)
+    t149 = t136 - ((t72 * 8.0) / 576.0)
+    t151 = ((t76 * 16.0) / 576.0) - ((t7 + share) * 0.5)
+    return (t53, t79, t85, t88, t91, t96, t102, t143, t145, t147, t149, t151)
 
 
 def _jerk_noise_variances_block(
@@ -1421,6 +1766,7 @@ _JERK_NOISE_VARIANCES = Signature(
     ),
     18,
     _jerk_noise_variances_block,
+    numbers=_jerk_noise_variances_of_numbers,
 )
 
 
@@ -1544,9 +1890,88 @@ def white_jerk_noise_variances(
 
     Source: derivation alpha-beta-gamma
     """
+    if (
+        type(alpha) is float
+        and type(beta) is float
+        and type(share) is float
+        and 1e-20 <= alpha <= 0.999999
+        and 1e-20 <= beta <= 1.9999999
+        and 1e-20 <= share <= 0.999999
+        and out is None
+        and workers is ONE
+    ):
+        try:
+            return named(
+                WhiteJerkNoiseVariances, _white_jerk_noise_variances_of_numbers(alpha, beta, share)
+            )
+        except (ArithmeticError, ValueError):
+            pass  # arrays say what is wrong
     return WhiteJerkNoiseVariances(
         *evaluate(_WHITE_JERK_NOISE_VARIANCES, (alpha, beta, share), out, workers)
     )
+
+
+def _white_jerk_noise_variances_of_numbers(
+    alpha: float,
+    beta: float,
+    share: float,
+    _form: Form = Double,
+) -> tuple[float, ...]:
+    t4 = 1.0 - alpha
+    t6 = 2.0 - alpha
+    t7 = 1.0 - share
+    t8 = t4 * 2.0
+    t10 = t8 + (2.0 - beta)
+    t11 = beta * 2.0
+    t12 = t11 / t6
+    t14 = (alpha * share) * t12
+    t17 = t12 * (t8 + (alpha * t7))
+    t19 = alpha * 4.0
+    t24 = ((alpha * 2.0) * ((beta * t7) + t10)) / t6
+    t25 = t10 * 2.0
+    t29 = ((alpha * beta) * t7) * 8.0
+    t30 = t19 + t11
+    t34 = (t24 * 15.0) + (15.0 * t14)
+    t36 = (t11 * 2.0) / t25
+    t38 = t36 + 2.0
+    t43 = t34 + (t36 * t14)
+    t44 = t11 + t14
+    t46 = (t34 * t30) / t14
+    t47 = t43 / t14
+    t48 = 8.0 / t29
+    t54 = t11 * 15.0
+    t56 = t25 * ((t25 * 15.0) + t54)
+    t57 = t14 * 2.0
+    t64 = (t19 * t14) * 2.0
+    t68 = (t46 * t30) + (t56 + (((t44 * t44) * t38) + t64))
+    t69 = ((t19 * t34) + ((t38 * t14) * t14)) / t29
+    t70 = t54 / t14
+    t74 = t69 + t70
+    t76 = ((t46 + (t57 + (t36 * t44))) * 2.0) * t48
+    t78 = t43 / t29
+    t79 = 15.0 / t14
+    t89 = ((((t44 / t14) * t69) + t70) + 10.0) * 8.0
+    t96 = t4 * 8.0
+    t98 = t96 / t29
+    t102 = t34 / t14
+    t104 = (t98 * 2.0) / 960.0
+    t105 = t102 * t19
+    t116 = ((t102 * t30) * t30) + (t56 + (((t17 * t17) * t38) + t64))
+    t118 = (4.0 / t29) / 960.0
+    t135 = ((((t17 / t14) * t69) + 10.0) * 8.0) / 960.0
+    t52 = ((t47 * t48) * 8.0) / 960.0
+    t77 = t76 / 960.0
+    t83 = (((t78 + t79) * 8.0) * 4.0) / 960.0
+    t86 = ((t68 * 4.0) / t29) / 960.0
+    t90 = t89 / 960.0
+    t95 = ((t74 + 30.0) * 16.0) / 960.0
+    t101 = ((t47 * t98) * t96) / 960.0
+    t142 = ((t105 + t57) * t104) - (((t102 * t11) + (t36 * t17)) * t104)
+    t144 = (((t79 * t96) * 4.0) / 960.0) - (((t78 * t96) * 4.0) / 960.0)
+    t146 = (t116 * t118) - (((t105 * t11) * 4.0) * t118)
+    t148 = t135 - ((t70 * 8.0) / 960.0)
+    t150 = ((t74 * 16.0) / 960.0) - ((t7 + share) * 0.5)
+    return (t52, t77, t83, t86, t90, t95, t101, t142, t144, t146, t148, t150)
 
 
 def _white_jerk_noise_variances_block(
@@ -1736,6 +2161,7 @@ _WHITE_JERK_NOISE_VARIANCES = Signature(
     ),
     18,
     _white_jerk_noise_variances_block,
+    numbers=_white_jerk_noise_variances_of_numbers,
 )
 
 
@@ -1813,6 +2239,25 @@ def acceleration_noise_variances_of_coordinates(
 
     Source: derivation alpha-beta-gamma
     """
+    if (
+        type(linear_coefficient) is float
+        and type(cubic_coefficient) is float
+        and type(hurwitz_determinant) is float
+        and 1e-20 <= linear_coefficient <= 1e20
+        and 1e-20 <= cubic_coefficient <= 1e20
+        and 1e-20 <= hurwitz_determinant <= 1e20
+        and out is None
+        and workers is ONE
+    ):
+        try:
+            return named(
+                AccelerationNoiseVariancesOfCoordinates,
+                _acceleration_noise_variances_of_coordinates_of_numbers(
+                    linear_coefficient, cubic_coefficient, hurwitz_determinant
+                ),
+            )
+        except (ArithmeticError, ValueError):
+            pass  # arrays say what is wrong
     return AccelerationNoiseVariancesOfCoordinates(
         *evaluate(
             _ACCELERATION_NOISE_VARIANCES_OF_COORDINATES,
@@ -1821,6 +2266,33 @@ def acceleration_noise_variances_of_coordinates(
             workers,
         )
     )
+
+
+def _acceleration_noise_variances_of_coordinates_of_numbers(
+    linear_coefficient: float,
+    cubic_coefficient: float,
+    hurwitz_determinant: float,
+    _form: Form = Double,
+) -> tuple[float, ...]:
+    t3 = cubic_coefficient + hurwitz_determinant
+    t6 = (t3 / linear_coefficient) + 1.0
+    t7 = t6 + linear_coefficient
+    t8 = t7 + cubic_coefficient
+    t11 = t6 * t7
+    t12 = t8 / hurwitz_determinant
+    t18 = linear_coefficient * 1.0
+    t20 = cubic_coefficient * ((cubic_coefficient * 1.0) + t18)
+    t23 = (t6 * t6) / hurwitz_determinant
+    t25 = ((linear_coefficient + 1.0) * t23) + t18
+    t33 = ((t6 / hurwitz_determinant) + 1.0) * t8
+    t38 = (((t11 * t7) + t20) * 4.0) / hurwitz_determinant
+    t16 = ((t6 * t12) * t8) * 0.015625
+    t30 = ((t11 * 2.0) * t12) * 0.015625
+    t36 = (t33 * 4.0) * 0.015625
+    t39 = t38 * 0.015625
+    t42 = (t25 * 8.0) * 0.015625
+    t45 = ((t23 + t18) * 16.0) * 0.015625
+    return (t16, t30, t36, t39, t42, t45)
 
 
 def _acceleration_noise_variances_of_coordinates_block(
@@ -1890,6 +2362,7 @@ _ACCELERATION_NOISE_VARIANCES_OF_COORDINATES = Signature(
     ),
     8,
     _acceleration_noise_variances_of_coordinates_block,
+    numbers=_acceleration_noise_variances_of_coordinates_of_numbers,
 )
 
 
@@ -1966,6 +2439,25 @@ def jerk_noise_variances_of_coordinates(
 
     Source: derivation alpha-beta-gamma
     """
+    if (
+        type(linear_coefficient) is float
+        and type(cubic_coefficient) is float
+        and type(hurwitz_determinant) is float
+        and 1e-20 <= linear_coefficient <= 1e20
+        and 1e-20 <= cubic_coefficient <= 1e20
+        and 1e-20 <= hurwitz_determinant <= 1e20
+        and out is None
+        and workers is ONE
+    ):
+        try:
+            return named(
+                JerkNoiseVariancesOfCoordinates,
+                _jerk_noise_variances_of_coordinates_of_numbers(
+                    linear_coefficient, cubic_coefficient, hurwitz_determinant
+                ),
+            )
+        except (ArithmeticError, ValueError):
+            pass  # arrays say what is wrong
     return JerkNoiseVariancesOfCoordinates(
         *evaluate(
             _JERK_NOISE_VARIANCES_OF_COORDINATES,
@@ -1974,6 +2466,40 @@ def jerk_noise_variances_of_coordinates(
             workers,
         )
     )
+
+
+def _jerk_noise_variances_of_coordinates_of_numbers(
+    linear_coefficient: float,
+    cubic_coefficient: float,
+    hurwitz_determinant: float,
+    _form: Form = Double,
+) -> tuple[float, ...]:
+    t3 = cubic_coefficient + hurwitz_determinant
+    t4 = t3 / linear_coefficient
+    t6 = t4 + 1.0
+    t7 = t6 + linear_coefficient
+    t8 = t7 + cubic_coefficient
+    t12 = (t4 * 9.0) + 6.0
+    t14 = (linear_coefficient * 1.0) / cubic_coefficient
+    t16 = t14 + 1.0
+    t18 = t12 + t14
+    t19 = linear_coefficient + 1.0
+    t20 = t12 * t7
+    t21 = t8 / hurwitz_determinant
+    t28 = (cubic_coefficient * 9.0) + (linear_coefficient * 6.0)
+    t37 = (cubic_coefficient * t28) + (((t19 * t19) * t16) + (t6 * 1.0))
+    t40 = ((t6 * t12) + t16) / hurwitz_determinant
+    t41 = linear_coefficient * 9.0
+    t47 = ((t20 + (1.0 + (t14 * t19))) * 2.0) * t21
+    t51 = ((t18 / hurwitz_determinant) + 9.0) * t8
+    t56 = (((t20 * t7) + t37) * 4.0) / hurwitz_determinant
+    t25 = ((t18 * t21) * t8) / 576.0
+    t48 = t47 / 576.0
+    t54 = (t51 * 4.0) / 576.0
+    t57 = t56 / 576.0
+    t61 = ((((t19 * t40) + t41) + 9.0) * 8.0) / 576.0
+    t66 = (((t40 + t41) + 18.0) * 16.0) / 576.0
+    return (t25, t48, t54, t57, t61, t66)
 
 
 def _jerk_noise_variances_of_coordinates_block(
@@ -2064,6 +2590,7 @@ _JERK_NOISE_VARIANCES_OF_COORDINATES = Signature(
     ),
     10,
     _jerk_noise_variances_of_coordinates_block,
+    numbers=_jerk_noise_variances_of_coordinates_of_numbers,
 )
 
 
@@ -2140,6 +2667,25 @@ def white_jerk_noise_variances_of_coordinates(
 
     Source: derivation alpha-beta-gamma
     """
+    if (
+        type(linear_coefficient) is float
+        and type(cubic_coefficient) is float
+        and type(hurwitz_determinant) is float
+        and 1e-20 <= linear_coefficient <= 1e20
+        and 1e-20 <= cubic_coefficient <= 1e20
+        and 1e-20 <= hurwitz_determinant <= 1e20
+        and out is None
+        and workers is ONE
+    ):
+        try:
+            return named(
+                WhiteJerkNoiseVariancesOfCoordinates,
+                _white_jerk_noise_variances_of_coordinates_of_numbers(
+                    linear_coefficient, cubic_coefficient, hurwitz_determinant
+                ),
+            )
+        except (ArithmeticError, ValueError):
+            pass  # arrays say what is wrong
     return WhiteJerkNoiseVariancesOfCoordinates(
         *evaluate(
             _WHITE_JERK_NOISE_VARIANCES_OF_COORDINATES,
@@ -2148,6 +2694,40 @@ def white_jerk_noise_variances_of_coordinates(
             workers,
         )
     )
+
+
+def _white_jerk_noise_variances_of_coordinates_of_numbers(
+    linear_coefficient: float,
+    cubic_coefficient: float,
+    hurwitz_determinant: float,
+    _form: Form = Double,
+) -> tuple[float, ...]:
+    t3 = cubic_coefficient + hurwitz_determinant
+    t4 = t3 / linear_coefficient
+    t6 = t4 + 1.0
+    t7 = t6 + linear_coefficient
+    t8 = t7 + cubic_coefficient
+    t11 = (t4 * 15.0) + 15.0
+    t14 = (linear_coefficient * 2.0) / cubic_coefficient
+    t16 = t14 + 2.0
+    t18 = t11 + t14
+    t19 = linear_coefficient + 1.0
+    t20 = t11 * t7
+    t21 = t8 / hurwitz_determinant
+    t27 = linear_coefficient * 15.0
+    t29 = cubic_coefficient * ((cubic_coefficient * 15.0) + t27)
+    t37 = t29 + (((t19 * t19) * t16) + (t6 * 2.0))
+    t40 = ((t6 * t11) + t16) / hurwitz_determinant
+    t45 = ((t20 + (2.0 + (t14 * t19))) * 2.0) * t21
+    t49 = ((t18 / hurwitz_determinant) + 15.0) * t8
+    t54 = (((t20 * t7) + t37) * 4.0) / hurwitz_determinant
+    t25 = ((t18 * t21) * t8) / 960.0
+    t46 = t45 / 960.0
+    t52 = (t49 * 4.0) / 960.0
+    t55 = t54 / 960.0
+    t60 = ((((t19 * t40) + t27) + 10.0) * 8.0) / 960.0
+    t65 = (((t40 + t27) + 30.0) * 16.0) / 960.0
+    return (t25, t46, t52, t55, t60, t65)
 
 
 def _white_jerk_noise_variances_of_coordinates_block(
@@ -2237,6 +2817,7 @@ _WHITE_JERK_NOISE_VARIANCES_OF_COORDINATES = Signature(
     ),
     11,
     _white_jerk_noise_variances_of_coordinates_block,
+    numbers=_white_jerk_noise_variances_of_coordinates_of_numbers,
 )
 
 
@@ -2309,7 +2890,43 @@ def lags(
 
     Source: derivation alpha-beta-gamma
     """
+    if (
+        type(alpha) is float
+        and type(beta) is float
+        and type(share) is float
+        and 1e-20 <= alpha <= 0.999999
+        and 1e-20 <= beta <= 1.9999999
+        and 1e-20 <= share <= 0.999999
+        and out is None
+        and workers is ONE
+    ):
+        try:
+            return named(Lags, _lags_of_numbers(alpha, beta, share))
+        except (ArithmeticError, ValueError):
+            pass  # arrays say what is wrong
     return Lags(*evaluate(_LAGS, (alpha, beta, share), out, workers))
+
+
+def _lags_of_numbers(
+    alpha: float,
+    beta: float,
+    share: float,
+    _form: Form = Double,
+) -> tuple[float, ...]:
+    t4 = 1.0 - alpha
+    t10 = (beta * 2.0) / (2.0 - alpha)
+    t12 = (alpha * share) * t10
+    t15 = t10 * ((t4 * 2.0) + (alpha * (1.0 - share)))
+    t18 = (alpha / t12) + 0.08333333333333333
+    t19 = t12 * 2.0
+    t20 = beta / t19
+    t21 = t18 - t20
+    t22 = 1.0 / t12
+    t23 = t18 + t20
+    t26 = (beta / t12) + 0.5
+    t27 = t4 / t12
+    t28 = t15 / t19
+    return (t22, t23, t26, t27, t21, t28)
 
 
 def _lags_block(
@@ -2369,6 +2986,7 @@ _LAGS = Signature(
     ),
     5,
     _lags_block,
+    numbers=_lags_of_numbers,
 )
 
 
@@ -2446,7 +3064,43 @@ def closed_loop_poles(
 
     Source: derivation alpha-beta-gamma
     """
+    if (
+        type(alpha) is float
+        and type(beta) is float
+        and type(gamma) is float
+        and 1e-20 <= alpha <= 2.0
+        and 1e-20 <= beta <= 4.0
+        and 1e-20 <= gamma <= 8.0
+        and out is None
+        and workers is ONE
+    ):
+        try:
+            return named(ClosedLoopPoles, _closed_loop_poles_of_numbers(alpha, beta, gamma))
+        except (ArithmeticError, ValueError):
+            pass  # arrays say what is wrong
     return ClosedLoopPoles(*evaluate(_CLOSED_LOOP_POLES, (alpha, beta, gamma), out, workers))
+
+
+def _closed_loop_poles_of_numbers(
+    alpha: float,
+    beta: float,
+    gamma: float,
+    _form: Form = Double,
+) -> tuple[float, ...]:
+    t4 = gamma * 0.5
+    t6 = (alpha + beta) + t4
+    t8 = (beta + gamma) + t4
+    t9 = t6 * t6
+    t10 = t6 * t8
+    t17 = t9 * t6
+    t26 = (((t8 * t8) * t8) + (t17 * gamma)) * 4.0
+    t35 = ((t10 + (gamma * 18.0)) * t10) / 108.0
+    t36 = (t26 + ((gamma * gamma) * 27.0)) / 108.0
+    t37 = t6 / 3.0
+    t38 = (t9 / 9.0) - (t8 / 3.0)
+    t40 = (t10 / 6.0) - ((t17 / 27.0) + t4)
+    t42 = t35 - t36
+    return (t37, t38, t40, t42)
 
 
 def _closed_loop_poles_block(
@@ -2504,6 +3158,7 @@ _CLOSED_LOOP_POLES = Signature(
     ("mean_distance", "reduced_linear", "reduced_constant", "discriminant"),
     5,
     _closed_loop_poles_block,
+    numbers=_closed_loop_poles_of_numbers,
 )
 
 
@@ -2556,7 +3211,37 @@ def minimum_variance_by_lag(
 
     Source: derivation alpha-beta-gamma
     """
+    if type(lag) is float and 0.12500000000000003 <= lag <= 1e30 and out is None and workers is ONE:
+        try:
+            return named(MinimumVarianceByLag, _minimum_variance_by_lag_of_numbers(lag))
+        except (ArithmeticError, ValueError):
+            pass  # arrays say what is wrong
     return MinimumVarianceByLag(*evaluate(_MINIMUM_VARIANCE_BY_LAG, (lag,), out, workers))
+
+
+def _minimum_variance_by_lag_of_numbers(lag: float, form: Form = Double) -> tuple[float, ...]:
+    t1 = form.near_cbrt(lag)
+    t4 = form.sqrt(lag * t1)
+    t5 = form.sqrt(t4)
+    t7 = lag * 0.25
+    t8 = t4 * t5
+    t13 = ((t5 * t8) - (t7 * t1)) / (t8 - t7)
+    t16 = form.sqrt(lag * t13)
+    t17 = form.sqrt(t16)
+    t18 = t16 * t17
+    t23 = ((t17 * t18) - (t7 * t13)) / (t18 - t7)
+    t26 = form.sqrt(lag * t23)
+    t27 = form.sqrt(t26)
+    t28 = t26 * t27
+    t33 = ((t27 * t28) - (t7 * t23)) / (t28 - t7)
+    t39 = form.sqrt(form.sqrt(lag * t33)) * 2.0
+    t48 = ((lag * 8.0) + -1.0) / (((t39 + 1.0) * t39) + 1.0)
+    t50 = t48 * (t48 + 1.0)
+    t55 = ((t50 * 2.0) + 1.0) / (lag * 4.0)
+    t57 = t48 / (lag * 2.0)
+    t58 = 1.0 / lag
+    t64 = ((((t50 * 3.0) + 1.0) / t48) / t48) / t48
+    return (t55, t57, t58, t64)
 
 
 def _minimum_variance_by_lag_block(
@@ -2646,6 +3331,7 @@ _MINIMUM_VARIANCE_BY_LAG = Signature(
     ),
     2,
     _minimum_variance_by_lag_block,
+    numbers=_minimum_variance_by_lag_of_numbers,
 )
 
 
@@ -2700,7 +3386,56 @@ def random_acceleration_by_lag(
 
     Source: derivation alpha-beta-gamma
     """
+    if type(lag) is float and 0.5000000000000001 <= lag <= 1e30 and out is None and workers is ONE:
+        try:
+            return named(RandomAccelerationByLag, _random_acceleration_by_lag_of_numbers(lag))
+        except (ArithmeticError, ValueError):
+            pass  # arrays say what is wrong
     return RandomAccelerationByLag(*evaluate(_RANDOM_ACCELERATION_BY_LAG, (lag,), out, workers))
+
+
+def _random_acceleration_by_lag_of_numbers(lag: float, form: Form = Double) -> tuple[float, ...]:
+    t2 = lag * 0.5
+    t5 = form.near_cbrt(lag) + 0.18
+    t8 = t5 * 0.25
+    t9 = t8 + lag
+    t12 = form.sqrt((t9 * t5) + t2)
+    t13 = form.sqrt(t12)
+    t17 = t8 + ((t9 * 4.0) * 0.25)
+    t19 = (t12 * 4.0) * t13
+    t24 = ((t13 * t19) - (t17 * t5)) / (t19 - t17)
+    t26 = t24 * 0.25
+    t27 = t26 + lag
+    t30 = form.sqrt((t27 * t24) + t2)
+    t31 = form.sqrt(t30)
+    t34 = t26 + ((t27 * 4.0) * 0.25)
+    t36 = (t30 * 4.0) * t31
+    t41 = ((t31 * t36) - (t34 * t24)) / (t36 - t34)
+    t43 = t41 * 0.25
+    t44 = t43 + lag
+    t47 = form.sqrt((t44 * t41) + t2)
+    t48 = form.sqrt(t47)
+    t51 = t43 + ((t44 * 4.0) * 0.25)
+    t53 = (t47 * 4.0) * t48
+    t58 = ((t48 * t53) - (t51 * t41)) / (t53 - t51)
+    t60 = t58 * 0.25
+    t61 = t60 + lag
+    t64 = form.sqrt((t61 * t58) + t2)
+    t65 = form.sqrt(t64)
+    t68 = t60 + ((t61 * 4.0) * 0.25)
+    t70 = (t64 * 4.0) * t65
+    t75 = ((t65 * t70) - (t68 * t58)) / (t70 - t68)
+    t81 = form.sqrt((((t75 * 0.25) + lag) * t75) + t2)
+    t82 = form.sqrt(t81)
+    t83 = t82 * t82
+    t85 = (lag * 4.0) / t83
+    t97 = (((lag * 2.0) + -1.0) * 32.0) / (((t85 + 6.0) * t85) + 16.0)
+    t103 = ((((t85 * 5.0) + 6.0) * 4.0) * t85) / t97
+    t110 = t103 / (((t97 * (t85 + 2.0)) * 3.0) + 8.0)
+    t112 = t85 / (t83 * 2.0)
+    t113 = 2.0 / t83
+    t114 = 1.0 / lag
+    return (t112, t113, t114, t110)
 
 
 def _random_acceleration_by_lag_block(
@@ -2840,6 +3575,7 @@ _RANDOM_ACCELERATION_BY_LAG = Signature(
     ),
     5,
     _random_acceleration_by_lag_block,
+    numbers=_random_acceleration_by_lag_of_numbers,
 )
 
 
@@ -2889,7 +3625,98 @@ def random_jerk_by_lag(
 
     Source: derivation alpha-beta-gamma
     """
+    if type(lag) is float and 0.5390625000000001 <= lag <= 1e30 and out is None and workers is ONE:
+        try:
+            return named(RandomJerkByLag, _random_jerk_by_lag_of_numbers(lag))
+        except (ArithmeticError, ValueError):
+            pass  # arrays say what is wrong
     return RandomJerkByLag(*evaluate(_RANDOM_JERK_BY_LAG, (lag,), out, workers))
+
+
+def _random_jerk_by_lag_of_numbers(lag: float, form: Form = Double) -> tuple[float, ...]:
+    t2 = lag * 4.0
+    t4 = form.near_cbrt(t2)
+    t7 = form.sqrt(t2 * t4)
+    t8 = form.sqrt(t7)
+    t10 = t2 * 0.25
+    t11 = t7 * t8
+    t16 = ((t8 * t11) - (t10 * t4)) / (t11 - t10)
+    t19 = form.sqrt(t2 * t16)
+    t20 = form.sqrt(t19)
+    t21 = t19 * t20
+    t26 = ((t20 * t21) - (t10 * t16)) / (t21 - t10)
+    t29 = form.sqrt(t2 * t26)
+    t30 = form.sqrt(t29)
+    t31 = t29 * t30
+    t36 = ((t30 * t31) - (t10 * t26)) / (t31 - t10)
+    t40 = form.sqrt(form.sqrt(t2 * t36))
+    t44 = t40 + 1.0
+    t47 = (t2 + -1.0) / ((t44 * t40) + 1.0)
+    t48 = t40 * t40
+    t51 = t48 * ((t40 * t47) + 0.3333333333333333)
+    t52 = t47 * t44
+    t61 = ((t52 + 0.6666666666666666) * t40) * 2.0
+    t70 = (((t40 + 0.64) * t40) + 0.2) / ((t48 * t40) * 0.26)
+    t71 = t61 / t51
+    t72 = ((t52 * 6.0) + 5.666666666666667) / t51
+    t74 = (t40 * 4.0) / t51
+    t75 = 1.0 / t51
+    t77 = (t71 * t71) + t72
+    t81 = ((t71 * t77) + (t72 * t71)) + t74
+    t86 = ((t71 * t81) + (t72 * t77)) + (t74 * t71)
+    t87 = t86 + t75
+    t92 = ((t71 * t87) + (t72 * t81)) + (t74 * t77)
+    t94 = t92 + (t75 * t71)
+    t99 = ((t72 * t87) + (t74 * t81)) + (t75 * t77)
+    t102 = (t74 * t87) + (t75 * t81)
+    t103 = t75 * t87
+    t105 = t94 * t70
+    t107 = (t105 + t99) * t70
+    t108 = t107 + t102
+    t111 = form.sqrt((t108 * t70) + t103)
+    t112 = form.sqrt(t111)
+    t113 = form.sqrt(t112)
+    t119 = ((t105 * t70) * 0.125) + (t107 * 0.125)
+    t120 = t119 + (t108 * 0.125)
+    t122 = (t111 * t112) * t113
+    t127 = ((t113 * t122) - (t120 * t70)) / (t122 - t120)
+    t129 = t94 * t127
+    t131 = (t129 + t99) * t127
+    t132 = t131 + t102
+    t135 = form.sqrt((t132 * t127) + t103)
+    t136 = form.sqrt(t135)
+    t137 = form.sqrt(t136)
+    t142 = ((t129 * t127) * 0.125) + (t131 * 0.125)
+    t143 = t142 + (t132 * 0.125)
+    t145 = (t135 * t136) * t137
+    t150 = ((t137 * t145) - (t143 * t127)) / (t145 - t143)
+    t152 = t94 * t150
+    t154 = (t152 + t99) * t150
+    t155 = t154 + t102
+    t158 = form.sqrt((t155 * t150) + t103)
+    t159 = form.sqrt(t158)
+    t160 = form.sqrt(t159)
+    t165 = ((t152 * t150) * 0.125) + (t154 * 0.125)
+    t166 = t165 + (t155 * 0.125)
+    t168 = (t158 * t159) * t160
+    t173 = ((t160 * t168) - (t166 * t150)) / (t168 - t166)
+    t175 = t94 * t173
+    t177 = (t175 + t99) * t173
+    t178 = t177 + t102
+    t181 = form.sqrt((t178 * t173) + t103)
+    t182 = form.sqrt(t181)
+    t183 = form.sqrt(t182)
+    t188 = ((t175 * t173) * 0.125) + (t177 * 0.125)
+    t189 = t188 + (t178 * 0.125)
+    t191 = (t181 * t182) * t183
+    t196 = ((t183 * t191) - (t189 * t173)) / (t191 - t189)
+    t202 = ((((t94 * t196) + t99) * t196) + t102) * t196
+    t206 = form.sqrt(form.sqrt(form.sqrt(t202 + t103)))
+    t210 = ((t47 + (1.0 / t206)) * 2.0) + 1.0
+    t217 = (((t210 * t210) * 3.0) + 1.0) / (lag * 24.0)
+    t219 = t210 / (lag * 2.0)
+    t220 = 1.0 / lag
+    return (t217, t219, t220)
 
 
 def _random_jerk_by_lag_block(
@@ -3120,6 +3947,7 @@ _RANDOM_JERK_BY_LAG = Signature(
     ("random_jerk_alpha", "random_jerk_beta", "random_jerk_gamma"),
     9,
     _random_jerk_by_lag_block,
+    numbers=_random_jerk_by_lag_of_numbers,
 )
 
 
@@ -3168,7 +3996,28 @@ def random_acceleration_by_gain(
 
     Source: derivation alpha-beta-gamma
     """
+    if (
+        type(alpha) is float
+        and 1e-15 <= alpha <= 0.9999999999999999
+        and out is None
+        and workers is ONE
+    ):
+        try:
+            return named(RandomAccelerationByGain, _random_acceleration_by_gain_of_numbers(alpha))
+        except (ArithmeticError, ValueError):
+            pass  # arrays say what is wrong
     return RandomAccelerationByGain(*evaluate(_RANDOM_ACCELERATION_BY_GAIN, (alpha,), out, workers))
+
+
+def _random_acceleration_by_gain_of_numbers(alpha: float, form: Form = Double) -> tuple[float, ...]:
+    t3 = form.sqrt(1.0 - alpha)
+    t5 = alpha / (t3 + 1.0)
+    t6 = t5 * t5
+    t13 = t3 + 4.0
+    t8 = t6 * 2.0
+    t11 = ((t6 * t6) * 2.0) / alpha
+    t18 = (alpha * t13) / (t3 * ((t13 * t3) + 1.0))
+    return (t8, t11, t18)
 
 
 def _random_acceleration_by_gain_block(
@@ -3206,6 +4055,7 @@ _RANDOM_ACCELERATION_BY_GAIN = Signature(
     ("random_acceleration_beta", "random_acceleration_gamma", "random_acceleration_predicted_11"),
     3,
     _random_acceleration_by_gain_block,
+    numbers=_random_acceleration_by_gain_of_numbers,
 )
 
 
@@ -3256,7 +4106,102 @@ def random_jerk_by_gain(
 
     Source: derivation alpha-beta-gamma
     """
+    if (
+        type(alpha) is float
+        and 1e-15 <= alpha <= 0.9999999999999999
+        and out is None
+        and workers is ONE
+    ):
+        try:
+            return named(RandomJerkByGain, _random_jerk_by_gain_of_numbers(alpha))
+        except (ArithmeticError, ValueError):
+            pass  # arrays say what is wrong
     return RandomJerkByGain(*evaluate(_RANDOM_JERK_BY_GAIN, (alpha,), out, workers))
+
+
+def _random_jerk_by_gain_of_numbers(alpha: float, form: Form = Double) -> tuple[float, ...]:
+    t2 = 1.0 - alpha
+    t4 = alpha * 3.0
+    t7 = (t2 * 17.0) + 1.0
+    t17 = t7 + (((t2 * alpha) * 1.6) / (t2 + 0.075))
+    t20 = form.sqrt(((t2 * t2) * 36.0) + (t4 * t17))
+    t25 = alpha * alpha
+    t27 = t2 * 4.0
+    t29 = (t7 * alpha) / 3.0
+    t33 = ((t2 * 10.0) * t25) / 3.0
+    t38 = ((t2 * 2.0) * (t25 * alpha)) / 3.0
+    t40 = (t27 * t27) + t29
+    t44 = ((t27 * t40) + (t29 * t27)) + t33
+    t49 = ((t27 * t44) + (t29 * t40)) + (t33 * t27)
+    t50 = t49 + t38
+    t55 = ((t27 * t50) + (t29 * t44)) + (t33 * t40)
+    t57 = t55 + (t38 * t27)
+    t62 = ((t29 * t50) + (t33 * t44)) + (t38 * t40)
+    t65 = (t33 * t50) + (t38 * t44)
+    t66 = t38 * t50
+    t67 = (((t2 * 6.0) + t20) / t4) * alpha
+    t69 = t57 * t67
+    t71 = (t69 + t62) * t67
+    t72 = t71 + t65
+    t75 = form.sqrt((t72 * t67) + t66)
+    t76 = form.sqrt(t75)
+    t77 = form.sqrt(t76)
+    t83 = ((t69 * t67) * 0.125) + (t71 * 0.125)
+    t84 = t83 + (t72 * 0.125)
+    t86 = (t75 * t76) * t77
+    t91 = ((t77 * t86) - (t84 * t67)) / (t86 - t84)
+    t93 = t57 * t91
+    t95 = (t93 + t62) * t91
+    t96 = t95 + t65
+    t99 = form.sqrt((t96 * t91) + t66)
+    t100 = form.sqrt(t99)
+    t101 = form.sqrt(t100)
+    t106 = ((t93 * t91) * 0.125) + (t95 * 0.125)
+    t107 = t106 + (t96 * 0.125)
+    t109 = (t99 * t100) * t101
+    t114 = ((t101 * t109) - (t107 * t91)) / (t109 - t107)
+    t116 = t57 * t114
+    t118 = (t116 + t62) * t114
+    t119 = t118 + t65
+    t122 = form.sqrt((t119 * t114) + t66)
+    t123 = form.sqrt(t122)
+    t124 = form.sqrt(t123)
+    t129 = ((t116 * t114) * 0.125) + (t118 * 0.125)
+    t130 = t129 + (t119 * 0.125)
+    t132 = (t122 * t123) * t124
+    t137 = ((t124 * t132) - (t130 * t114)) / (t132 - t130)
+    t139 = t57 * t137
+    t141 = (t139 + t62) * t137
+    t142 = t141 + t65
+    t145 = form.sqrt((t142 * t137) + t66)
+    t146 = form.sqrt(t145)
+    t147 = form.sqrt(t146)
+    t152 = ((t139 * t137) * 0.125) + (t141 * 0.125)
+    t153 = t152 + (t142 * 0.125)
+    t155 = (t145 * t146) * t147
+    t160 = ((t147 * t155) - (t153 * t137)) / (t155 - t153)
+    t166 = ((((t57 * t160) + t62) * t160) + t65) * t160
+    t170 = form.sqrt(form.sqrt(form.sqrt(t166 + t66)))
+    t171 = t170 / alpha
+    t173 = (t171 * 2.0) + 1.0
+    t174 = t171 + 1.0
+    t175 = t174 * t174
+    t176 = t171 * 3.0
+    t179 = ((t176 + 6.0) * t171) + 2.0
+    t180 = t175 * t179
+    t185 = t173 * 3.0
+    t186 = ((t2 * (t175 / t171)) * (t179 / t171)) * t175
+    t194 = ((t176 + 1.0) * (t176 + 2.0)) * (t171 * t174)
+    t196 = (t194 * 2.0) / t185
+    t203 = t173 + 1.0
+    t204 = t173 * t203
+    t205 = t204 + t196
+    t209 = t205 / (((t186 * 2.0) + t173) / t185)
+    t212 = ((t196 + (t204 * t203)) / t196) + (t209 * (t205 / t196))
+    t199 = ((t173 * t173) * 6.0) / t180
+    t202 = (t173 * 12.0) / t180
+    t213 = t212 / t173
+    return (t199, t202, t213)
 
 
 def _random_jerk_by_gain_block(
@@ -3484,4 +4429,5 @@ _RANDOM_JERK_BY_GAIN = Signature(
     ("random_jerk_beta", "random_jerk_gamma", "random_jerk_predicted_11"),
     9,
     _random_jerk_by_gain_block,
+    numbers=_random_jerk_by_gain_of_numbers,
 )

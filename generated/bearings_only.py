@@ -6,17 +6,17 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from numpy import add, arctan2, divide, multiply, sqrt, square, subtract
+from numpy import add, arctan2, divide, errstate, multiply, sqrt, square, subtract
 
+from gainproof.generated._numbers import ONE, Double, named
 from gainproof.generated._runtime import evaluate
 from gainproof.generated._signature import Domain, Required, Signature
 
 if TYPE_CHECKING:
     from typing import NamedTuple
 
-    from numpy.typing import ArrayLike
-
-    from gainproof.generated._signature import Arrays, Real
+    from gainproof.generated._numbers import Form
+    from gainproof.generated._signature import ArrayLike, Arrays, Real
 else:
     from gainproof.generated._result import NamedTuple
 
@@ -126,7 +126,40 @@ def bearing(
 
     Source: the definitions of the angles
     """
+    if (
+        type(target_x) is float
+        and type(target_y) is float
+        and type(station_x) is float
+        and type(station_y) is float
+        and -1e60 <= target_x <= 1e60
+        and -1e60 <= target_y <= 1e60
+        and -1e60 <= station_x <= 1e60
+        and -1e60 <= station_y <= 1e60
+        and out is None
+        and workers is ONE
+    ):
+        try:
+            return named(Bearing, _bearing_of_numbers(target_x, target_y, station_x, station_y))
+        except (ArithmeticError, ValueError):
+            pass  # arrays say what is wrong
     return Bearing(*evaluate(_BEARING, (target_x, target_y, station_x, station_y), out, workers))
+
+
+@errstate(all="ignore")
+def _bearing_of_numbers(
+    target_x: float,
+    target_y: float,
+    station_x: float,
+    station_y: float,
+    form: Form = Double,
+) -> tuple[float, ...]:
+    t2 = target_x - station_x
+    t6 = target_y - station_y
+    t9 = form.sqrt((t2 * t2) + (t6 * t6))
+    t10 = form.atan2(t2, t6)
+    if not t9 >= (9.999999974752427e-07 if form.single else 1e-20):
+        raise ValueError
+    return (t10,)
 
 
 def _bearing_block(given: Arrays, out: Arrays, work: Arrays, _single: bool) -> None:
@@ -167,6 +200,7 @@ _BEARING = Signature(
             (0, 2),
         ),
     ),
+    numbers=_bearing_of_numbers,
 )
 
 
@@ -220,9 +254,46 @@ def bearing_jacobian(
 
     Source: the definitions of the angles
     """
+    if (
+        type(target_x) is float
+        and type(target_y) is float
+        and type(station_x) is float
+        and type(station_y) is float
+        and -1e60 <= target_x <= 1e60
+        and -1e60 <= target_y <= 1e60
+        and -1e60 <= station_x <= 1e60
+        and -1e60 <= station_y <= 1e60
+        and out is None
+        and workers is ONE
+    ):
+        try:
+            return named(
+                BearingJacobian,
+                _bearing_jacobian_of_numbers(target_x, target_y, station_x, station_y),
+            )
+        except (ArithmeticError, ValueError):
+            pass  # arrays say what is wrong
     return BearingJacobian(
         *evaluate(_BEARING_JACOBIAN, (target_x, target_y, station_x, station_y), out, workers)
     )
+
+
+def _bearing_jacobian_of_numbers(
+    target_x: float,
+    target_y: float,
+    station_x: float,
+    station_y: float,
+    form: Form = Double,
+) -> tuple[float, ...]:
+    t2 = target_x - station_x
+    t6 = target_y - station_y
+    t9 = form.sqrt((t2 * t2) + (t6 * t6))
+    t11 = t9 * t9
+    t12 = t6 / t11
+    t13 = (station_x - target_x) / t11
+    if not t9 >= (9.999999974752427e-07 if form.single else 1e-20):
+        raise ValueError
+    return (t12, t13)
 
 
 def _bearing_jacobian_block(given: Arrays, out: Arrays, work: Arrays, _single: bool) -> None:
@@ -272,6 +343,7 @@ _BEARING_JACOBIAN = Signature(
             (0, 2),
         ),
     ),
+    numbers=_bearing_jacobian_of_numbers,
 )
 
 
@@ -334,6 +406,29 @@ def angles(
 
     Source: the definitions of the angles
     """
+    if (
+        type(target_x) is float
+        and type(target_y) is float
+        and type(target_z) is float
+        and type(station_x) is float
+        and type(station_y) is float
+        and type(station_z) is float
+        and -1e60 <= target_x <= 1e60
+        and -1e60 <= target_y <= 1e60
+        and -1e60 <= target_z <= 1e60
+        and -1e60 <= station_x <= 1e60
+        and -1e60 <= station_y <= 1e60
+        and -1e60 <= station_z <= 1e60
+        and out is None
+        and workers is ONE
+    ):
+        try:
+            return named(
+                Angles,
+                _angles_of_numbers(target_x, target_y, target_z, station_x, station_y, station_z),
+            )
+        except (ArithmeticError, ValueError):
+            pass  # arrays say what is wrong
     return Angles(
         *evaluate(
             _ANGLES,
@@ -342,6 +437,31 @@ def angles(
             workers,
         )
     )
+
+
+@errstate(all="ignore")
+def _angles_of_numbers(
+    target_x: float,
+    target_y: float,
+    target_z: float,
+    station_x: float,
+    station_y: float,
+    station_z: float,
+    form: Form = Double,
+) -> tuple[float, ...]:
+    t2 = target_x - station_x
+    t6 = target_y - station_y
+    t8 = (t2 * t2) + (t6 * t6)
+    t9 = form.sqrt(t8)
+    t12 = target_z - station_z
+    t15 = form.sqrt(t8 + (t12 * t12))
+    t16 = form.atan2(t2, t6)
+    t17 = form.atan2(t12, t9)
+    if not t9 >= (9.999999974752427e-07 if form.single else 1e-20):
+        raise ValueError
+    if not t15 >= (9.999999974752427e-07 if form.single else 1e-20):
+        raise ValueError
+    return (t16, t17)
 
 
 def _angles_block(given: Arrays, out: Arrays, work: Arrays, _single: bool) -> None:
@@ -419,6 +539,7 @@ _ANGLES = Signature(
             (0, 3),
         ),
     ),
+    numbers=_angles_of_numbers,
 )
 
 
@@ -501,6 +622,31 @@ def angles_jacobian(
 
     Source: the definitions of the angles
     """
+    if (
+        type(target_x) is float
+        and type(target_y) is float
+        and type(target_z) is float
+        and type(station_x) is float
+        and type(station_y) is float
+        and type(station_z) is float
+        and -1e60 <= target_x <= 1e60
+        and -1e60 <= target_y <= 1e60
+        and -1e60 <= target_z <= 1e60
+        and -1e60 <= station_x <= 1e60
+        and -1e60 <= station_y <= 1e60
+        and -1e60 <= station_z <= 1e60
+        and out is None
+        and workers is ONE
+    ):
+        try:
+            return named(
+                AnglesJacobian,
+                _angles_jacobian_of_numbers(
+                    target_x, target_y, target_z, station_x, station_y, station_z
+                ),
+            )
+        except (ArithmeticError, ValueError):
+            pass  # arrays say what is wrong
     return AnglesJacobian(
         *evaluate(
             _ANGLES_JACOBIAN,
@@ -509,6 +655,35 @@ def angles_jacobian(
             workers,
         )
     )
+
+
+def _angles_jacobian_of_numbers(
+    target_x: float,
+    target_y: float,
+    target_z: float,
+    station_x: float,
+    station_y: float,
+    station_z: float,
+    form: Form = Double,
+) -> tuple[float, ...]:
+    t2 = target_x - station_x
+    t6 = target_y - station_y
+    t8 = (t2 * t2) + (t6 * t6)
+    t9 = form.sqrt(t8)
+    t13 = target_z - station_z
+    t16 = form.sqrt(t8 + (t13 * t13))
+    t18 = t9 * t9
+    t23 = ((station_z - target_z) / t16) / t16
+    t19 = t6 / t18
+    t20 = (station_x - target_x) / t18
+    t24 = (t2 / t9) * t23
+    t26 = (t6 / t9) * t23
+    t28 = t9 / (t16 * t16)
+    if not t9 >= (9.999999974752427e-07 if form.single else 1e-20):
+        raise ValueError
+    if not t16 >= (9.999999974752427e-07 if form.single else 1e-20):
+        raise ValueError
+    return (t19, t20, t24, t26, t28)
 
 
 def _angles_jacobian_block(given: Arrays, out: Arrays, work: Arrays, _single: bool) -> None:
@@ -616,4 +791,5 @@ _ANGLES_JACOBIAN = Signature(
             (0, 3),
         ),
     ),
+    numbers=_angles_jacobian_of_numbers,
 )

@@ -6,10 +6,10 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-import numpy as np
 from numpy import absolute, add, divide, less, minimum, multiply, negative, sqrt, square, subtract
 
 from gainproof.generated._bits import choose, mask_of
+from gainproof.generated._numbers import ONE, Double, filled_by, named
 from gainproof.generated._runtime import evaluate
 from gainproof.generated._signature import Domain, Signature
 from gainproof.generated._two_state_results import (
@@ -34,9 +34,9 @@ from gainproof.generated._two_state_results import (
 )
 
 if TYPE_CHECKING:
-    from numpy.typing import ArrayLike
-
-    from gainproof.generated._signature import Arrays, Real
+    from gainproof.generated._double_word import Part
+    from gainproof.generated._numbers import Form
+    from gainproof.generated._signature import ArrayLike, Arrays, Real
 
 __all__ = [
     "AlphaFromBeta",
@@ -144,8 +144,36 @@ def gains(
 
     Source: derivation continuous-white-acceleration
     """
+    if (
+        type(tracking_index) is float
+        and 5e-324 <= tracking_index <= 1.7976931348623157e308
+        and out is None
+        and workers is ONE
+        and not accurate
+    ):
+        try:
+            return named(Gains, _gains_of_numbers(tracking_index))
+        except (ArithmeticError, ValueError):
+            pass  # arrays say what is wrong
     kernel = _ACCURATE_GAINS if accurate else _GAINS
     return Gains(*evaluate(kernel, (tracking_index,), out, workers))
+
+
+def _gains_of_numbers(tracking_index: float, form: Form = Double) -> tuple[float, ...]:
+    t2 = tracking_index * 1.8014398509481984e16
+    t5 = t2 if tracking_index < 0.75 else form.of(1.3510798882111488e16)
+    t7 = 5.404319552844595e16 / tracking_index
+    t9 = form.of(7.205759403792794e16) if tracking_index < 0.75 else t7
+    t15 = form.sqrt((t9 * t9) + ((t5 * t5) / 3.0))
+    t17 = t15 * 2.0
+    t21 = t5 * (t17 + (t5 * 1.3333333333333333))
+    t22 = form.sqrt(t21)
+    t27 = (t5 / 6.0) / t22
+    t34 = (t5 * 6.666666666666667) + ((t5 * 16.0) * (t27 * (t27 + 1.0)))
+    t41 = (t5 * 1.152921504606847e18) / (t17 + ((t22 * 4.0) + t34))
+    t44 = form.sqrt(t41) * 3.725290298461914e-09
+    t48 = (t5 * 4.0) / (t15 + (t5 + t22))
+    return (t44, t48)
 
 
 def _gains_block(
@@ -212,20 +240,18 @@ _GAINS = Signature(
     ("alpha", "beta"),
     6,
     _gains_block,
+    numbers=_gains_of_numbers,
 )
 
 
-def _gains_in_double_words(given: Arrays, out: Arrays, _work: Arrays, single: bool) -> None:
-    if single:
-        # float64 keeps 29 bits more than come out
-        found = evaluate(_GAINS, (given[0].astype(np.float64),), None, 1)
-        for result, value in zip(out, found, strict=True):
-            result[...] = value
-        return
+def _gains_in_double_words(given: Part, form: Form = Double) -> tuple[Part, ...]:
     # loaded when it is asked for
     from gainproof.generated._double_word import add, divide, exact, multiply, root, scale
 
-    tracking_index = exact(given[0])
+    if form.single:
+        # float64 keeps 29 bits more than come out
+        return evaluate(_GAINS, exact(given)[:1], None, 1)
+    tracking_index = exact(given)
     p = root(tracking_index)
     t3 = divide((1.9721522630525295e-31, 0.0), tracking_index)
     t5 = multiply(tracking_index, (4.108650548026103e-33, 2.2807592192786735e-49))
@@ -240,8 +266,7 @@ def _gains_in_double_words(given: Arrays, out: Arrays, _work: Arrays, single: bo
     t18 = divide((2.0, 0.0), t16)
     t19 = multiply(t18, rho)
     t21 = scale(t18, 2.220446049250313e-16)
-    out[0][...] = t19[0]
-    out[1][...] = t21[0]
+    return (t19[0], t21[0])
 
 
 _ACCURATE_GAINS = Signature(
@@ -249,7 +274,8 @@ _ACCURATE_GAINS = Signature(
     (_ACCURATE_TRACKING_INDEX_DOMAIN,),
     ("alpha", "beta"),
     0,
-    _gains_in_double_words,
+    filled_by(_gains_in_double_words),
+    numbers=_gains_in_double_words,
 )
 
 
@@ -286,7 +312,33 @@ def gain_derivatives(
 
     Source: derivation continuous-white-acceleration
     """
+    if (
+        type(tracking_index) is float
+        and 5e-324 <= tracking_index <= 1.7976931348623157e308
+        and out is None
+        and workers is ONE
+    ):
+        try:
+            return named(GainDerivatives, _gain_derivatives_of_numbers(tracking_index))
+        except (ArithmeticError, ValueError):
+            pass  # arrays say what is wrong
     return GainDerivatives(*evaluate(_GAIN_DERIVATIVES, (tracking_index,), out, workers))
+
+
+def _gain_derivatives_of_numbers(tracking_index: float, form: Form = Double) -> tuple[float, ...]:
+    t1 = form.sqrt(tracking_index)
+    t3 = 1.9721522630525295e-31 / tracking_index
+    t5 = tracking_index * 4.108650548026103e-33
+    t7 = form.sqrt(t3 + t5)
+    t8 = t7 / t1
+    t12 = form.sqrt(t8 + 7.401486830834377e-17)
+    t14 = t12 * 1.4901161193847656e-08
+    t16 = t14 + 1.1102230246251565e-16
+    t20 = 6.617444900424222e-24 / (tracking_index * (t8 + t16))
+    t23 = ((t20 / (t1 * t7)) * t20) / t14
+    t26 = t23 * (t8 + 3.700743415417188e-17)
+    t29 = (t23 * 2.0) * t16
+    return (t26, t29)
 
 
 def _gain_derivatives_block(
@@ -335,6 +387,7 @@ _GAIN_DERIVATIVES = Signature(
     ("alpha", "beta"),
     3,
     _gain_derivatives_block,
+    numbers=_gain_derivatives_of_numbers,
 )
 
 
@@ -378,7 +431,40 @@ def gains_with_derivatives(
 
     Source: derivation continuous-white-acceleration
     """
+    if (
+        type(tracking_index) is float
+        and 5e-324 <= tracking_index <= 1.7976931348623157e308
+        and out is None
+        and workers is ONE
+    ):
+        try:
+            return named(GainsWithDerivatives, _gains_with_derivatives_of_numbers(tracking_index))
+        except (ArithmeticError, ValueError):
+            pass  # arrays say what is wrong
     return GainsWithDerivatives(*evaluate(_GAINS_WITH_DERIVATIVES, (tracking_index,), out, workers))
+
+
+def _gains_with_derivatives_of_numbers(
+    tracking_index: float,
+    form: Form = Double,
+) -> tuple[float, ...]:
+    t1 = form.sqrt(tracking_index)
+    t3 = t1 * 9.094947017729282e-13
+    t5 = t1 * 1.8189894035458565e-12
+    t7 = 1.3234889800848443e-23 / tracking_index
+    t9 = tracking_index * 2.757268708510092e-25
+    t11 = form.sqrt(t7 + t9)
+    t12 = t3 + t11
+    t15 = (t3 / 3.0) + t11
+    t18 = form.sqrt(t3 * (t12 + t15))
+    t21 = (t12 + t18) * 0.5
+    t22 = t1 * t21
+    t27 = 6.018531076210112e-36 / ((t22 * t22) * (t1 * t11))
+    t30 = t27 * (t15 / t18)
+    t31 = t18 / t21
+    t32 = t5 / t21
+    t34 = t27 * ((t5 / t18) + 2.0)
+    return (t31, t32, t30, t34)
 
 
 def _gains_with_derivatives_block(
@@ -433,6 +519,7 @@ _GAINS_WITH_DERIVATIVES = Signature(
     ("alpha", "beta", "d_alpha", "d_beta"),
     5,
     _gains_with_derivatives_block,
+    numbers=_gains_with_derivatives_of_numbers,
 )
 
 
@@ -468,7 +555,35 @@ def predictor_gains(
 
     Source: derivation continuous-white-acceleration
     """
+    if (
+        type(tracking_index) is float
+        and 5e-324 <= tracking_index <= 1.7976931348623157e308
+        and out is None
+        and workers is ONE
+    ):
+        try:
+            return named(PredictorGains, _predictor_gains_of_numbers(tracking_index))
+        except (ArithmeticError, ValueError):
+            pass  # arrays say what is wrong
     return PredictorGains(*evaluate(_PREDICTOR_GAINS, (tracking_index,), out, workers))
+
+
+def _predictor_gains_of_numbers(tracking_index: float, form: Form = Double) -> tuple[float, ...]:
+    t2 = tracking_index * 1.8014398509481984e16
+    t5 = t2 if tracking_index < 0.75 else form.of(1.3510798882111488e16)
+    t7 = 5.404319552844595e16 / tracking_index
+    t9 = form.of(7.205759403792794e16) if tracking_index < 0.75 else t7
+    t15 = form.sqrt((t9 * t9) + ((t5 * t5) / 3.0))
+    t17 = t15 * 2.0
+    t21 = t5 * (t17 + (t5 * 1.3333333333333333))
+    t22 = form.sqrt(t21)
+    t27 = (t5 / 6.0) / t22
+    t34 = (t5 * 6.666666666666667) + ((t5 * 16.0) * (t27 * (t27 + 1.0)))
+    t41 = (t5 * 1.152921504606847e18) / (t17 + ((t22 * 4.0) + t34))
+    t44 = form.sqrt(t41) * 3.725290298461914e-09
+    t48 = (t5 * 4.0) / (t15 + (t5 + t22))
+    t49 = t44 + t48
+    return (t49, t48)
 
 
 def _predictor_gains_block(
@@ -536,6 +651,7 @@ _PREDICTOR_GAINS = Signature(
     ("position", "velocity"),
     6,
     _predictor_gains_block,
+    numbers=_predictor_gains_of_numbers,
 )
 
 
@@ -571,9 +687,40 @@ def predictor_gain_derivatives(
 
     Source: derivation continuous-white-acceleration
     """
+    if (
+        type(tracking_index) is float
+        and 5e-324 <= tracking_index <= 1.7976931348623157e308
+        and out is None
+        and workers is ONE
+    ):
+        try:
+            return named(
+                PredictorGainDerivatives, _predictor_gain_derivatives_of_numbers(tracking_index)
+            )
+        except (ArithmeticError, ValueError):
+            pass  # arrays say what is wrong
     return PredictorGainDerivatives(
         *evaluate(_PREDICTOR_GAIN_DERIVATIVES, (tracking_index,), out, workers)
     )
+
+
+def _predictor_gain_derivatives_of_numbers(
+    tracking_index: float,
+    form: Form = Double,
+) -> tuple[float, ...]:
+    t1 = form.sqrt(tracking_index)
+    t3 = 1.9721522630525295e-31 / tracking_index
+    t5 = tracking_index * 4.108650548026103e-33
+    t7 = form.sqrt(t3 + t5)
+    t8 = t7 / t1
+    t12 = form.sqrt(t8 + 7.401486830834377e-17)
+    t14 = t12 * 1.4901161193847656e-08
+    t16 = t14 + 1.1102230246251565e-16
+    t20 = 6.617444900424222e-24 / (tracking_index * (t8 + t16))
+    t23 = ((t20 / (t1 * t7)) * t20) / t14
+    t29 = (t23 * 2.0) * t16
+    t30 = (t23 * (t8 + 3.700743415417188e-17)) + t29
+    return (t30, t29)
 
 
 def _predictor_gain_derivatives_block(
@@ -623,6 +770,7 @@ _PREDICTOR_GAIN_DERIVATIVES = Signature(
     ("position", "velocity"),
     3,
     _predictor_gain_derivatives_block,
+    numbers=_predictor_gain_derivatives_of_numbers,
 )
 
 
@@ -664,7 +812,36 @@ def predicted_covariance(
 
     Source: derivation continuous-white-acceleration
     """
+    if (
+        type(tracking_index) is float
+        and 5e-324 <= tracking_index <= 1.7976931348623157e308
+        and out is None
+        and workers is ONE
+    ):
+        try:
+            return named(PredictedCovariance, _predicted_covariance_of_numbers(tracking_index))
+        except (ArithmeticError, ValueError):
+            pass  # arrays say what is wrong
     return PredictedCovariance(*evaluate(_PREDICTED_COVARIANCE, (tracking_index,), out, workers))
+
+
+def _predicted_covariance_of_numbers(
+    tracking_index: float,
+    form: Form = Double,
+) -> tuple[float, ...]:
+    t3 = 1.9721522630525295e-31 / tracking_index
+    t5 = tracking_index * 4.108650548026103e-33
+    t8 = form.sqrt(t3 + t5) / form.sqrt(tracking_index)
+    t11 = form.sqrt(t8 + 7.401486830834377e-17)
+    t13 = t11 * 1.4901161193847656e-08
+    t17 = t13 + 1.1102230246251565e-16
+    t19 = tracking_index * ((t8 + 1.850371707708594e-17) / t17)
+    t24 = (tracking_index * (t8 + t17)) * 2251799813685248.0
+    t27 = (tracking_index * t13) * 4503599627370496.0
+    t28 = t24 * t27
+    t29 = tracking_index * t24
+    t31 = (tracking_index * t19) + (tracking_index * tracking_index)
+    return (t28, t29, t31)
 
 
 def _predicted_covariance_block(
@@ -715,6 +892,7 @@ _PREDICTED_COVARIANCE = Signature(
     ("predicted_11", "predicted_12", "predicted_22"),
     3,
     _predicted_covariance_block,
+    numbers=_predicted_covariance_of_numbers,
 )
 
 
@@ -755,9 +933,46 @@ def predicted_covariance_derivatives(
 
     Source: derivation continuous-white-acceleration
     """
+    if (
+        type(tracking_index) is float
+        and 5e-324 <= tracking_index <= 1.7976931348623157e308
+        and out is None
+        and workers is ONE
+    ):
+        try:
+            return named(
+                PredictedCovarianceDerivatives,
+                _predicted_covariance_derivatives_of_numbers(tracking_index),
+            )
+        except (ArithmeticError, ValueError):
+            pass  # arrays say what is wrong
     return PredictedCovarianceDerivatives(
         *evaluate(_PREDICTED_COVARIANCE_DERIVATIVES, (tracking_index,), out, workers)
     )
+
+
+def _predicted_covariance_derivatives_of_numbers(
+    tracking_index: float,
+    form: Form = Double,
+) -> tuple[float, ...]:
+    t3 = 1.9721522630525295e-31 / tracking_index
+    t5 = tracking_index * 4.108650548026103e-33
+    t8 = form.sqrt(t3 + t5) / form.sqrt(tracking_index)
+    t11 = form.sqrt(t8 + 7.401486830834377e-17)
+    t13 = t11 * 1.4901161193847656e-08
+    t17 = t13 + 1.1102230246251565e-16
+    t18 = (t8 + 1.850371707708594e-17) / t17
+    t23 = 1.0 + ((t18 * 1.1102230246251565e-16) / t13)
+    t30 = ((t8 + 2.220446049250313e-16) / t8) * (9.25185853854297e-18 / t13)
+    t32 = ((tracking_index * t18) * t23) + (tracking_index * t30)
+    t35 = (t8 + 3.700743415417188e-17) / t8
+    t36 = t8 + t17
+    t39 = (tracking_index * t36) * 2251799813685248.0
+    t47 = 1.0 + (t35 * (1.1102230246251565e-16 / t13))
+    t44 = t39 * (t35 * ((t36 / t13) * 0.5))
+    t48 = t39 * t47
+    t50 = t32 + (tracking_index * 2.0)
+    return (t44, t48, t50)
 
 
 def _predicted_covariance_derivatives_block(
@@ -828,6 +1043,7 @@ _PREDICTED_COVARIANCE_DERIVATIVES = Signature(
     ("predicted_11", "predicted_12", "predicted_22"),
     3,
     _predicted_covariance_derivatives_block,
+    numbers=_predicted_covariance_derivatives_of_numbers,
 )
 
 
@@ -869,7 +1085,32 @@ def updated_covariance(
 
     Source: derivation continuous-white-acceleration
     """
+    if (
+        type(tracking_index) is float
+        and 5e-324 <= tracking_index <= 1.7976931348623157e308
+        and out is None
+        and workers is ONE
+    ):
+        try:
+            return named(UpdatedCovariance, _updated_covariance_of_numbers(tracking_index))
+        except (ArithmeticError, ValueError):
+            pass  # arrays say what is wrong
     return UpdatedCovariance(*evaluate(_UPDATED_COVARIANCE, (tracking_index,), out, workers))
+
+
+def _updated_covariance_of_numbers(tracking_index: float, form: Form = Double) -> tuple[float, ...]:
+    t3 = 1.9721522630525295e-31 / tracking_index
+    t5 = tracking_index * 4.108650548026103e-33
+    t8 = form.sqrt(t3 + t5) / form.sqrt(tracking_index)
+    t11 = form.sqrt(t8 + 7.401486830834377e-17)
+    t13 = t11 * 1.4901161193847656e-08
+    t15 = t13 + 1.1102230246251565e-16
+    t18 = 2.0 / (t8 + t15)
+    t25 = tracking_index * ((t8 + 1.850371707708594e-17) / t15)
+    t19 = t18 * t13
+    t21 = t18 * 2.220446049250313e-16
+    t26 = tracking_index * t25
+    return (t19, t21, t26)
 
 
 def _updated_covariance_block(
@@ -915,6 +1156,7 @@ _UPDATED_COVARIANCE = Signature(
     ("updated_11", "updated_12", "updated_22"),
     1,
     _updated_covariance_block,
+    numbers=_updated_covariance_of_numbers,
 )
 
 
@@ -954,9 +1196,45 @@ def updated_covariance_derivatives(
 
     Source: derivation continuous-white-acceleration
     """
+    if (
+        type(tracking_index) is float
+        and 5e-324 <= tracking_index <= 1.7976931348623157e308
+        and out is None
+        and workers is ONE
+    ):
+        try:
+            return named(
+                UpdatedCovarianceDerivatives,
+                _updated_covariance_derivatives_of_numbers(tracking_index),
+            )
+        except (ArithmeticError, ValueError):
+            pass  # arrays say what is wrong
     return UpdatedCovarianceDerivatives(
         *evaluate(_UPDATED_COVARIANCE_DERIVATIVES, (tracking_index,), out, workers)
     )
+
+
+def _updated_covariance_derivatives_of_numbers(
+    tracking_index: float,
+    form: Form = Double,
+) -> tuple[float, ...]:
+    t1 = form.sqrt(tracking_index)
+    t3 = 1.9721522630525295e-31 / tracking_index
+    t5 = tracking_index * 4.108650548026103e-33
+    t7 = form.sqrt(t3 + t5)
+    t8 = t7 / t1
+    t12 = form.sqrt(t8 + 7.401486830834377e-17)
+    t14 = t12 * 1.4901161193847656e-08
+    t16 = t14 + 1.1102230246251565e-16
+    t20 = 6.617444900424222e-24 / (tracking_index * (t8 + t16))
+    t23 = ((t20 / (t1 * t7)) * t20) / t14
+    t32 = (t8 + 1.850371707708594e-17) / t16
+    t37 = 1.0 + ((t32 * 1.1102230246251565e-16) / t14)
+    t44 = ((t8 + 2.220446049250313e-16) / t8) * (9.25185853854297e-18 / t14)
+    t26 = t23 * (t8 + 3.700743415417188e-17)
+    t29 = (t23 * 2.0) * t16
+    t46 = ((tracking_index * t32) * t37) + (tracking_index * t44)
+    return (t26, t29, t46)
 
 
 def _updated_covariance_derivatives_block(
@@ -1022,6 +1300,7 @@ _UPDATED_COVARIANCE_DERIVATIVES = Signature(
     ("updated_11", "updated_12", "updated_22"),
     5,
     _updated_covariance_derivatives_block,
+    numbers=_updated_covariance_derivatives_of_numbers,
 )
 
 
@@ -1061,9 +1340,51 @@ def gain_second_derivatives(
 
     Source: derivation continuous-white-acceleration
     """
+    if (
+        type(tracking_index) is float
+        and 5e-324 <= tracking_index <= 1.7976931348623157e308
+        and out is None
+        and workers is ONE
+    ):
+        try:
+            return named(GainSecondDerivatives, _gain_second_derivatives_of_numbers(tracking_index))
+        except (ArithmeticError, ValueError):
+            pass  # arrays say what is wrong
     return GainSecondDerivatives(
         *evaluate(_GAIN_SECOND_DERIVATIVES, (tracking_index,), out, workers)
     )
+
+
+def _gain_second_derivatives_of_numbers(
+    tracking_index: float,
+    form: Form = Double,
+) -> tuple[float, ...]:
+    t1 = form.sqrt(tracking_index)
+    t3 = 1.9721522630525295e-31 / tracking_index
+    t5 = tracking_index * 4.108650548026103e-33
+    t7 = form.sqrt(t3 + t5)
+    t8 = t7 / t1
+    t12 = form.sqrt(t8 + 7.401486830834377e-17)
+    t14 = t12 * 1.4901161193847656e-08
+    t18 = tracking_index * (t8 + (t14 + 1.1102230246251565e-16))
+    t20 = 4.440892098500626e-16 / t18
+    t24 = (t20 * 2.220446049250313e-16) / (t1 * t7)
+    t25 = 2.220446049250313e-16 / t14
+    t26 = 2.220446049250313e-16 / t8
+    t30 = (t26 * 0.10185185185185185) + 0.6666666666666666
+    t33 = (t8 + (t30 * 2.220446049250313e-16)) / t14
+    t39 = 1.0 + (t26 * 0.16666666666666666)
+    t44 = ((t33 * 1.5) + t39) / (1.0 + (t26 * 0.3333333333333333))
+    t49 = (2.0 + t25) * (t26 * 0.08333333333333333)
+    t53 = (t20 / tracking_index) * 2.220446049250313e-16
+    t54 = t53 / t14
+    t59 = (t26 * 0.009259259259259259) + 0.041666666666666664
+    t62 = t26 * ((t26 * t59) + 0.08333333333333333)
+    t66 = t8 + ((t62 + 0.5) * 2.220446049250313e-16)
+    t70 = (t39 * t39) + (t25 * (t66 * 2251799813685248.0))
+    t73 = -(t54 * (t54 * t70))
+    t74 = -(t24 * (t24 * (t44 + t49)))
+    return (t73, t74)
 
 
 def _gain_second_derivatives_block(
@@ -1157,6 +1478,7 @@ _GAIN_SECOND_DERIVATIVES = Signature(
     ("alpha", "beta"),
     8,
     _gain_second_derivatives_block,
+    numbers=_gain_second_derivatives_of_numbers,
 )
 
 
@@ -1194,9 +1516,55 @@ def predictor_gain_second_derivatives(
 
     Source: derivation continuous-white-acceleration
     """
+    if (
+        type(tracking_index) is float
+        and 5e-324 <= tracking_index <= 1.7976931348623157e308
+        and out is None
+        and workers is ONE
+    ):
+        try:
+            return named(
+                PredictorGainSecondDerivatives,
+                _predictor_gain_second_derivatives_of_numbers(tracking_index),
+            )
+        except (ArithmeticError, ValueError):
+            pass  # arrays say what is wrong
     return PredictorGainSecondDerivatives(
         *evaluate(_PREDICTOR_GAIN_SECOND_DERIVATIVES, (tracking_index,), out, workers)
     )
+
+
+def _predictor_gain_second_derivatives_of_numbers(
+    tracking_index: float,
+    form: Form = Double,
+) -> tuple[float, ...]:
+    t1 = form.sqrt(tracking_index)
+    t3 = 1.9721522630525295e-31 / tracking_index
+    t5 = tracking_index * 4.108650548026103e-33
+    t7 = form.sqrt(t3 + t5)
+    t8 = t7 / t1
+    t12 = form.sqrt(t8 + 7.401486830834377e-17)
+    t14 = t12 * 1.4901161193847656e-08
+    t18 = tracking_index * (t8 + (t14 + 1.1102230246251565e-16))
+    t20 = 4.440892098500626e-16 / t18
+    t21 = t20 / tracking_index
+    t24 = (t20 * 2.220446049250313e-16) / (t1 * t7)
+    t25 = 2.220446049250313e-16 / t14
+    t26 = 2.220446049250313e-16 / t8
+    t30 = (t26 * 0.10185185185185185) + 0.6666666666666666
+    t33 = (t8 + (t30 * 2.220446049250313e-16)) / t14
+    t39 = 1.0 + (t26 * 0.16666666666666666)
+    t44 = ((t33 * 1.5) + t39) / (1.0 + (t26 * 0.3333333333333333))
+    t49 = (2.0 + t25) * (t26 * 0.08333333333333333)
+    t50 = t44 + t49
+    t57 = (t26 * 0.009259259259259259) + 0.041666666666666664
+    t60 = t26 * ((t26 * t57) + 0.08333333333333333)
+    t64 = t8 + ((t60 + 0.5) * 2.220446049250313e-16)
+    t68 = (t39 * t39) + (t25 * (t64 * 2251799813685248.0))
+    t73 = (t25 * (t25 * t68)) + (t26 * (t26 * t50))
+    t76 = -(t21 * (t21 * t73))
+    t77 = -(t24 * (t24 * t50))
+    return (t76, t77)
 
 
 def _predictor_gain_second_derivatives_block(
@@ -1293,6 +1661,7 @@ _PREDICTOR_GAIN_SECOND_DERIVATIVES = Signature(
     ("position", "velocity"),
     7,
     _predictor_gain_second_derivatives_block,
+    numbers=_predictor_gain_second_derivatives_of_numbers,
 )
 
 
@@ -1341,9 +1710,61 @@ def predicted_covariance_second_derivatives(
 
     Source: derivation continuous-white-acceleration
     """
+    if (
+        type(tracking_index) is float
+        and 5e-324 <= tracking_index <= 1.7976931348623157e308
+        and out is None
+        and workers is ONE
+    ):
+        try:
+            return named(
+                PredictedCovarianceSecondDerivatives,
+                _predicted_covariance_second_derivatives_of_numbers(tracking_index),
+            )
+        except (ArithmeticError, ValueError):
+            pass  # arrays say what is wrong
     return PredictedCovarianceSecondDerivatives(
         *evaluate(_PREDICTED_COVARIANCE_SECOND_DERIVATIVES, (tracking_index,), out, workers)
     )
+
+
+def _predicted_covariance_second_derivatives_of_numbers(
+    tracking_index: float,
+    form: Form = Double,
+) -> tuple[float, ...]:
+    t1 = form.sqrt(tracking_index)
+    t3 = 1.9721522630525295e-31 / tracking_index
+    t5 = tracking_index * 4.108650548026103e-33
+    t7 = form.sqrt(t3 + t5)
+    t8 = t7 / t1
+    t11 = t8 + 7.401486830834377e-17
+    t14 = form.sqrt(t11) * 1.4901161193847656e-08
+    t16 = 2.220446049250313e-16 / t14
+    t17 = 2.220446049250313e-16 / t8
+    t19 = t14 + 1.1102230246251565e-16
+    t20 = t8 + t19
+    t21 = t20 / t14
+    t23 = t21 * 0.5
+    t27 = 1.0 + (t17 * 0.16666666666666666)
+    t28 = t23 * t27
+    t37 = (t17 * 0.009259259259259259) + 0.041666666666666664
+    t41 = t17 * ((t17 * t37) + 0.08333333333333333)
+    t45 = t8 + ((t41 + 0.5) * 2.220446049250313e-16)
+    t48 = (t20 * 2251799813685248.0) * ((t45 / t11) * 0.5)
+    t50 = ((t28 * 2.220446049250313e-16) * t28) - ((t23 * 2.220446049250313e-16) * t48)
+    t59 = (1.9721522630525295e-31 / (t1 * t7)) / tracking_index
+    t62 = t59 / t8
+    t65 = 3.700743415417188e-17 / (t8 + 3.700743415417188e-17)
+    t68 = (1.0 + ((t27 * t16) * 0.5)) + (((t59 / t11) * 0.5) + (t62 * t65))
+    t75 = (t8 + 1.850371707708594e-17) / t19
+    t78 = 1.0 + t17
+    t80 = ((t75 * 2.220446049250313e-16) * t75) + (t78 * 1.850371707708594e-17)
+    t85 = (t80 / t11) * ((t59 + (t80 * 0.5)) / t14)
+    t90 = (t78 + (t62 * (t17 * 0.5))) * 0.08333333333333333
+    t52 = t50 * 4503599627370496.0
+    t72 = (t21 * t27) * (t68 * 0.25)
+    t93 = ((t85 * 0.5) + (t16 * t90)) + 2.0
+    return (t52, t72, t93)
 
 
 def _predicted_covariance_second_derivatives_block(
@@ -1454,6 +1875,7 @@ _PREDICTED_COVARIANCE_SECOND_DERIVATIVES = Signature(
     ("predicted_11", "predicted_12", "predicted_22"),
     11,
     _predicted_covariance_second_derivatives_block,
+    numbers=_predicted_covariance_second_derivatives_of_numbers,
 )
 
 
@@ -1495,9 +1917,62 @@ def updated_covariance_second_derivatives(
 
     Source: derivation continuous-white-acceleration
     """
+    if (
+        type(tracking_index) is float
+        and 5e-324 <= tracking_index <= 1.7976931348623157e308
+        and out is None
+        and workers is ONE
+    ):
+        try:
+            return named(
+                UpdatedCovarianceSecondDerivatives,
+                _updated_covariance_second_derivatives_of_numbers(tracking_index),
+            )
+        except (ArithmeticError, ValueError):
+            pass  # arrays say what is wrong
     return UpdatedCovarianceSecondDerivatives(
         *evaluate(_UPDATED_COVARIANCE_SECOND_DERIVATIVES, (tracking_index,), out, workers)
     )
+
+
+def _updated_covariance_second_derivatives_of_numbers(
+    tracking_index: float,
+    form: Form = Double,
+) -> tuple[float, ...]:
+    t1 = form.sqrt(tracking_index)
+    t3 = 1.9721522630525295e-31 / tracking_index
+    t5 = tracking_index * 4.108650548026103e-33
+    t7 = form.sqrt(t3 + t5)
+    t8 = t7 / t1
+    t9 = t1 * t7
+    t11 = t8 + 7.401486830834377e-17
+    t14 = form.sqrt(t11) * 1.4901161193847656e-08
+    t16 = t14 + 1.1102230246251565e-16
+    t20 = 4.440892098500626e-16 / (tracking_index * (t8 + t16))
+    t24 = (t20 * 2.220446049250313e-16) / t9
+    t25 = 2.220446049250313e-16 / t14
+    t26 = 2.220446049250313e-16 / t8
+    t30 = (t26 * 0.10185185185185185) + 0.6666666666666666
+    t33 = (t8 + (t30 * 2.220446049250313e-16)) / t14
+    t39 = 1.0 + (t26 * 0.16666666666666666)
+    t44 = ((t33 * 1.5) + t39) / (1.0 + (t26 * 0.3333333333333333))
+    t49 = (2.0 + t25) * (t26 * 0.08333333333333333)
+    t53 = (t20 / tracking_index) * 2.220446049250313e-16
+    t54 = t53 / t14
+    t59 = (t26 * 0.009259259259259259) + 0.041666666666666664
+    t62 = t26 * ((t26 * t59) + 0.08333333333333333)
+    t66 = t8 + ((t62 + 0.5) * 2.220446049250313e-16)
+    t70 = (t39 * t39) + (t25 * (t66 * 2251799813685248.0))
+    t77 = (t8 + 1.850371707708594e-17) / t16
+    t80 = 1.0 + t26
+    t82 = ((t77 * 2.220446049250313e-16) * t77) + (t80 * 1.850371707708594e-17)
+    t85 = (1.9721522630525295e-31 / t9) / tracking_index
+    t89 = (t82 / t11) * ((t85 + (t82 * 0.5)) / t14)
+    t95 = (t80 + ((t85 / t8) * (t26 * 0.5))) * 0.08333333333333333
+    t73 = -(t54 * (t54 * t70))
+    t74 = -(t24 * (t24 * (t44 + t49)))
+    t97 = (t89 * 0.5) + (t25 * t95)
+    return (t73, t74, t97)
 
 
 def _updated_covariance_second_derivatives_block(
@@ -1614,6 +2089,7 @@ _UPDATED_COVARIANCE_SECOND_DERIVATIVES = Signature(
     ("updated_11", "updated_12", "updated_22"),
     10,
     _updated_covariance_second_derivatives_block,
+    numbers=_updated_covariance_second_derivatives_of_numbers,
 )
 
 
@@ -1665,7 +2141,43 @@ def closed_loop_poles(
 
     Source: derivation continuous-white-acceleration
     """
+    if (
+        type(tracking_index) is float
+        and 5e-324 <= tracking_index <= 1.7976931348623157e308
+        and out is None
+        and workers is ONE
+    ):
+        try:
+            return named(ClosedLoopPoles, _closed_loop_poles_of_numbers(tracking_index))
+        except (ArithmeticError, ValueError):
+            pass  # arrays say what is wrong
     return ClosedLoopPoles(*evaluate(_CLOSED_LOOP_POLES, (tracking_index,), out, workers))
+
+
+def _closed_loop_poles_of_numbers(tracking_index: float, form: Form = Double) -> tuple[float, ...]:
+    t3 = 1.9721522630525295e-31 / tracking_index
+    t5 = tracking_index * 4.108650548026103e-33
+    t8 = form.sqrt(t3 + t5) / form.sqrt(tracking_index)
+    t11 = form.sqrt(t8 + 7.401486830834377e-17)
+    t13 = t11 * 1.4901161193847656e-08
+    t17 = tracking_index * (t8 + (t13 + 1.1102230246251565e-16))
+    t19 = 4.440892098500626e-16 / t17
+    t23 = tracking_index * 0.25
+    t30 = tracking_index * (t8 + 1.1102230246251565e-16)
+    t33 = tracking_index * 0.5
+    t34 = (2.449489742783178 - t33) + (
+        -8.914125970704845e-08 if form.single else 2.168616518103246e-16
+    )
+    t38 = (t34 / t30) * ((2.449489742783178 + t33) * t19)
+    t39 = t38 * 7.401486830834377e-17
+    t42 = (form.sqrt(abs(3.0 - t23)) / t13) * (form.sqrt(3.0 + t23) * t19)
+    t43 = t42 * 7.401486830834377e-17
+    t45 = abs(t39) + t43
+    t50 = t39 if tracking_index < 12.0 else -t45
+    t52 = t39 if tracking_index < 12.0 else -((t19 / t45) * t19)
+    t53 = t43 if tracking_index < 12.0 else form.of(0.0)
+    t55 = -t43 if tracking_index < 12.0 else form.of(0.0)
+    return (t50, t53, t52, t55)
 
 
 def _closed_loop_poles_block(
@@ -1745,6 +2257,7 @@ _CLOSED_LOOP_POLES = Signature(
     ("first_real", "first_imaginary", "second_real", "second_imaginary"),
     3,
     _closed_loop_poles_block,
+    numbers=_closed_loop_poles_of_numbers,
 )
 
 
@@ -1773,7 +2286,25 @@ def index_from_alpha(
 
     Source: derivation continuous-white-acceleration
     """
+    if (
+        type(alpha) is float
+        and 5e-324 <= alpha <= 0.9999999999999999
+        and out is None
+        and workers is ONE
+    ):
+        try:
+            return named(IndexFromAlpha, _index_from_alpha_of_numbers(alpha))
+        except (ArithmeticError, ValueError):
+            pass  # arrays say what is wrong
     return IndexFromAlpha(*evaluate(_INDEX_FROM_ALPHA, (alpha,), out, workers))
+
+
+def _index_from_alpha_of_numbers(alpha: float, form: Form = Double) -> tuple[float, ...]:
+    t2 = 1.0 - alpha
+    t5 = alpha * alpha
+    t14 = (2.0 - alpha) + form.sqrt((t2 * 4.0) + (t5 / 3.0))
+    t16 = ((t5 * 2.0) / t14) / form.sqrt(t2)
+    return (t16,)
 
 
 def _index_from_alpha_block(
@@ -1809,6 +2340,7 @@ _INDEX_FROM_ALPHA = Signature(
     ("tracking_index",),
     3,
     _index_from_alpha_block,
+    numbers=_index_from_alpha_of_numbers,
 )
 
 
@@ -1837,7 +2369,24 @@ def beta_from_alpha(
 
     Source: derivation continuous-white-acceleration
     """
+    if (
+        type(alpha) is float
+        and 5e-324 <= alpha <= 0.9999999999999999
+        and out is None
+        and workers is ONE
+    ):
+        try:
+            return named(BetaFromAlpha, _beta_from_alpha_of_numbers(alpha))
+        except (ArithmeticError, ValueError):
+            pass  # arrays say what is wrong
     return BetaFromAlpha(*evaluate(_BETA_FROM_ALPHA, (alpha,), out, workers))
+
+
+def _beta_from_alpha_of_numbers(alpha: float, form: Form = Double) -> tuple[float, ...]:
+    t5 = alpha * alpha
+    t9 = form.sqrt(((1.0 - alpha) * 4.0) + (t5 / 3.0))
+    t14 = (t5 * 2.0) / ((2.0 - alpha) + t9)
+    return (t14,)
 
 
 def _beta_from_alpha_block(
@@ -1871,6 +2420,7 @@ _BETA_FROM_ALPHA = Signature(
     ("beta",),
     2,
     _beta_from_alpha_block,
+    numbers=_beta_from_alpha_of_numbers,
 )
 
 
@@ -1899,7 +2449,30 @@ def index_from_beta(
 
     Source: derivation continuous-white-acceleration
     """
+    if (
+        type(beta) is float
+        and 5e-324 <= beta <= 1.2679491924311226
+        and out is None
+        and workers is ONE
+    ):
+        try:
+            return named(IndexFromBeta, _index_from_beta_of_numbers(beta))
+        except (ArithmeticError, ValueError):
+            pass  # arrays say what is wrong
     return IndexFromBeta(*evaluate(_INDEX_FROM_BETA, (beta,), out, workers))
+
+
+def _index_from_beta_of_numbers(beta: float, form: Form = Double) -> tuple[float, ...]:
+    t6 = form.sqrt(beta * (8.0 + (beta / 3.0)))
+    t10 = (1.2679491924311228 - beta) + (
+        -3.1087250107475484e-08 if form.single else -1.0035084221806903e-16
+    )
+    t12 = (4.732050807568878 - beta) + (
+        -8.812204299601945e-08 if form.single else -3.437383676319936e-16
+    )
+    t18 = ((t10 * t12) * 0.6666666666666666) / (((2.0 + beta) + t6) * 2.0)
+    t20 = beta / form.sqrt(t18)
+    return (t20,)
 
 
 def _index_from_beta_block(
@@ -1947,6 +2520,7 @@ _INDEX_FROM_BETA = Signature(
     ("tracking_index",),
     2,
     _index_from_beta_block,
+    numbers=_index_from_beta_of_numbers,
 )
 
 
@@ -1975,7 +2549,25 @@ def alpha_from_beta(
 
     Source: derivation continuous-white-acceleration
     """
+    if (
+        type(beta) is float
+        and 5e-324 <= beta <= 1.2679491924311226
+        and out is None
+        and workers is ONE
+    ):
+        try:
+            return named(AlphaFromBeta, _alpha_from_beta_of_numbers(beta))
+        except (ArithmeticError, ValueError):
+            pass  # arrays say what is wrong
     return AlphaFromBeta(*evaluate(_ALPHA_FROM_BETA, (beta,), out, workers))
+
+
+def _alpha_from_beta_of_numbers(beta: float, form: Form = Double) -> tuple[float, ...]:
+    t2 = beta * 1.152921504606847e18
+    t13 = t2 * ((12.0 - beta) * 0.6666666666666666)
+    t16 = form.sqrt(t2 * (8.0 + (beta / 3.0))) + (beta * 1073741824.0)
+    t19 = t13 / (t16 * 2147483648.0)
+    return (t19,)
 
 
 def _alpha_from_beta_block(
@@ -2014,4 +2606,5 @@ _ALPHA_FROM_BETA = Signature(
     ("alpha",),
     2,
     _alpha_from_beta_block,
+    numbers=_alpha_from_beta_of_numbers,
 )

@@ -6,19 +6,19 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-import numpy as np
 from numpy import add, divide, multiply, negative, sqrt, square, subtract
 
 from gainproof.generated._bits import near_cbrt
+from gainproof.generated._numbers import ONE, Double, filled_by, named
 from gainproof.generated._runtime import evaluate
 from gainproof.generated._signature import Domain, Signature
 
 if TYPE_CHECKING:
     from typing import NamedTuple
 
-    from numpy.typing import ArrayLike
-
-    from gainproof.generated._signature import Arrays, Real
+    from gainproof.generated._double_word import Part
+    from gainproof.generated._numbers import Form
+    from gainproof.generated._signature import ArrayLike, Arrays, Real
 else:
     from gainproof.generated._result import NamedTuple
 
@@ -139,8 +139,56 @@ def gains(
 
     Source: derivation continuous-white-jerk
     """
+    if (
+        type(tracking_index) is float
+        and 5e-324 <= tracking_index <= 1.7976931348623157e308
+        and out is None
+        and workers is ONE
+        and not accurate
+    ):
+        try:
+            return named(Gains, _gains_of_numbers(tracking_index))
+        except (ArithmeticError, ValueError):
+            pass  # arrays say what is wrong
     kernel = _ACCURATE_GAINS if accurate else _GAINS
     return Gains(*evaluate(kernel, (tracking_index,), out, workers))
+
+
+def _gains_of_numbers(tracking_index: float, form: Form = Double) -> tuple[float, ...]:
+    t2 = form.sqrt(tracking_index)
+    t3 = form.sqrt(t2)
+    t5 = 2.220446049250313e-16 / tracking_index
+    t7 = tracking_index * 4.625929269271486e-19
+    t11 = form.sqrt(t5 + t7) * 67108864.0
+    t13 = (t11 * t3) * 2.0
+    t15 = t2 * 0.5
+    t17 = tracking_index * 0.07083333333333333
+    t24 = ((t2 * t3) * 1.5516447222296765) + (8.0 / t3)
+    t25 = form.near_cbrt(t24)
+    t29 = form.sqrt((t13 * t25) + t17)
+    t32 = form.sqrt((t29 * 2.0) + t15)
+    t33 = t13 * 0.5
+    t34 = t29 * t32
+    t39 = ((t32 * t34) - (t33 * t25)) / (t34 - t33)
+    t43 = form.sqrt((t13 * t39) + t17)
+    t46 = form.sqrt((t43 * 2.0) + t15)
+    t47 = t43 * t46
+    t52 = ((t46 * t47) - (t33 * t39)) / (t47 - t33)
+    t56 = form.sqrt((t13 * t52) + t17)
+    t59 = form.sqrt((t56 * 2.0) + t15)
+    t60 = t56 * t59
+    t65 = ((t59 * t60) - (t33 * t52)) / (t60 - t33)
+    t69 = form.sqrt((t13 * t65) + t17)
+    t72 = form.sqrt((t69 * 2.0) + t15)
+    t73 = t69 * t72
+    t78 = ((t72 * t73) - (t33 * t65)) / (t73 - t33)
+    t82 = form.sqrt((t13 * t78) + t17)
+    t91 = form.sqrt((t82 * 2.0) + t15) * t3
+    t95 = (t11 + (t82 * 0.5)) + ((t91 * 0.25) + (t2 * 0.125))
+    t96 = (t82 + (t2 * 0.25)) / t95
+    t97 = t91 / t95
+    t98 = t2 / t95
+    return (t96, t97, t98)
 
 
 def _gains_block(
@@ -233,18 +281,18 @@ def _gains_block(
     t83 = multiply(e, n3, w2)
     t84 = add(t83, t15, w2)
     x = sqrt(t84, w2)
-    t86 = multiply(e, n4, w1)
-    t87 = add(t11, t86, beta)
-    t88 = multiply(x, r, w2)
-    t90 = multiply(t88, n8, w1)
-    t91 = multiply(p, n9, w3)
-    t92 = add(t90, t91, w1)
-    t93 = add(t87, t92, w1)
-    t94 = multiply(p, n8, w3)
-    t95 = add(e, t94, w0)
-    divide(t95, t93, alpha)
-    divide(t88, t93, beta)
-    divide(p, t93, gamma)
+    t87 = multiply(p, n8, w1)
+    t88 = add(e, t87, w1)
+    t89 = multiply(e, n4, w0)
+    t90 = add(t11, t89, beta)
+    t91 = multiply(x, r, w2)
+    t92 = multiply(t91, n8, w0)
+    t93 = multiply(p, n9, w3)
+    t94 = add(t92, t93, w0)
+    t95 = add(t90, t94, w0)
+    divide(t88, t95, alpha)
+    divide(t91, t95, beta)
+    divide(p, t95, gamma)
 
 
 _GAINS = Signature(
@@ -253,26 +301,24 @@ _GAINS = Signature(
     ("alpha", "beta", "gamma"),
     7,
     _gains_block,
+    numbers=_gains_of_numbers,
 )
 
 
-def _gains_in_double_words(given: Arrays, out: Arrays, _work: Arrays, single: bool) -> None:
-    if single:
-        # float64 keeps 29 bits more than come out
-        found = evaluate(_GAINS, (given[0].astype(np.float64),), None, 1)
-        for result, value in zip(out, found, strict=True):
-            result[...] = value
-        return
+def _gains_in_double_words(given: Part, form: Form = Double) -> tuple[Part, ...]:
     # loaded when it is asked for
     from gainproof.generated._double_word import add, divide, exact, multiply, refined, root, scale
 
-    tracking_index = exact(given[0])
+    if form.single:
+        # float64 keeps 29 bits more than come out
+        return evaluate(_GAINS, exact(given)[:1], None, 1)
+    tracking_index = exact(given)
     t1 = multiply(tracking_index, tracking_index)
     t3 = divide((64.0, 0.0), t1)
     t5 = add(t3, (0.13333333333333333, 1.8503717077085942e-18))
     delta = root(t5)
     # what the plain kernel gives is near the root
-    near = evaluate(_GAINS, (given[0].astype(np.float64),), None, 1)
+    near = evaluate(_GAINS, exact(given)[:1], None, 1)
     near_xi = exact(2.0 * near[1] / near[2])
     t8 = multiply(delta, near_xi)
     t10 = scale(t8, 2.0)
@@ -297,9 +343,7 @@ def _gains_in_double_words(given: Arrays, out: Arrays, _work: Arrays, single: bo
     t32 = scale(xi, 4.0)
     t33 = divide(t32, nu)
     t35 = divide((8.0, 0.0), nu)
-    out[0][...] = t30[0]
-    out[1][...] = t33[0]
-    out[2][...] = t35[0]
+    return (t30[0], t33[0], t35[0])
 
 
 _ACCURATE_GAINS = Signature(
@@ -307,7 +351,8 @@ _ACCURATE_GAINS = Signature(
     (_ACCURATE_TRACKING_INDEX_DOMAIN,),
     ("alpha", "beta", "gamma"),
     0,
-    _gains_in_double_words,
+    filled_by(_gains_in_double_words),
+    numbers=_gains_in_double_words,
 )
 
 
@@ -333,14 +378,14 @@ def gain_derivatives(
     tracking_index: Lambda, with Lambda^2 =
         jerk_density*sampling_interval**5/measurement_deviation**2; a number above 0 and finite.
 
-    alpha: derivative of the position gain. Relative error at most 16.91 * 2^-52 (float64), 16.96 *
+    alpha: derivative of the position gain. Relative error at most 15.44 * 2^-52 (float64), 15.46 *
         2^-23 (float32), proved for 5e-324 <= tracking_index <= 5.849498211276313e102 (float64) and
         1e-45 <= tracking_index <= 7.235911e12 (float32).
-    beta: derivative of the velocity gain times the sampling interval. Relative error at most 17.73
-        * 2^-52 (float64), 17.73 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=
+    beta: derivative of the velocity gain times the sampling interval. Relative error at most 15.94
+        * 2^-52 (float64), 15.94 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=
         1.6140834523330185e103 (float64) and 1e-45 <= tracking_index <= 1.9966437e13 (float32).
     gamma: derivative of the acceleration gain times the square of the sampling interval. Relative
-        error at most 16.82 * 2^-52 (float64), 16.82 * 2^-23 (float32), proved for 5e-324 <=
+        error at most 16.16 * 2^-52 (float64), 16.17 * 2^-23 (float32), proved for 5e-324 <=
         tracking_index <= 1.9098208591277692e103 (float64) and 1e-45 <= tracking_index <=
         2.362475e13 (float32).
 
@@ -356,7 +401,68 @@ def gain_derivatives(
 
     Source: derivation continuous-white-jerk
     """
+    if (
+        type(tracking_index) is float
+        and 5e-324 <= tracking_index <= 1.7976931348623157e308
+        and out is None
+        and workers is ONE
+    ):
+        try:
+            return named(GainDerivatives, _gain_derivatives_of_numbers(tracking_index))
+        except (ArithmeticError, ValueError):
+            pass  # arrays say what is wrong
     return GainDerivatives(*evaluate(_GAIN_DERIVATIVES, (tracking_index,), out, workers))
+
+
+def _gain_derivatives_of_numbers(tracking_index: float, form: Form = Double) -> tuple[float, ...]:
+    t3 = form.sqrt(tracking_index)
+    t4 = form.sqrt(t3)
+    t6 = 2.220446049250313e-16 / tracking_index
+    t8 = tracking_index * 4.625929269271486e-19
+    t12 = form.sqrt(t6 + t8) * 67108864.0
+    t14 = (t12 * t4) * 2.0
+    t16 = t3 * 0.5
+    t18 = tracking_index * 0.07083333333333333
+    t25 = ((t3 * t4) * 1.5516447222296765) + (8.0 / t4)
+    t26 = form.near_cbrt(t25)
+    t30 = form.sqrt((t14 * t26) + t18)
+    t33 = form.sqrt((t30 * 2.0) + t16)
+    t34 = t14 * 0.5
+    t35 = t30 * t33
+    t40 = ((t33 * t35) - (t34 * t26)) / (t35 - t34)
+    t44 = form.sqrt((t14 * t40) + t18)
+    t47 = form.sqrt((t44 * 2.0) + t16)
+    t48 = t44 * t47
+    t53 = ((t47 * t48) - (t34 * t40)) / (t48 - t34)
+    t57 = form.sqrt((t14 * t53) + t18)
+    t60 = form.sqrt((t57 * 2.0) + t16)
+    t61 = t57 * t60
+    t66 = ((t60 * t61) - (t34 * t53)) / (t61 - t34)
+    t70 = form.sqrt((t14 * t66) + t18)
+    t73 = form.sqrt((t70 * 2.0) + t16)
+    t74 = t70 * t73
+    t79 = ((t73 * t74) - (t34 * t66)) / (t74 - t34)
+    t83 = form.sqrt((t14 * t79) + t18)
+    t89 = t83 + (t3 * 0.25)
+    t90 = form.sqrt((t83 * 2.0) + t16) * t4
+    t91 = t90 / t12
+    t95 = t89 + ((t91 * t3) * 0.008333333333333333)
+    t96 = t83 * t83
+    t99 = t3 * t83
+    t103 = tracking_index * 0.017708333333333333
+    t104 = ((t96 * 0.75) + (t99 * 0.25)) + t103
+    t106 = t90 * 0.25
+    t108 = ((t95 / t104) * t106) / tracking_index
+    t114 = (t12 + (t83 * 0.5)) + (t106 + (t3 * 0.125))
+    t121 = ((t96 * 0.25) + (t99 * 0.125)) + t103
+    t125 = (t121 + (t90 * (t89 * 0.125))) / t104
+    t128 = (t125 * 2.0) * (t91 / tracking_index)
+    t129 = t3 * t114
+    t136 = ((t90 / t104) * ((t89 + t106) * 0.5)) + 1.0
+    t117 = (((t108 * 2.0) / t114) / t114) / tracking_index
+    t131 = (t128 / t129) / t129
+    t140 = ((t136 / (t12 * t3)) / t129) / t129
+    return (t117, t131, t140)
 
 
 def _gain_derivatives_block(
@@ -372,16 +478,16 @@ def _gain_derivatives_block(
     n5: float = 0.07083333333333333,
     n6: float = 1.5516447222296765,
     n7: float = 8.0,
-    n8: float = 0.75,
-    n9: float = 0.25,
-    n10: float = 0.017708333333333333,
-    n11: float = 0.125,
-    n12: float = 0.008333333333333333,
+    n8: float = 0.25,
+    n9: float = 0.008333333333333333,
+    n10: float = 0.75,
+    n11: float = 0.017708333333333333,
+    n12: float = 0.125,
     n13: float = 1.0,
 ) -> None:
     (tracking_index,) = given
     alpha, beta, gamma = out
-    w0, w1, w2, w3, w4, w5, w6, w7, w8 = work
+    w0, w1, w2, w3, w4, w5, w6, w7, w8, w9 = work
     p = sqrt(tracking_index, alpha)
     r = sqrt(p, beta)
     t6 = divide(n0, tracking_index, gamma)
@@ -394,125 +500,124 @@ def _gain_derivatives_block(
     t16 = multiply(p, n4, w1)
     t18 = multiply(tracking_index, n5, w2)
     t19 = multiply(p, r, w3)
-    t22 = multiply(t19, n6, w4)
-    t24 = divide(n7, r, w5)
-    t25 = add(t22, t24, w4)
-    t26 = near_cbrt(t25, w4, single)
-    t28 = multiply(t14, t26, w5)
-    t29 = add(t28, t18, w5)
-    t30 = sqrt(t29, w5)
-    t31 = multiply(t30, n3, w6)
-    t32 = add(t31, t16, w6)
-    t33 = sqrt(t32, w6)
-    t34 = multiply(t14, n4, w7)
-    t35 = multiply(t30, t33, w5)
-    t36 = multiply(t33, t35, w6)
-    t37 = multiply(t34, t26, w4)
-    t38 = subtract(t36, t37, w6)
-    t39 = subtract(t35, t34, w5)
-    t40 = divide(t38, t39, w6)
-    t42 = multiply(t14, t40, w4)
-    t43 = add(t42, t18, w4)
-    t44 = sqrt(t43, w4)
-    t45 = multiply(t44, n3, w5)
-    t46 = add(t45, t16, w5)
-    t47 = sqrt(t46, w5)
-    t48 = multiply(t44, t47, w4)
-    t49 = multiply(t47, t48, w5)
-    t50 = multiply(t34, t40, w6)
-    t51 = subtract(t49, t50, w5)
-    t52 = subtract(t48, t34, w4)
-    t53 = divide(t51, t52, w5)
-    t55 = multiply(t14, t53, w4)
-    t56 = add(t55, t18, w4)
-    t57 = sqrt(t56, w4)
-    t58 = multiply(t57, n3, w6)
-    t59 = add(t58, t16, w6)
-    t60 = sqrt(t59, w6)
-    t61 = multiply(t57, t60, w4)
-    t62 = multiply(t60, t61, w6)
-    t63 = multiply(t34, t53, w5)
-    t64 = subtract(t62, t63, w6)
-    t65 = subtract(t61, t34, w4)
-    t66 = divide(t64, t65, w6)
-    t68 = multiply(t14, t66, w4)
-    t69 = add(t68, t18, w4)
-    t70 = sqrt(t69, w4)
-    t71 = multiply(t70, n3, w5)
-    t72 = add(t71, t16, w5)
-    t73 = sqrt(t72, w5)
-    t74 = multiply(t70, t73, w4)
-    t75 = multiply(t73, t74, w5)
-    t76 = multiply(t34, t66, w6)
-    t77 = subtract(t75, t76, w5)
-    t78 = subtract(t74, t34, w4)
-    t79 = divide(t77, t78, w5)
+    t22 = multiply(t19, n6, w3)
+    t24 = divide(n7, r, w4)
+    t25 = add(t22, t24, w3)
+    t26 = near_cbrt(t25, w3, single)
+    t28 = multiply(t14, t26, w4)
+    t29 = add(t28, t18, w4)
+    t30 = sqrt(t29, w4)
+    t31 = multiply(t30, n3, w5)
+    t32 = add(t31, t16, w5)
+    t33 = sqrt(t32, w5)
+    t34 = multiply(t14, n4, w6)
+    t35 = multiply(t30, t33, w4)
+    t36 = multiply(t33, t35, w5)
+    t37 = multiply(t34, t26, w3)
+    t38 = subtract(t36, t37, w5)
+    t39 = subtract(t35, t34, w4)
+    t40 = divide(t38, t39, w5)
+    t42 = multiply(t14, t40, w3)
+    t43 = add(t42, t18, w3)
+    t44 = sqrt(t43, w3)
+    t45 = multiply(t44, n3, w4)
+    t46 = add(t45, t16, w4)
+    t47 = sqrt(t46, w4)
+    t48 = multiply(t44, t47, w3)
+    t49 = multiply(t47, t48, w4)
+    t50 = multiply(t34, t40, w5)
+    t51 = subtract(t49, t50, w4)
+    t52 = subtract(t48, t34, w3)
+    t53 = divide(t51, t52, w4)
+    t55 = multiply(t14, t53, w3)
+    t56 = add(t55, t18, w3)
+    t57 = sqrt(t56, w3)
+    t58 = multiply(t57, n3, w5)
+    t59 = add(t58, t16, w5)
+    t60 = sqrt(t59, w5)
+    t61 = multiply(t57, t60, w3)
+    t62 = multiply(t60, t61, w5)
+    t63 = multiply(t34, t53, w4)
+    t64 = subtract(t62, t63, w5)
+    t65 = subtract(t61, t34, w3)
+    t66 = divide(t64, t65, w5)
+    t68 = multiply(t14, t66, w3)
+    t69 = add(t68, t18, w3)
+    t70 = sqrt(t69, w3)
+    t71 = multiply(t70, n3, w4)
+    t72 = add(t71, t16, w4)
+    t73 = sqrt(t72, w4)
+    t74 = multiply(t70, t73, w3)
+    t75 = multiply(t73, t74, w4)
+    t76 = multiply(t34, t66, w5)
+    t77 = subtract(t75, t76, w4)
+    t78 = subtract(t74, t34, w3)
+    t79 = divide(t77, t78, w4)
     t81 = multiply(t14, t79, w0)
     t82 = add(t81, t18, w0)
     e = sqrt(t82, w0)
     t84 = multiply(e, n3, w2)
     t85 = add(t84, t16, w2)
     x = sqrt(t85, w2)
-    t87 = square(e, w1)
-    t89 = multiply(t87, n8, w4)
-    t90 = multiply(p, e, w5)
-    t92 = multiply(t90, n9, w6)
-    t94 = multiply(tracking_index, n10, w7)
-    t95 = add(t89, t92, w4)
-    t96 = add(t95, t94, w4)
-    t97 = multiply(t87, n9, w1)
-    t98 = multiply(t90, n11, w5)
-    t99 = add(t97, t98, w1)
-    t100 = add(t99, t94, w1)
-    t101 = multiply(x, r, w5)
-    t102 = divide(t101, t12, w6)
-    t103 = multiply(t102, p, w6)
-    t105 = multiply(t103, n12, w6)
-    t106 = multiply(p, n9, w7)
-    t107 = add(e, t106, w7)
-    t108 = add(t107, t105, w6)
-    t109 = divide(t108, t96, w6)
-    t110 = multiply(t101, n9, w8)
-    t111 = multiply(t109, t110, w6)
-    t112 = divide(x, t19, w3)
-    t113 = multiply(t107, n11, w7)
-    t114 = multiply(t101, t113, w7)
-    t115 = add(t100, t114, w1)
-    t116 = divide(t101, t96, w5)
-    t117 = multiply(x, n9, w7)
-    t118 = multiply(r, n4, beta)
-    t119 = add(x, t118, w2)
-    t120 = multiply(t117, t119, w7)
-    t121 = multiply(t116, t120, w5)
-    t122 = add(t121, n13, w5)
-    t123 = divide(t111, tracking_index, w6)
-    t124 = multiply(t123, n3, w6)
-    t125 = divide(t115, t96, w1)
-    t126 = divide(t112, t12, w3)
-    t127 = multiply(t125, t126, w1)
-    t128 = multiply(t127, n3, w1)
-    t129 = multiply(t12, p, w2)
-    t130 = divide(t122, t129, w5)
-    t131 = multiply(e, n4, w0)
-    t132 = add(t12, t131, gamma)
-    t133 = multiply(p, n11, w0)
-    t134 = add(t110, t133, w8)
-    t135 = add(t132, t134, gamma)
-    t136 = multiply(p, t135, gamma)
-    t137 = divide(t124, t136, w6)
-    t139 = divide(t128, t136, w1)
-    t141 = divide(t130, t136, w5)
-    divide(t137, t136, alpha)
-    divide(t139, t136, beta)
-    divide(t141, t136, gamma)
+    t88 = multiply(p, n8, w1)
+    t89 = add(e, t88, w1)
+    t90 = multiply(x, r, w2)
+    t91 = divide(t90, t12, w3)
+    t92 = multiply(t91, p, w4)
+    t94 = multiply(t92, n9, w4)
+    t95 = add(t89, t94, w4)
+    t96 = square(e, w5)
+    t98 = multiply(t96, n10, w6)
+    t99 = multiply(p, e, beta)
+    t100 = multiply(t99, n8, w7)
+    t101 = add(t98, t100, w6)
+    t103 = multiply(tracking_index, n11, w7)
+    t104 = add(t101, t103, w6)
+    t105 = divide(t95, t104, w4)
+    t106 = multiply(t90, n8, w8)
+    t107 = multiply(t105, t106, w4)
+    t108 = divide(t107, tracking_index, w4)
+    t109 = multiply(t108, n3, w4)
+    t110 = multiply(e, n4, w0)
+    t111 = add(t12, t110, w0)
+    t112 = multiply(p, n12, w9)
+    t113 = add(t106, t112, w9)
+    t114 = add(t111, t113, w0)
+    t115 = divide(t109, t114, w4)
+    t116 = divide(t115, t114, w4)
+    t118 = multiply(t96, n8, w5)
+    t119 = multiply(t99, n12, beta)
+    t120 = add(t118, t119, w5)
+    t121 = add(t120, t103, w5)
+    t122 = multiply(t89, n12, w7)
+    t123 = multiply(t90, t122, w7)
+    t124 = add(t121, t123, w5)
+    t125 = divide(t124, t104, w5)
+    t126 = multiply(t125, n3, w5)
+    t127 = divide(t91, tracking_index, w3)
+    t128 = multiply(t126, t127, w5)
+    t129 = multiply(p, t114, w0)
+    t130 = divide(t128, t129, w5)
+    t132 = divide(t90, t104, w2)
+    t133 = add(t89, t106, w1)
+    t134 = multiply(t133, n4, w1)
+    t135 = multiply(t132, t134, w2)
+    t136 = add(t135, n13, w2)
+    t137 = multiply(t12, p, gamma)
+    t138 = divide(t136, t137, w2)
+    t139 = divide(t138, t129, w2)
+    divide(t116, tracking_index, alpha)
+    divide(t130, t129, beta)
+    divide(t139, t129, gamma)
 
 
 _GAIN_DERIVATIVES = Signature(
     "gain_derivatives",
     (_TRACKING_INDEX_DOMAIN,),
     ("alpha", "beta", "gamma"),
-    9,
+    10,
     _gain_derivatives_block,
+    numbers=_gain_derivatives_of_numbers,
 )
 
 
@@ -557,14 +662,14 @@ def gains_with_derivatives(
         * 2^-52 (float64), 4.55 * 2^-23 (float32), proved for 2.2250738585072014e-308 <=
         tracking_index <= 1.7976931348623157e308 (float64) and 1.1754945e-38 <= tracking_index <=
         3.4028235e38 (float32).
-    d_alpha: derivative of the position gain. Relative error at most 16.91 * 2^-52 (float64), 16.96
+    d_alpha: derivative of the position gain. Relative error at most 15.44 * 2^-52 (float64), 15.46
         * 2^-23 (float32), proved for 5e-324 <= tracking_index <= 5.849498211276313e102 (float64)
         and 1e-45 <= tracking_index <= 7.235911e12 (float32).
     d_beta: derivative of the velocity gain times the sampling interval. Relative error at most
-        17.73 * 2^-52 (float64), 17.73 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=
+        15.94 * 2^-52 (float64), 15.94 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=
         1.6140834523330185e103 (float64) and 1e-45 <= tracking_index <= 1.9966437e13 (float32).
     d_gamma: derivative of the acceleration gain times the square of the sampling interval. Relative
-        error at most 16.82 * 2^-52 (float64), 16.82 * 2^-23 (float32), proved for 5e-324 <=
+        error at most 16.16 * 2^-52 (float64), 16.17 * 2^-23 (float32), proved for 5e-324 <=
         tracking_index <= 1.9098208591277692e103 (float64) and 1e-45 <= tracking_index <=
         2.362475e13 (float32).
 
@@ -580,7 +685,74 @@ def gains_with_derivatives(
 
     Source: derivation continuous-white-jerk
     """
+    if (
+        type(tracking_index) is float
+        and 5e-324 <= tracking_index <= 1.7976931348623157e308
+        and out is None
+        and workers is ONE
+    ):
+        try:
+            return named(GainsWithDerivatives, _gains_with_derivatives_of_numbers(tracking_index))
+        except (ArithmeticError, ValueError):
+            pass  # arrays say what is wrong
     return GainsWithDerivatives(*evaluate(_GAINS_WITH_DERIVATIVES, (tracking_index,), out, workers))
+
+
+def _gains_with_derivatives_of_numbers(
+    tracking_index: float,
+    form: Form = Double,
+) -> tuple[float, ...]:
+    t3 = form.sqrt(tracking_index)
+    t4 = form.sqrt(t3)
+    t6 = 2.220446049250313e-16 / tracking_index
+    t8 = tracking_index * 4.625929269271486e-19
+    t12 = form.sqrt(t6 + t8) * 67108864.0
+    t14 = (t12 * t4) * 2.0
+    t16 = t3 * 0.5
+    t18 = tracking_index * 0.07083333333333333
+    t25 = ((t3 * t4) * 1.5516447222296765) + (8.0 / t4)
+    t26 = form.near_cbrt(t25)
+    t30 = form.sqrt((t14 * t26) + t18)
+    t33 = form.sqrt((t30 * 2.0) + t16)
+    t34 = t14 * 0.5
+    t35 = t30 * t33
+    t40 = ((t33 * t35) - (t34 * t26)) / (t35 - t34)
+    t44 = form.sqrt((t14 * t40) + t18)
+    t47 = form.sqrt((t44 * 2.0) + t16)
+    t48 = t44 * t47
+    t53 = ((t47 * t48) - (t34 * t40)) / (t48 - t34)
+    t57 = form.sqrt((t14 * t53) + t18)
+    t60 = form.sqrt((t57 * 2.0) + t16)
+    t61 = t57 * t60
+    t66 = ((t60 * t61) - (t34 * t53)) / (t61 - t34)
+    t70 = form.sqrt((t14 * t66) + t18)
+    t73 = form.sqrt((t70 * 2.0) + t16)
+    t74 = t70 * t73
+    t79 = ((t73 * t74) - (t34 * t66)) / (t74 - t34)
+    t83 = form.sqrt((t14 * t79) + t18)
+    t89 = t83 + (t3 * 0.25)
+    t92 = form.sqrt((t83 * 2.0) + t16) * t4
+    t93 = t92 * 0.25
+    t96 = (t12 + (t83 * 0.5)) + (t93 + (t3 * 0.125))
+    t100 = t92 / t12
+    t104 = t89 + ((t100 * t3) * 0.008333333333333333)
+    t105 = t83 * t83
+    t108 = t3 * t83
+    t112 = tracking_index * 0.017708333333333333
+    t113 = ((t105 * 0.75) + (t108 * 0.25)) + t112
+    t116 = ((t104 / t113) * t93) / tracking_index
+    t124 = ((t105 * 0.25) + (t108 * 0.125)) + t112
+    t128 = (t124 + (t92 * (t89 * 0.125))) / t113
+    t131 = (t128 * 2.0) * (t100 / tracking_index)
+    t132 = t3 * t96
+    t139 = ((t92 / t113) * ((t89 + t93) * 0.5)) + 1.0
+    t97 = t89 / t96
+    t98 = t92 / t96
+    t99 = t3 / t96
+    t120 = (((t116 * 2.0) / t96) / t96) / tracking_index
+    t134 = (t131 / t132) / t132
+    t143 = ((t139 / (t12 * t3)) / t132) / t132
+    return (t97, t98, t99, t120, t134, t143)
 
 
 def _gains_with_derivatives_block(
@@ -598,14 +770,14 @@ def _gains_with_derivatives_block(
     n7: float = 8.0,
     n8: float = 0.25,
     n9: float = 0.125,
-    n10: float = 0.75,
-    n11: float = 0.017708333333333333,
-    n12: float = 0.008333333333333333,
+    n10: float = 0.008333333333333333,
+    n11: float = 0.75,
+    n12: float = 0.017708333333333333,
     n13: float = 1.0,
 ) -> None:
     (tracking_index,) = given
     alpha, beta, gamma, d_alpha, d_beta, d_gamma = out
-    w0, w1, w2, w3, w4, w5, w6, w7 = work
+    w0, w1, w2, w3, w4, w5 = work
     p = sqrt(tracking_index, gamma)
     r = sqrt(p, alpha)
     t6 = divide(n0, tracking_index, beta)
@@ -618,58 +790,58 @@ def _gains_with_derivatives_block(
     t16 = multiply(p, n4, beta)
     t18 = multiply(tracking_index, n5, w1)
     t19 = multiply(p, r, w2)
-    t22 = multiply(t19, n6, w3)
+    t22 = multiply(t19, n6, w2)
     t24 = divide(n7, r, d_beta)
-    t25 = add(t22, t24, w3)
-    t26 = near_cbrt(t25, w3, single)
+    t25 = add(t22, t24, w2)
+    t26 = near_cbrt(t25, w2, single)
     t28 = multiply(t14, t26, d_beta)
     t29 = add(t28, t18, d_beta)
     t30 = sqrt(t29, d_gamma)
     t31 = multiply(t30, n3, d_beta)
     t32 = add(t31, t16, d_beta)
     t33 = sqrt(t32, d_beta)
-    t34 = multiply(t14, n4, w4)
+    t34 = multiply(t14, n4, w3)
     t35 = multiply(t30, t33, d_gamma)
     t36 = multiply(t33, t35, d_beta)
-    t37 = multiply(t34, t26, w3)
+    t37 = multiply(t34, t26, w2)
     t38 = subtract(t36, t37, d_beta)
     t39 = subtract(t35, t34, d_gamma)
     t40 = divide(t38, t39, d_beta)
-    t42 = multiply(t14, t40, w3)
-    t43 = add(t42, t18, w3)
-    t44 = sqrt(t43, w3)
+    t42 = multiply(t14, t40, w2)
+    t43 = add(t42, t18, w2)
+    t44 = sqrt(t43, w2)
     t45 = multiply(t44, n3, d_gamma)
     t46 = add(t45, t16, d_gamma)
     t47 = sqrt(t46, d_gamma)
-    t48 = multiply(t44, t47, w3)
+    t48 = multiply(t44, t47, w2)
     t49 = multiply(t47, t48, d_gamma)
     t50 = multiply(t34, t40, d_beta)
     t51 = subtract(t49, t50, d_gamma)
-    t52 = subtract(t48, t34, w3)
+    t52 = subtract(t48, t34, w2)
     t53 = divide(t51, t52, d_gamma)
-    t55 = multiply(t14, t53, w3)
-    t56 = add(t55, t18, w3)
-    t57 = sqrt(t56, w3)
+    t55 = multiply(t14, t53, w2)
+    t56 = add(t55, t18, w2)
+    t57 = sqrt(t56, w2)
     t58 = multiply(t57, n3, d_beta)
     t59 = add(t58, t16, d_beta)
     t60 = sqrt(t59, d_beta)
-    t61 = multiply(t57, t60, w3)
+    t61 = multiply(t57, t60, w2)
     t62 = multiply(t60, t61, d_beta)
     t63 = multiply(t34, t53, d_gamma)
     t64 = subtract(t62, t63, d_beta)
-    t65 = subtract(t61, t34, w3)
+    t65 = subtract(t61, t34, w2)
     t66 = divide(t64, t65, d_beta)
-    t68 = multiply(t14, t66, w3)
-    t69 = add(t68, t18, w3)
-    t70 = sqrt(t69, w3)
+    t68 = multiply(t14, t66, w2)
+    t69 = add(t68, t18, w2)
+    t70 = sqrt(t69, w2)
     t71 = multiply(t70, n3, d_gamma)
     t72 = add(t71, t16, d_gamma)
     t73 = sqrt(t72, d_gamma)
-    t74 = multiply(t70, t73, w3)
+    t74 = multiply(t70, t73, w2)
     t75 = multiply(t73, t74, d_gamma)
     t76 = multiply(t34, t66, d_beta)
     t77 = subtract(t75, t76, d_gamma)
-    t78 = subtract(t74, t34, w3)
+    t78 = subtract(t74, t34, w2)
     t79 = divide(t77, t78, d_gamma)
     t81 = multiply(t14, t79, w0)
     t82 = add(t81, t18, w0)
@@ -677,69 +849,68 @@ def _gains_with_derivatives_block(
     t84 = multiply(e, n3, w1)
     t85 = add(t84, t16, w1)
     x = sqrt(t85, w1)
-    t87 = multiply(e, n4, w3)
-    t88 = add(t12, t87, w3)
-    t89 = multiply(x, r, w4)
-    t91 = multiply(t89, n8, beta)
-    t92 = multiply(p, n9, d_beta)
-    t93 = add(t91, t92, d_beta)
-    t94 = add(t88, t93, w3)
-    t95 = multiply(p, n8, d_beta)
-    t96 = add(e, t95, d_beta)
-    t100 = square(e, d_gamma)
-    t102 = multiply(t100, n10, w5)
-    t103 = multiply(p, e, w0)
-    t104 = multiply(t103, n8, w6)
-    t106 = multiply(tracking_index, n11, w7)
-    t107 = add(t102, t104, w5)
-    t108 = add(t107, t106, w5)
-    t109 = multiply(t100, n8, d_gamma)
-    t110 = multiply(t103, n9, w0)
-    t111 = add(t109, t110, d_gamma)
-    t112 = add(t111, t106, d_gamma)
-    t113 = divide(t89, t12, w0)
-    t114 = multiply(t113, p, w0)
-    t116 = multiply(t114, n12, w0)
-    t117 = add(t96, t116, w0)
-    t118 = divide(t117, t108, w0)
-    t119 = multiply(t118, t91, w0)
-    t120 = divide(x, t19, w2)
-    t121 = multiply(t96, n9, w6)
-    t122 = multiply(t89, t121, w6)
-    t123 = add(t112, t122, d_gamma)
-    t124 = divide(t89, t108, w6)
-    t125 = multiply(x, n8, w7)
-    t126 = multiply(r, n4, alpha)
-    t127 = add(x, t126, w1)
-    t128 = multiply(t125, t127, w7)
-    t129 = multiply(t124, t128, w6)
-    t130 = add(t129, n13, w6)
-    t131 = divide(t119, tracking_index, w0)
-    t132 = multiply(t131, n3, w0)
-    t133 = divide(t123, t108, d_gamma)
-    t134 = divide(t120, t12, w2)
-    t135 = multiply(t133, t134, d_gamma)
-    t136 = multiply(t135, n3, d_gamma)
-    t137 = multiply(t12, p, d_alpha)
-    t138 = divide(t130, t137, w6)
-    t139 = multiply(p, t94, w1)
-    t140 = divide(t132, t139, w0)
-    t142 = divide(t136, t139, d_gamma)
-    t144 = divide(t138, t139, w6)
-    divide(t96, t94, alpha)
-    divide(t89, t94, beta)
-    divide(p, t94, gamma)
-    divide(t140, t139, d_alpha)
-    divide(t142, t139, d_beta)
-    divide(t144, t139, d_gamma)
+    t88 = multiply(p, n8, w2)
+    t89 = add(e, t88, w2)
+    t90 = multiply(e, n4, w3)
+    t91 = add(t12, t90, w3)
+    t92 = multiply(x, r, w1)
+    t93 = multiply(t92, n8, alpha)
+    t94 = multiply(p, n9, beta)
+    t95 = add(t93, t94, beta)
+    t96 = add(t91, t95, w3)
+    t100 = divide(t92, t12, beta)
+    t101 = multiply(t100, p, d_beta)
+    t103 = multiply(t101, n10, d_beta)
+    t104 = add(t89, t103, d_beta)
+    t105 = square(e, d_gamma)
+    t107 = multiply(t105, n11, w4)
+    t108 = multiply(p, e, w0)
+    t109 = multiply(t108, n8, w5)
+    t110 = add(t107, t109, w4)
+    t112 = multiply(tracking_index, n12, w5)
+    t113 = add(t110, t112, w4)
+    t114 = divide(t104, t113, d_beta)
+    t115 = multiply(t114, t93, d_beta)
+    t116 = divide(t115, tracking_index, d_beta)
+    t117 = multiply(t116, n3, d_beta)
+    t118 = divide(t117, t96, d_beta)
+    t119 = divide(t118, t96, d_beta)
+    t121 = multiply(t105, n8, d_gamma)
+    t122 = multiply(t108, n9, w0)
+    t123 = add(t121, t122, d_gamma)
+    t124 = add(t123, t112, d_gamma)
+    t125 = multiply(t89, n9, w0)
+    t126 = multiply(t92, t125, w0)
+    t127 = add(t124, t126, d_gamma)
+    t128 = divide(t127, t113, d_gamma)
+    t129 = multiply(t128, n3, d_gamma)
+    t130 = divide(t100, tracking_index, beta)
+    t131 = multiply(t129, t130, d_gamma)
+    t132 = multiply(p, t96, w0)
+    t133 = divide(t131, t132, d_gamma)
+    t135 = divide(t92, t113, w4)
+    t136 = add(t89, t93, alpha)
+    t137 = multiply(t136, n4, alpha)
+    t138 = multiply(t135, t137, w4)
+    t139 = add(t138, n13, w4)
+    t140 = multiply(t12, p, d_alpha)
+    t141 = divide(t139, t140, w4)
+    t142 = divide(t141, t132, w4)
+    divide(t89, t96, alpha)
+    divide(t92, t96, beta)
+    divide(p, t96, gamma)
+    divide(t119, tracking_index, d_alpha)
+    divide(t133, t132, d_beta)
+    divide(t142, t132, d_gamma)
 
 
 _GAINS_WITH_DERIVATIVES = Signature(
     "gains_with_derivatives",
     (_TRACKING_INDEX_DOMAIN,),
     ("alpha", "beta", "gamma", "d_alpha", "d_beta", "d_gamma"),
-    8,
+    6,
     _gains_with_derivatives_block,
+    numbers=_gains_with_derivatives_of_numbers,
 )
 
 
@@ -788,7 +959,54 @@ def predictor_gains(
 
     Source: derivation continuous-white-jerk
     """
+    if (
+        type(tracking_index) is float
+        and 5e-324 <= tracking_index <= 1.7976931348623157e308
+        and out is None
+        and workers is ONE
+    ):
+        try:
+            return named(PredictorGains, _predictor_gains_of_numbers(tracking_index))
+        except (ArithmeticError, ValueError):
+            pass  # arrays say what is wrong
     return PredictorGains(*evaluate(_PREDICTOR_GAINS, (tracking_index,), out, workers))
+
+
+def _predictor_gains_of_numbers(tracking_index: float, form: Form = Double) -> tuple[float, ...]:
+    t2 = form.sqrt(tracking_index)
+    t3 = form.sqrt(t2)
+    t5 = 2.220446049250313e-16 / tracking_index
+    t7 = tracking_index * 4.625929269271486e-19
+    t11 = form.sqrt(t5 + t7) * 67108864.0
+    t13 = (t11 * t3) * 2.0
+    t15 = t2 * 0.5
+    t17 = tracking_index * 0.07083333333333333
+    t24 = ((t2 * t3) * 1.5516447222296765) + (8.0 / t3)
+    t25 = form.near_cbrt(t24)
+    t29 = form.sqrt((t13 * t25) + t17)
+    t32 = form.sqrt((t29 * 2.0) + t15)
+    t33 = t13 * 0.5
+    t34 = t29 * t32
+    t39 = ((t32 * t34) - (t33 * t25)) / (t34 - t33)
+    t43 = form.sqrt((t13 * t39) + t17)
+    t46 = form.sqrt((t43 * 2.0) + t15)
+    t47 = t43 * t46
+    t52 = ((t46 * t47) - (t33 * t39)) / (t47 - t33)
+    t56 = form.sqrt((t13 * t52) + t17)
+    t59 = form.sqrt((t56 * 2.0) + t15)
+    t60 = t56 * t59
+    t65 = ((t59 * t60) - (t33 * t52)) / (t60 - t33)
+    t69 = form.sqrt((t13 * t65) + t17)
+    t72 = form.sqrt((t69 * 2.0) + t15)
+    t73 = t69 * t72
+    t78 = ((t72 * t73) - (t33 * t65)) / (t73 - t33)
+    t82 = form.sqrt((t13 * t78) + t17)
+    t86 = form.sqrt((t82 * 2.0) + t15) * t3
+    t97 = (t11 + (t82 * 0.5)) + ((t86 * 0.25) + (t2 * 0.125))
+    t98 = (t82 + (t86 + (t2 * 0.75))) / t97
+    t100 = (t86 + t2) / t97
+    t101 = t2 / t97
+    return (t98, t100, t101)
 
 
 def _predictor_gains_block(
@@ -804,9 +1022,9 @@ def _predictor_gains_block(
     n5: float = 0.07083333333333333,
     n6: float = 1.5516447222296765,
     n7: float = 8.0,
-    n8: float = 0.25,
-    n9: float = 0.125,
-    n10: float = 0.75,
+    n8: float = 0.75,
+    n9: float = 0.25,
+    n10: float = 0.125,
 ) -> None:
     (tracking_index,) = given
     position, velocity, acceleration = out
@@ -882,20 +1100,20 @@ def _predictor_gains_block(
     t83 = multiply(e, n3, w2)
     t84 = add(t83, t15, w2)
     x = sqrt(t84, w2)
-    t86 = multiply(e, n4, w1)
-    t87 = add(t11, t86, velocity)
-    t88 = multiply(x, r, w2)
-    t90 = multiply(t88, n8, w1)
-    t91 = multiply(p, n9, w3)
-    t92 = add(t90, t91, w1)
-    t93 = add(t87, t92, w1)
+    t86 = multiply(x, r, w2)
+    t88 = multiply(p, n8, w1)
+    t89 = add(t86, t88, w1)
+    t90 = add(e, t89, w1)
+    t91 = multiply(e, n4, w0)
+    t92 = add(t11, t91, velocity)
+    t94 = multiply(t86, n9, w0)
     t95 = multiply(p, n10, w3)
-    t96 = add(t88, t95, w3)
-    t97 = add(e, t96, w0)
-    t99 = add(t88, p, w2)
-    divide(t97, t93, position)
-    divide(t99, t93, velocity)
-    divide(p, t93, acceleration)
+    t96 = add(t94, t95, w0)
+    t97 = add(t92, t96, w0)
+    t99 = add(t86, p, w2)
+    divide(t90, t97, position)
+    divide(t99, t97, velocity)
+    divide(p, t97, acceleration)
 
 
 _PREDICTOR_GAINS = Signature(
@@ -904,6 +1122,7 @@ _PREDICTOR_GAINS = Signature(
     ("position", "velocity", "acceleration"),
     7,
     _predictor_gains_block,
+    numbers=_predictor_gains_of_numbers,
 )
 
 
@@ -931,14 +1150,14 @@ def predictor_gain_derivatives(
         jerk_density*sampling_interval**5/measurement_deviation**2; a number above 0 and finite.
 
     position: derivative of the position entry of F K, alpha + beta + gamma/2. Relative error at
-        most 18.24 * 2^-52 (float64), 18.24 * 2^-23 (float32), proved for 5e-324 <= tracking_index
+        most 16.86 * 2^-52 (float64), 16.89 * 2^-23 (float32), proved for 5e-324 <= tracking_index
         <= 1.990641374279621e103 (float64) and 1e-45 <= tracking_index <= 2.4624511e13 (float32).
     velocity: derivative of the velocity entry of F K times the sampling interval, beta + gamma.
-        Relative error at most 17.76 * 2^-52 (float64), 17.76 * 2^-23 (float32), proved for 5e-324
+        Relative error at most 16.46 * 2^-52 (float64), 16.43 * 2^-23 (float32), proved for 5e-324
         <= tracking_index <= 2.235446903786528e103 (float64) and 1e-45 <= tracking_index <=
         2.765279e13 (float32).
     acceleration: derivative of the acceleration entry of F K times the square of the sampling
-        interval, gamma. Relative error at most 16.82 * 2^-52 (float64), 16.82 * 2^-23 (float32),
+        interval, gamma. Relative error at most 16.16 * 2^-52 (float64), 16.17 * 2^-23 (float32),
         proved for 5e-324 <= tracking_index <= 1.9098208591277692e103 (float64) and 1e-45 <=
         tracking_index <= 2.362475e13 (float32).
 
@@ -954,9 +1173,77 @@ def predictor_gain_derivatives(
 
     Source: derivation continuous-white-jerk
     """
+    if (
+        type(tracking_index) is float
+        and 5e-324 <= tracking_index <= 1.7976931348623157e308
+        and out is None
+        and workers is ONE
+    ):
+        try:
+            return named(
+                PredictorGainDerivatives, _predictor_gain_derivatives_of_numbers(tracking_index)
+            )
+        except (ArithmeticError, ValueError):
+            pass  # arrays say what is wrong
     return PredictorGainDerivatives(
         *evaluate(_PREDICTOR_GAIN_DERIVATIVES, (tracking_index,), out, workers)
     )
+
+
+def _predictor_gain_derivatives_of_numbers(
+    tracking_index: float,
+    form: Form = Double,
+) -> tuple[float, ...]:
+    t3 = form.sqrt(tracking_index)
+    t4 = form.sqrt(t3)
+    t6 = 2.220446049250313e-16 / tracking_index
+    t8 = tracking_index * 4.625929269271486e-19
+    t12 = form.sqrt(t6 + t8) * 67108864.0
+    t14 = (t12 * t4) * 2.0
+    t16 = t3 * 0.5
+    t18 = tracking_index * 0.07083333333333333
+    t25 = ((t3 * t4) * 1.5516447222296765) + (8.0 / t4)
+    t26 = form.near_cbrt(t25)
+    t30 = form.sqrt((t14 * t26) + t18)
+    t33 = form.sqrt((t30 * 2.0) + t16)
+    t34 = t14 * 0.5
+    t35 = t30 * t33
+    t40 = ((t33 * t35) - (t34 * t26)) / (t35 - t34)
+    t44 = form.sqrt((t14 * t40) + t18)
+    t47 = form.sqrt((t44 * 2.0) + t16)
+    t48 = t44 * t47
+    t53 = ((t47 * t48) - (t34 * t40)) / (t48 - t34)
+    t57 = form.sqrt((t14 * t53) + t18)
+    t60 = form.sqrt((t57 * 2.0) + t16)
+    t61 = t57 * t60
+    t66 = ((t60 * t61) - (t34 * t53)) / (t61 - t34)
+    t70 = form.sqrt((t14 * t66) + t18)
+    t73 = form.sqrt((t70 * 2.0) + t16)
+    t74 = t70 * t73
+    t79 = ((t73 * t74) - (t34 * t66)) / (t74 - t34)
+    t83 = form.sqrt((t14 * t79) + t18)
+    t89 = t83 + (t3 * 0.25)
+    t90 = form.sqrt((t83 * 2.0) + t16) * t4
+    t91 = t90 / t12
+    t95 = t89 + ((t91 * t3) * 0.008333333333333333)
+    t96 = t83 * t83
+    t99 = t3 * t83
+    t103 = tracking_index * 0.017708333333333333
+    t104 = ((t96 * 0.75) + (t99 * 0.25)) + t103
+    t106 = t90 * 0.25
+    t108 = ((t95 / t104) * t106) / tracking_index
+    t113 = ((t96 * 0.25) + (t99 * 0.125)) + t103
+    t117 = (t113 + (t90 * (t89 * 0.125))) / t104
+    t120 = (t117 * 2.0) * (t91 / tracking_index)
+    t125 = ((t90 / t104) * ((t89 + t106) * 0.5)) + 1.0
+    t127 = t125 / (t12 * t3)
+    t135 = (t12 + (t83 * 0.5)) + (t106 + (t3 * 0.125))
+    t136 = t3 * t135
+    t137 = ((t108 * 2.0) + (t120 + (t127 * 0.5))) / t136
+    t138 = t137 / t136
+    t141 = ((t120 + t127) / t136) / t136
+    t143 = (t127 / t136) / t136
+    return (t138, t141, t143)
 
 
 def _predictor_gain_derivatives_block(
@@ -972,11 +1259,11 @@ def _predictor_gain_derivatives_block(
     n5: float = 0.07083333333333333,
     n6: float = 1.5516447222296765,
     n7: float = 8.0,
-    n8: float = 0.75,
-    n9: float = 0.25,
-    n10: float = 0.017708333333333333,
-    n11: float = 0.125,
-    n12: float = 0.008333333333333333,
+    n8: float = 0.25,
+    n9: float = 0.008333333333333333,
+    n10: float = 0.75,
+    n11: float = 0.017708333333333333,
+    n12: float = 0.125,
     n13: float = 1.0,
 ) -> None:
     (tracking_index,) = given
@@ -994,121 +1281,118 @@ def _predictor_gain_derivatives_block(
     t16 = multiply(p, n4, w1)
     t18 = multiply(tracking_index, n5, w2)
     t19 = multiply(p, r, w3)
-    t22 = multiply(t19, n6, w4)
-    t24 = divide(n7, r, w5)
-    t25 = add(t22, t24, w4)
-    t26 = near_cbrt(t25, w4, single)
-    t28 = multiply(t14, t26, w5)
-    t29 = add(t28, t18, w5)
-    t30 = sqrt(t29, w5)
-    t31 = multiply(t30, n3, w6)
-    t32 = add(t31, t16, w6)
-    t33 = sqrt(t32, w6)
-    t34 = multiply(t14, n4, w7)
-    t35 = multiply(t30, t33, w5)
-    t36 = multiply(t33, t35, w6)
-    t37 = multiply(t34, t26, w4)
-    t38 = subtract(t36, t37, w6)
-    t39 = subtract(t35, t34, w5)
-    t40 = divide(t38, t39, w6)
-    t42 = multiply(t14, t40, w4)
-    t43 = add(t42, t18, w4)
-    t44 = sqrt(t43, w4)
-    t45 = multiply(t44, n3, w5)
-    t46 = add(t45, t16, w5)
-    t47 = sqrt(t46, w5)
-    t48 = multiply(t44, t47, w4)
-    t49 = multiply(t47, t48, w5)
-    t50 = multiply(t34, t40, w6)
-    t51 = subtract(t49, t50, w5)
-    t52 = subtract(t48, t34, w4)
-    t53 = divide(t51, t52, w5)
-    t55 = multiply(t14, t53, w4)
-    t56 = add(t55, t18, w4)
-    t57 = sqrt(t56, w4)
-    t58 = multiply(t57, n3, w6)
-    t59 = add(t58, t16, w6)
-    t60 = sqrt(t59, w6)
-    t61 = multiply(t57, t60, w4)
-    t62 = multiply(t60, t61, w6)
-    t63 = multiply(t34, t53, w5)
-    t64 = subtract(t62, t63, w6)
-    t65 = subtract(t61, t34, w4)
-    t66 = divide(t64, t65, w6)
-    t68 = multiply(t14, t66, w4)
-    t69 = add(t68, t18, w4)
-    t70 = sqrt(t69, w4)
-    t71 = multiply(t70, n3, w5)
-    t72 = add(t71, t16, w5)
-    t73 = sqrt(t72, w5)
-    t74 = multiply(t70, t73, w4)
-    t75 = multiply(t73, t74, w5)
-    t76 = multiply(t34, t66, w6)
-    t77 = subtract(t75, t76, w5)
-    t78 = subtract(t74, t34, w4)
-    t79 = divide(t77, t78, w5)
+    t22 = multiply(t19, n6, w3)
+    t24 = divide(n7, r, w4)
+    t25 = add(t22, t24, w3)
+    t26 = near_cbrt(t25, w3, single)
+    t28 = multiply(t14, t26, w4)
+    t29 = add(t28, t18, w4)
+    t30 = sqrt(t29, w4)
+    t31 = multiply(t30, n3, w5)
+    t32 = add(t31, t16, w5)
+    t33 = sqrt(t32, w5)
+    t34 = multiply(t14, n4, w6)
+    t35 = multiply(t30, t33, w4)
+    t36 = multiply(t33, t35, w5)
+    t37 = multiply(t34, t26, w3)
+    t38 = subtract(t36, t37, w5)
+    t39 = subtract(t35, t34, w4)
+    t40 = divide(t38, t39, w5)
+    t42 = multiply(t14, t40, w3)
+    t43 = add(t42, t18, w3)
+    t44 = sqrt(t43, w3)
+    t45 = multiply(t44, n3, w4)
+    t46 = add(t45, t16, w4)
+    t47 = sqrt(t46, w4)
+    t48 = multiply(t44, t47, w3)
+    t49 = multiply(t47, t48, w4)
+    t50 = multiply(t34, t40, w5)
+    t51 = subtract(t49, t50, w4)
+    t52 = subtract(t48, t34, w3)
+    t53 = divide(t51, t52, w4)
+    t55 = multiply(t14, t53, w3)
+    t56 = add(t55, t18, w3)
+    t57 = sqrt(t56, w3)
+    t58 = multiply(t57, n3, w5)
+    t59 = add(t58, t16, w5)
+    t60 = sqrt(t59, w5)
+    t61 = multiply(t57, t60, w3)
+    t62 = multiply(t60, t61, w5)
+    t63 = multiply(t34, t53, w4)
+    t64 = subtract(t62, t63, w5)
+    t65 = subtract(t61, t34, w3)
+    t66 = divide(t64, t65, w5)
+    t68 = multiply(t14, t66, w3)
+    t69 = add(t68, t18, w3)
+    t70 = sqrt(t69, w3)
+    t71 = multiply(t70, n3, w4)
+    t72 = add(t71, t16, w4)
+    t73 = sqrt(t72, w4)
+    t74 = multiply(t70, t73, w3)
+    t75 = multiply(t73, t74, w4)
+    t76 = multiply(t34, t66, w5)
+    t77 = subtract(t75, t76, w4)
+    t78 = subtract(t74, t34, w3)
+    t79 = divide(t77, t78, w4)
     t81 = multiply(t14, t79, w0)
     t82 = add(t81, t18, w0)
     e = sqrt(t82, w0)
     t84 = multiply(e, n3, w2)
     t85 = add(t84, t16, w2)
     x = sqrt(t85, w2)
-    t87 = square(e, w1)
-    t89 = multiply(t87, n8, w4)
-    t90 = multiply(p, e, w5)
-    t92 = multiply(t90, n9, w6)
-    t94 = multiply(tracking_index, n10, w7)
-    t95 = add(t89, t92, w4)
-    t96 = add(t95, t94, w4)
-    t97 = multiply(t87, n9, w1)
-    t98 = multiply(t90, n11, w5)
-    t99 = add(t97, t98, w1)
-    t100 = add(t99, t94, w1)
-    t101 = multiply(x, r, w5)
-    t102 = divide(t101, t12, w6)
-    t103 = multiply(t102, p, w6)
-    t105 = multiply(t103, n12, w6)
-    t106 = multiply(p, n9, w7)
-    t107 = add(e, t106, w7)
-    t108 = add(t107, t105, w6)
-    t109 = divide(t108, t96, w6)
-    t110 = multiply(t101, n9, w8)
-    t111 = multiply(t109, t110, w6)
-    t112 = divide(x, t19, w3)
-    t113 = multiply(t107, n11, w7)
-    t114 = multiply(t101, t113, w7)
-    t115 = add(t100, t114, w1)
-    t116 = divide(t101, t96, w5)
-    t117 = multiply(x, n9, w7)
-    t118 = multiply(r, n4, velocity)
-    t119 = add(x, t118, w2)
-    t120 = multiply(t117, t119, w7)
-    t121 = multiply(t116, t120, w5)
-    t122 = add(t121, n13, w5)
-    t123 = divide(t111, tracking_index, w6)
-    t124 = multiply(t123, n3, w6)
-    t125 = divide(t115, t96, w1)
-    t126 = divide(t112, t12, w3)
-    t127 = multiply(t125, t126, w1)
-    t128 = multiply(t127, n3, w1)
-    t129 = multiply(t12, p, w2)
-    t130 = divide(t122, t129, w5)
-    t131 = multiply(t130, n4, w2)
-    t132 = add(t128, t131, w2)
-    t133 = add(t124, t132, w6)
-    t134 = add(t128, t130, w1)
-    t135 = multiply(e, n4, w0)
-    t136 = add(t12, t135, acceleration)
-    t137 = multiply(p, n11, w0)
-    t138 = add(t110, t137, w8)
-    t139 = add(t136, t138, acceleration)
-    t140 = multiply(p, t139, acceleration)
-    t141 = divide(t133, t140, w6)
-    t143 = divide(t134, t140, w1)
-    t145 = divide(t130, t140, w5)
-    divide(t141, t140, position)
-    divide(t143, t140, velocity)
-    divide(t145, t140, acceleration)
+    t88 = multiply(p, n8, w1)
+    t89 = add(e, t88, w1)
+    t90 = multiply(x, r, w2)
+    t91 = divide(t90, t12, w3)
+    t92 = multiply(t91, p, w4)
+    t94 = multiply(t92, n9, w4)
+    t95 = add(t89, t94, w4)
+    t96 = square(e, w5)
+    t98 = multiply(t96, n10, w6)
+    t99 = multiply(p, e, velocity)
+    t100 = multiply(t99, n8, w7)
+    t101 = add(t98, t100, w6)
+    t103 = multiply(tracking_index, n11, w7)
+    t104 = add(t101, t103, w6)
+    t105 = divide(t95, t104, w4)
+    t106 = multiply(t90, n8, w8)
+    t107 = multiply(t105, t106, w4)
+    t108 = divide(t107, tracking_index, w4)
+    t109 = multiply(t108, n3, w4)
+    t110 = multiply(t96, n8, w5)
+    t111 = multiply(t99, n12, velocity)
+    t112 = add(t110, t111, w5)
+    t113 = add(t112, t103, w5)
+    t114 = multiply(t89, n12, w7)
+    t115 = multiply(t90, t114, w7)
+    t116 = add(t113, t115, w5)
+    t117 = divide(t116, t104, w5)
+    t118 = multiply(t117, n3, w5)
+    t119 = divide(t91, tracking_index, w3)
+    t120 = multiply(t118, t119, w5)
+    t121 = divide(t90, t104, w2)
+    t122 = add(t89, t106, w1)
+    t123 = multiply(t122, n4, w1)
+    t124 = multiply(t121, t123, w2)
+    t125 = add(t124, n13, w2)
+    t126 = multiply(t12, p, w1)
+    t127 = divide(t125, t126, w2)
+    t128 = multiply(t127, n4, w1)
+    t129 = add(t120, t128, w1)
+    t130 = add(t109, t129, w4)
+    t131 = multiply(e, n4, w0)
+    t132 = add(t12, t131, acceleration)
+    t133 = multiply(p, n12, w0)
+    t134 = add(t106, t133, w8)
+    t135 = add(t132, t134, acceleration)
+    t136 = multiply(p, t135, acceleration)
+    t137 = divide(t130, t136, w4)
+    t139 = add(t120, t127, w5)
+    t140 = divide(t139, t136, w5)
+    t142 = divide(t127, t136, w2)
+    divide(t137, t136, position)
+    divide(t140, t136, velocity)
+    divide(t142, t136, acceleration)
 
 
 _PREDICTOR_GAIN_DERIVATIVES = Signature(
@@ -1117,6 +1401,7 @@ _PREDICTOR_GAIN_DERIVATIVES = Signature(
     ("position", "velocity", "acceleration"),
     9,
     _predictor_gain_derivatives_block,
+    numbers=_predictor_gain_derivatives_of_numbers,
 )
 
 
@@ -1155,7 +1440,55 @@ def innovation_deviation(
 
     Source: derivation continuous-white-jerk
     """
+    if (
+        type(tracking_index) is float
+        and 5e-324 <= tracking_index <= 1.7976931348623157e308
+        and out is None
+        and workers is ONE
+    ):
+        try:
+            return named(InnovationDeviation, _innovation_deviation_of_numbers(tracking_index))
+        except (ArithmeticError, ValueError):
+            pass  # arrays say what is wrong
     return InnovationDeviation(*evaluate(_INNOVATION_DEVIATION, (tracking_index,), out, workers))
+
+
+def _innovation_deviation_of_numbers(
+    tracking_index: float,
+    form: Form = Double,
+) -> tuple[float, ...]:
+    t2 = form.sqrt(tracking_index)
+    t3 = form.sqrt(t2)
+    t5 = 2.220446049250313e-16 / tracking_index
+    t7 = tracking_index * 4.625929269271486e-19
+    t11 = form.sqrt(t5 + t7) * 67108864.0
+    t13 = (t11 * t3) * 2.0
+    t15 = t2 * 0.5
+    t17 = tracking_index * 0.07083333333333333
+    t24 = ((t2 * t3) * 1.5516447222296765) + (8.0 / t3)
+    t25 = form.near_cbrt(t24)
+    t29 = form.sqrt((t13 * t25) + t17)
+    t32 = form.sqrt((t29 * 2.0) + t15)
+    t33 = t13 * 0.5
+    t34 = t29 * t32
+    t39 = ((t32 * t34) - (t33 * t25)) / (t34 - t33)
+    t43 = form.sqrt((t13 * t39) + t17)
+    t46 = form.sqrt((t43 * 2.0) + t15)
+    t47 = t43 * t46
+    t52 = ((t46 * t47) - (t33 * t39)) / (t47 - t33)
+    t56 = form.sqrt((t13 * t52) + t17)
+    t59 = form.sqrt((t56 * 2.0) + t15)
+    t60 = t56 * t59
+    t65 = ((t59 * t60) - (t33 * t52)) / (t60 - t33)
+    t69 = form.sqrt((t13 * t65) + t17)
+    t72 = form.sqrt((t69 * 2.0) + t15)
+    t73 = t69 * t72
+    t78 = ((t72 * t73) - (t33 * t65)) / (t73 - t33)
+    t82 = form.sqrt((t13 * t78) + t17)
+    t90 = (form.sqrt((t82 * 2.0) + t15) * t3) * 0.25
+    t93 = (t11 + (t82 * 0.5)) + (t90 + (t2 * 0.125))
+    t94 = t2 * t93
+    return (t94,)
 
 
 def _innovation_deviation_block(
@@ -1264,6 +1597,7 @@ _INNOVATION_DEVIATION = Signature(
     ("innovation_deviation",),
     9,
     _innovation_deviation_block,
+    numbers=_innovation_deviation_of_numbers,
 )
 
 
@@ -1288,7 +1622,7 @@ def pole_product(
         jerk_density*sampling_interval**5/measurement_deviation**2; a number above 0 and finite.
 
     pole_product: product of the poles, and what is left of 1 beside the position gain. Relative
-        error at most 11.36 * 2^-52 (float64), 11.36 * 2^-23 (float32), proved for 5e-324 <=
+        error at most 9.35 * 2^-52 (float64), 9.36 * 2^-23 (float32), proved for 5e-324 <=
         tracking_index <= 1.0003752096714334e154 (float64) and 1e-45 <= tracking_index <=
         1.3763372e19 (float32).
 
@@ -1304,7 +1638,52 @@ def pole_product(
 
     Source: derivation continuous-white-jerk
     """
+    if (
+        type(tracking_index) is float
+        and 5e-324 <= tracking_index <= 1.7976931348623157e308
+        and out is None
+        and workers is ONE
+    ):
+        try:
+            return named(PoleProduct, _pole_product_of_numbers(tracking_index))
+        except (ArithmeticError, ValueError):
+            pass  # arrays say what is wrong
     return PoleProduct(*evaluate(_POLE_PRODUCT, (tracking_index,), out, workers))
+
+
+def _pole_product_of_numbers(tracking_index: float, form: Form = Double) -> tuple[float, ...]:
+    t3 = form.sqrt(tracking_index)
+    t4 = form.sqrt(t3)
+    t6 = 2.220446049250313e-16 / tracking_index
+    t8 = tracking_index * 4.625929269271486e-19
+    t12 = form.sqrt(t6 + t8) * 67108864.0
+    t14 = (t12 * t4) * 2.0
+    t16 = t3 * 0.5
+    t18 = tracking_index * 0.07083333333333333
+    t25 = ((t3 * t4) * 1.5516447222296765) + (8.0 / t4)
+    t26 = form.near_cbrt(t25)
+    t30 = form.sqrt((t14 * t26) + t18)
+    t33 = form.sqrt((t30 * 2.0) + t16)
+    t34 = t14 * 0.5
+    t35 = t30 * t33
+    t40 = ((t33 * t35) - (t34 * t26)) / (t35 - t34)
+    t44 = form.sqrt((t14 * t40) + t18)
+    t47 = form.sqrt((t44 * 2.0) + t16)
+    t48 = t44 * t47
+    t53 = ((t47 * t48) - (t34 * t40)) / (t48 - t34)
+    t57 = form.sqrt((t14 * t53) + t18)
+    t60 = form.sqrt((t57 * 2.0) + t16)
+    t61 = t57 * t60
+    t66 = ((t60 * t61) - (t34 * t53)) / (t61 - t34)
+    t70 = form.sqrt((t14 * t66) + t18)
+    t73 = form.sqrt((t70 * 2.0) + t16)
+    t74 = t70 * t73
+    t79 = ((t73 * t74) - (t34 * t66)) / (t74 - t34)
+    t83 = form.sqrt((t14 * t79) + t18)
+    t91 = (form.sqrt((t83 * 2.0) + t16) * t4) * 0.25
+    t94 = (t12 + (t83 * 0.5)) + (t91 + (t3 * 0.125))
+    t97 = ((1.0 / t94) / tracking_index) / t94
+    return (t97,)
 
 
 def _pole_product_block(
@@ -1402,12 +1781,12 @@ def _pole_product_block(
     t88 = add(t12, t87, w1)
     t89 = multiply(x, r, w4)
     t91 = multiply(t89, n8, w4)
-    t92 = multiply(p, n9, w0)
+    t92 = multiply(p, n9, pole_product)
     t93 = add(t91, t92, w4)
     t94 = add(t88, t93, w1)
-    t95 = multiply(p, t94, pole_product)
-    t96 = divide(n10, t95, pole_product)
-    square(t96, pole_product)
+    t95 = divide(n10, t94, w0)
+    t96 = divide(t95, tracking_index, w0)
+    divide(t96, t94, pole_product)
 
 
 _POLE_PRODUCT = Signature(
@@ -1416,6 +1795,7 @@ _POLE_PRODUCT = Signature(
     ("pole_product",),
     9,
     _pole_product_block,
+    numbers=_pole_product_of_numbers,
 )
 
 
@@ -1451,22 +1831,22 @@ def predicted_covariance(
     tracking_index: Lambda, with Lambda^2 =
         jerk_density*sampling_interval**5/measurement_deviation**2; a number above 0 and finite.
 
-    predicted_11: variance of the predicted position over sigma_v^2. Relative error at most 10.83 *
-        2^-52 (float64), 10.84 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=
-        2.0007504193428274e154 (float64) and 1e-45 <= tracking_index <= 2.7526447e19 (float32).
+    predicted_11: variance of the predicted position over sigma_v^2. Relative error at most 9.34 *
+        2^-52 (float64), 9.34 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=
+        2.0007504193428283e154 (float64) and 1e-45 <= tracking_index <= 2.7526452e19 (float32).
     predicted_12: covariance of predicted position and velocity times T/sigma_v^2. Relative error at
-        most 10.32 * 2^-52 (float64), 10.33 * 2^-23 (float32), proved for 5e-324 <= tracking_index
-        <= 1.5222172303427583e154 (float64) and 1e-45 <= tracking_index <= 2.0942752e19 (float32).
+        most 8.83 * 2^-52 (float64), 8.83 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=
+        1.522217230342759e154 (float64) and 1e-45 <= tracking_index <= 2.0942756e19 (float32).
     predicted_13: covariance of predicted position and acceleration times T^2/sigma_v^2. Relative
         error at most 5.43 * 2^-52 (float64), 5.43 * 2^-23 (float32), proved for
         2.2250738585072014e-308 <= tracking_index <= 1.637854613154071e154 (float64) and
         1.1754944e-38 <= tracking_index <= 2.253382e19 (float32).
     predicted_22: variance of the predicted velocity times T^2/sigma_v^2. Relative error at most
-        13.27 * 2^-52 (float64), 13.26 * 2^-23 (float32), proved for 7.416912861690675e-309 <=
-        tracking_index <= 1.133038012070643e154 (float64) and 3.918315e-39 <= tracking_index <=
-        1.5588327e19 (float32).
+        5.86 * 2^-52 (float64), 5.88 * 2^-23 (float32), proved for 7.416912861690675e-309 <=
+        tracking_index <= 1.1330380120706537e154 (float64) and 3.918315e-39 <= tracking_index <=
+        1.5588409e19 (float32).
     predicted_23: covariance of predicted velocity and acceleration times T^3/sigma_v^2. Relative
-        error at most 7.07 * 2^-52 (float64), 7.07 * 2^-23 (float32), proved for
+        error at most 6.56 * 2^-52 (float64), 6.56 * 2^-23 (float32), proved for
         1.0832677820940206e-231 <= tracking_index <= 1.1615899080873361e154 (float64) and
         2.122721e-29 <= tracking_index <= 1.5981308e19 (float32).
     predicted_33: variance of the predicted acceleration times T^4/sigma_v^2. Relative error at most
@@ -1486,7 +1866,66 @@ def predicted_covariance(
 
     Source: derivation continuous-white-jerk
     """
+    if (
+        type(tracking_index) is float
+        and 5e-324 <= tracking_index <= 1.7976931348623157e308
+        and out is None
+        and workers is ONE
+    ):
+        try:
+            return named(PredictedCovariance, _predicted_covariance_of_numbers(tracking_index))
+        except (ArithmeticError, ValueError):
+            pass  # arrays say what is wrong
     return PredictedCovariance(*evaluate(_PREDICTED_COVARIANCE, (tracking_index,), out, workers))
+
+
+def _predicted_covariance_of_numbers(
+    tracking_index: float,
+    form: Form = Double,
+) -> tuple[float, ...]:
+    t2 = form.sqrt(tracking_index)
+    t3 = form.sqrt(t2)
+    t5 = 2.220446049250313e-16 / tracking_index
+    t7 = tracking_index * 4.625929269271486e-19
+    t11 = form.sqrt(t5 + t7) * 67108864.0
+    t13 = (t11 * t3) * 2.0
+    t15 = t2 * 0.5
+    t17 = tracking_index * 0.07083333333333333
+    t18 = t2 * t3
+    t24 = (t18 * 1.5516447222296765) + (8.0 / t3)
+    t25 = form.near_cbrt(t24)
+    t29 = form.sqrt((t13 * t25) + t17)
+    t32 = form.sqrt((t29 * 2.0) + t15)
+    t33 = t13 * 0.5
+    t34 = t29 * t32
+    t39 = ((t32 * t34) - (t33 * t25)) / (t34 - t33)
+    t43 = form.sqrt((t13 * t39) + t17)
+    t46 = form.sqrt((t43 * 2.0) + t15)
+    t47 = t43 * t46
+    t52 = ((t46 * t47) - (t33 * t39)) / (t47 - t33)
+    t56 = form.sqrt((t13 * t52) + t17)
+    t59 = form.sqrt((t56 * 2.0) + t15)
+    t60 = t56 * t59
+    t65 = ((t59 * t60) - (t33 * t52)) / (t60 - t33)
+    t69 = form.sqrt((t13 * t65) + t17)
+    t72 = form.sqrt((t69 * 2.0) + t15)
+    t73 = t69 * t72
+    t78 = ((t72 * t73) - (t33 * t65)) / (t73 - t33)
+    t82 = form.sqrt((t13 * t78) + t17)
+    t85 = form.sqrt((t82 * 2.0) + t15)
+    t87 = t2 * 0.25
+    t91 = t85 * t3
+    t95 = (t11 + (t82 * 0.5)) + ((t91 * 0.25) + (t2 * 0.125))
+    t110 = (t3 / t85) * (t82 + (t2 * 0.26666666666666666))
+    t112 = ((((t11 * 3.0) + t82) + t87) + t110) * t2
+    t117 = (t2 * 0.3333333333333333) + (t91 * 0.5)
+    t97 = ((t87 + t82) * t95) * tracking_index
+    t99 = (t91 * t95) * tracking_index
+    t101 = tracking_index * (t2 * t95)
+    t113 = t112 * tracking_index
+    t120 = ((t117 + t82) * t2) * tracking_index
+    t124 = tracking_index * ((t18 * t85) + (tracking_index * 0.5))
+    return (t97, t99, t101, t113, t120, t124)
 
 
 def _predicted_covariance_block(
@@ -1504,13 +1943,13 @@ def _predicted_covariance_block(
     n7: float = 8.0,
     n8: float = 0.25,
     n9: float = 0.125,
-    n10: float = 0.75,
-    n11: float = 0.017708333333333333,
+    n10: float = 3.0,
+    n11: float = 0.26666666666666666,
     n12: float = 0.3333333333333333,
 ) -> None:
     (tracking_index,) = given
     predicted_11, predicted_12, predicted_13, predicted_22, predicted_23, predicted_33 = out
-    w0, w1, w2, w3, w4 = work
+    w0, w1, w2, w3, w4, w5 = work
     p = sqrt(tracking_index, predicted_11)
     r = sqrt(p, predicted_12)
     t5 = divide(n0, tracking_index, predicted_13)
@@ -1582,45 +2021,41 @@ def _predicted_covariance_block(
     t83 = multiply(e, n3, w1)
     t84 = add(t83, t15, w1)
     x = sqrt(t84, w1)
-    t86 = multiply(e, n4, w3)
-    t87 = add(t11, t86, predicted_22)
-    t88 = multiply(x, r, w3)
-    t90 = multiply(t88, n8, w3)
-    t91 = multiply(p, n9, w4)
-    t92 = add(t90, t91, w3)
-    t93 = add(t87, t92, predicted_22)
-    t94 = multiply(p, t93, predicted_22)
-    t95 = multiply(t18, x, w2)
-    t96 = multiply(p, e, w3)
-    t97 = multiply(p, n8, w4)
-    t98 = add(e, t97, w4)
-    t99 = multiply(t98, p, w4)
-    t103 = square(e, w0)
-    t105 = multiply(t103, n10, w0)
-    t106 = multiply(t96, n8, predicted_11)
-    t108 = multiply(tracking_index, n11, predicted_13)
-    t109 = add(t105, t106, w0)
-    t110 = add(t109, t108, w0)
-    t111 = divide(t110, x, w0)
-    t112 = multiply(r, n3, predicted_12)
-    t113 = multiply(t111, t112, w0)
-    t114 = multiply(t95, n8, w1)
-    t115 = multiply(tracking_index, n8, predicted_11)
-    t116 = add(t113, t114, w0)
-    t117 = add(t116, t96, w0)
-    t118 = add(t117, t115, w0)
-    t120 = multiply(t95, n4, w1)
-    t122 = multiply(tracking_index, n12, predicted_11)
-    t123 = add(t96, t120, w3)
-    t124 = add(t123, t122, w3)
-    t126 = multiply(tracking_index, n4, w1)
-    t127 = add(t95, t126, w1)
-    multiply(t99, t94, predicted_11)
-    multiply(t95, t94, predicted_12)
-    multiply(tracking_index, t94, predicted_13)
-    multiply(tracking_index, t118, predicted_22)
-    multiply(tracking_index, t124, predicted_23)
-    multiply(tracking_index, t127, predicted_33)
+    t87 = multiply(p, n8, w3)
+    t88 = add(t87, e, w4)
+    t89 = multiply(e, n4, predicted_13)
+    t90 = add(t11, t89, predicted_13)
+    t91 = multiply(x, r, predicted_23)
+    t92 = multiply(t91, n8, predicted_33)
+    t93 = multiply(p, n9, w5)
+    t94 = add(t92, t93, predicted_33)
+    t95 = add(t90, t94, predicted_13)
+    t96 = multiply(t88, t95, w4)
+    t98 = multiply(t91, t95, w5)
+    t100 = multiply(p, t95, predicted_13)
+    t103 = multiply(t11, n10, predicted_22)
+    t104 = add(t103, e, predicted_22)
+    t105 = add(t104, t87, predicted_22)
+    t106 = divide(r, x, predicted_12)
+    t108 = multiply(p, n11, w3)
+    t109 = add(e, t108, w3)
+    t110 = multiply(t106, t109, predicted_12)
+    t111 = add(t105, t110, predicted_22)
+    t112 = multiply(t111, p, predicted_22)
+    t115 = multiply(p, n12, w3)
+    t116 = multiply(t91, n4, predicted_23)
+    t117 = add(t115, t116, w3)
+    t118 = add(t117, e, w3)
+    t119 = multiply(t118, p, w3)
+    t121 = multiply(t18, x, w2)
+    t122 = multiply(tracking_index, n4, w0)
+    t123 = add(t121, t122, w2)
+    multiply(t96, tracking_index, predicted_11)
+    multiply(t98, tracking_index, predicted_12)
+    multiply(tracking_index, t100, predicted_13)
+    multiply(t112, tracking_index, predicted_22)
+    multiply(t119, tracking_index, predicted_23)
+    multiply(tracking_index, t123, predicted_33)
 
 
 _PREDICTED_COVARIANCE = Signature(
@@ -1634,8 +2069,9 @@ _PREDICTED_COVARIANCE = Signature(
         "predicted_23",
         "predicted_33",
     ),
-    5,
+    6,
     _predicted_covariance_block,
+    numbers=_predicted_covariance_of_numbers,
 )
 
 
@@ -1672,11 +2108,11 @@ def predicted_covariance_derivatives(
         2^1000, in float32 above 0 and at most 2^120.
 
     predicted_11: derivative of the variance of the predicted position over sigma_v^2. Relative
-        error at most 13.68 * 2^-52 (float64), 13.70 * 2^-23 (float32), proved for 5e-324 <=
+        error at most 12.67 * 2^-52 (float64), 12.73 * 2^-23 (float32), proved for 5e-324 <=
         tracking_index <= 1.0715086071862673e301 (float64) and 1e-45 <= tracking_index <=
         1.329228e36 (float32).
     predicted_12: derivative of the covariance of predicted position and velocity times T/sigma_v^2.
-        Relative error at most 12.44 * 2^-52 (float64), 12.44 * 2^-23 (float32), proved for 5e-324
+        Relative error at most 12.30 * 2^-52 (float64), 12.34 * 2^-23 (float32), proved for 5e-324
         <= tracking_index <= 1.0715086071862673e301 (float64) and 1e-45 <= tracking_index <=
         1.329228e36 (float32).
     predicted_13: derivative of the covariance of predicted position and acceleration times
@@ -1684,15 +2120,15 @@ def predicted_covariance_derivatives(
         for 5e-324 <= tracking_index <= 1.0715086071862673e301 (float64) and 1e-45 <= tracking_index
         <= 1.329228e36 (float32).
     predicted_22: derivative of the variance of the predicted velocity times T^2/sigma_v^2. Relative
-        error at most 16.38 * 2^-52 (float64), 16.32 * 2^-23 (float32), proved for 5e-324 <=
+        error at most 6.85 * 2^-52 (float64), 6.86 * 2^-23 (float32), proved for 5e-324 <=
         tracking_index <= 1.0715086071862673e301 (float64) and 1e-45 <= tracking_index <=
         1.329228e36 (float32).
     predicted_23: derivative of the covariance of predicted velocity and acceleration times
-        T^3/sigma_v^2. Relative error at most 10.56 * 2^-52 (float64), 10.54 * 2^-23 (float32),
-        proved for 5e-324 <= tracking_index <= 1.0715086071862673e301 (float64) and 1e-45 <=
-        tracking_index <= 1.329228e36 (float32).
+        T^3/sigma_v^2. Relative error at most 8.58 * 2^-52 (float64), 8.59 * 2^-23 (float32), proved
+        for 5e-324 <= tracking_index <= 1.0715086071862673e301 (float64) and 1e-45 <= tracking_index
+        <= 1.329228e36 (float32).
     predicted_33: derivative of the variance of the predicted acceleration times T^4/sigma_v^2.
-        Relative error at most 8.47 * 2^-52 (float64), 8.46 * 2^-23 (float32), proved for 5e-324 <=
+        Relative error at most 8.16 * 2^-52 (float64), 8.16 * 2^-23 (float32), proved for 5e-324 <=
         tracking_index <= 1.0715086071862673e301 (float64) and 1e-45 <= tracking_index <=
         1.329228e36 (float32).
 
@@ -1708,9 +2144,93 @@ def predicted_covariance_derivatives(
 
     Source: derivation continuous-white-jerk
     """
+    if (
+        type(tracking_index) is float
+        and 5e-324 <= tracking_index <= 1.0715086071862673e301
+        and out is None
+        and workers is ONE
+    ):
+        try:
+            return named(
+                PredictedCovarianceDerivatives,
+                _predicted_covariance_derivatives_of_numbers(tracking_index),
+            )
+        except (ArithmeticError, ValueError):
+            pass  # arrays say what is wrong
     return PredictedCovarianceDerivatives(
         *evaluate(_PREDICTED_COVARIANCE_DERIVATIVES, (tracking_index,), out, workers)
     )
+
+
+def _predicted_covariance_derivatives_of_numbers(
+    tracking_index: float,
+    form: Form = Double,
+) -> tuple[float, ...]:
+    t3 = form.sqrt(tracking_index)
+    t4 = form.sqrt(t3)
+    t6 = 2.220446049250313e-16 / tracking_index
+    t8 = tracking_index * 4.625929269271486e-19
+    t12 = form.sqrt(t6 + t8) * 67108864.0
+    t14 = (t12 * t4) * 2.0
+    t16 = t3 * 0.5
+    t18 = tracking_index * 0.07083333333333333
+    t19 = t3 * t4
+    t25 = (t19 * 1.5516447222296765) + (8.0 / t4)
+    t26 = form.near_cbrt(t25)
+    t30 = form.sqrt((t14 * t26) + t18)
+    t33 = form.sqrt((t30 * 2.0) + t16)
+    t34 = t14 * 0.5
+    t35 = t30 * t33
+    t40 = ((t33 * t35) - (t34 * t26)) / (t35 - t34)
+    t44 = form.sqrt((t14 * t40) + t18)
+    t47 = form.sqrt((t44 * 2.0) + t16)
+    t48 = t44 * t47
+    t53 = ((t47 * t48) - (t34 * t40)) / (t48 - t34)
+    t57 = form.sqrt((t14 * t53) + t18)
+    t60 = form.sqrt((t57 * 2.0) + t16)
+    t61 = t57 * t60
+    t66 = ((t60 * t61) - (t34 * t53)) / (t61 - t34)
+    t70 = form.sqrt((t14 * t66) + t18)
+    t73 = form.sqrt((t70 * 2.0) + t16)
+    t74 = t70 * t73
+    t79 = ((t73 * t74) - (t34 * t66)) / (t74 - t34)
+    t83 = form.sqrt((t14 * t79) + t18)
+    t86 = form.sqrt((t83 * 2.0) + t16)
+    t88 = t3 * 0.25
+    t90 = t86 * t4
+    t91 = t90 / t12
+    t95 = (t83 + t88) + ((t91 * t3) * 0.008333333333333333)
+    t96 = t83 * t83
+    t99 = t3 * t83
+    t103 = tracking_index * 0.017708333333333333
+    t104 = ((t96 * 0.75) + (t99 * 0.25)) + t103
+    t106 = t90 * 0.25
+    t107 = (t95 / t104) * t106
+    t113 = (t12 + (t83 * 0.5)) + (t106 + (t3 * 0.125))
+    t120 = ((t96 * 0.25) + (t99 * 0.125)) + t103
+    t126 = ((tracking_index / t104) * t91) * 0.0010416666666666667
+    t127 = ((t120 / t104) * 2.0) + t126
+    t130 = t3 * t113
+    t137 = ((tracking_index / t12) / t12) * 0.0020833333333333333
+    t144 = ((t88 / t83) * 2.0) + 2.0
+    t146 = (tracking_index * t144) * 0.017708333333333333
+    t150 = ((t120 + t146) / t104) + (t126 * t144)
+    t151 = 1.0 + t150
+    t152 = t151 * t83
+    t154 = ((((1.0 + t137) * t12) * 3.0) + t152) + t16
+    t158 = ((t90 / t104) / tracking_index) / t12
+    t159 = t158 * 0.5
+    t165 = ((2.0 + t159) * t3) * 0.26666666666666666
+    t167 = (t4 / t86) * (((t151 + t159) * t83) + t165)
+    t170 = 1.0 + t127
+    t176 = (((t170 * t90) * 0.5) + t152) + (t3 * 0.6666666666666666)
+    t115 = ((t107 * 2.0) * t113) * t113
+    t131 = ((t86 / t4) * (t127 + t107)) * t130
+    t133 = t130 * (t107 + 1.0)
+    t169 = (t154 + t167) * t3
+    t177 = t176 * t3
+    t180 = ((t19 * t86) * t170) + tracking_index
+    return (t115, t131, t133, t169, t177, t180)
 
 
 def _predicted_covariance_derivatives_block(
@@ -1726,54 +2246,50 @@ def _predicted_covariance_derivatives_block(
     n5: float = 0.07083333333333333,
     n6: float = 1.5516447222296765,
     n7: float = 8.0,
-    n8: float = 0.75,
-    n9: float = 0.25,
-    n10: float = 0.017708333333333333,
-    n11: float = 0.125,
-    n12: float = 0.008333333333333333,
+    n8: float = 0.25,
+    n9: float = 0.008333333333333333,
+    n10: float = 0.75,
+    n11: float = 0.017708333333333333,
+    n12: float = 0.125,
     n13: float = 0.0010416666666666667,
     n14: float = 1.0,
-    n15: float = 0.09375,
-    n16: float = 4.0,
-    n17: float = 0.008854166666666666,
-    n18: float = 0.5625,
-    n19: float = 0.19114583333333332,
-    n20: float = 0.5666666666666667,
-    n21: float = 0.04043402777777778,
-    n22: float = 0.6666666666666666,
+    n15: float = 0.0020833333333333333,
+    n16: float = 3.0,
+    n17: float = 0.26666666666666666,
+    n18: float = 0.6666666666666666,
 ) -> None:
     (tracking_index,) = given
     predicted_11, predicted_12, predicted_13, predicted_22, predicted_23, predicted_33 = out
-    w0, w1, w2, w3, w4, w5, w6, w7, w8, w9, w10, w11, w12, w13, w14, w15, w16 = work
-    p = sqrt(tracking_index, predicted_11)
-    r = sqrt(p, predicted_12)
-    t6 = divide(n0, tracking_index, predicted_13)
+    w0, w1, w2, w3, w4, w5, w6, w7, w8, w9, w10, w11, w12, w13 = work
+    p = sqrt(tracking_index, predicted_23)
+    r = sqrt(p, predicted_11)
+    t6 = divide(n0, tracking_index, predicted_12)
     t8 = multiply(tracking_index, n1, w0)
-    t9 = add(t6, t8, predicted_13)
-    c_scaled = sqrt(t9, predicted_22)
-    t12 = multiply(c_scaled, n2, predicted_22)
+    t9 = add(t6, t8, predicted_12)
+    c_scaled = sqrt(t9, predicted_13)
+    t12 = multiply(c_scaled, n2, predicted_13)
     t13 = multiply(t12, r, w0)
     t14 = multiply(t13, n3, w0)
-    t16 = multiply(p, n4, predicted_13)
+    t16 = multiply(p, n4, predicted_12)
     t18 = multiply(tracking_index, n5, w1)
     t19 = multiply(p, r, w2)
     t22 = multiply(t19, n6, w3)
-    t24 = divide(n7, r, predicted_23)
+    t24 = divide(n7, r, predicted_22)
     t25 = add(t22, t24, w3)
     t26 = near_cbrt(t25, w3, single)
-    t28 = multiply(t14, t26, predicted_23)
-    t29 = add(t28, t18, predicted_23)
+    t28 = multiply(t14, t26, predicted_22)
+    t29 = add(t28, t18, predicted_22)
     t30 = sqrt(t29, predicted_33)
-    t31 = multiply(t30, n3, predicted_23)
-    t32 = add(t31, t16, predicted_23)
-    t33 = sqrt(t32, predicted_23)
+    t31 = multiply(t30, n3, predicted_22)
+    t32 = add(t31, t16, predicted_22)
+    t33 = sqrt(t32, predicted_22)
     t34 = multiply(t14, n4, w4)
     t35 = multiply(t30, t33, predicted_33)
-    t36 = multiply(t33, t35, predicted_23)
+    t36 = multiply(t33, t35, predicted_22)
     t37 = multiply(t34, t26, w3)
-    t38 = subtract(t36, t37, predicted_23)
+    t38 = subtract(t36, t37, predicted_22)
     t39 = subtract(t35, t34, predicted_33)
-    t40 = divide(t38, t39, predicted_23)
+    t40 = divide(t38, t39, predicted_22)
     t42 = multiply(t14, t40, w3)
     t43 = add(t42, t18, w3)
     t44 = sqrt(t43, w3)
@@ -1782,22 +2298,22 @@ def _predicted_covariance_derivatives_block(
     t47 = sqrt(t46, predicted_33)
     t48 = multiply(t44, t47, w3)
     t49 = multiply(t47, t48, predicted_33)
-    t50 = multiply(t34, t40, predicted_23)
+    t50 = multiply(t34, t40, predicted_22)
     t51 = subtract(t49, t50, predicted_33)
     t52 = subtract(t48, t34, w3)
     t53 = divide(t51, t52, predicted_33)
     t55 = multiply(t14, t53, w3)
     t56 = add(t55, t18, w3)
     t57 = sqrt(t56, w3)
-    t58 = multiply(t57, n3, predicted_23)
-    t59 = add(t58, t16, predicted_23)
-    t60 = sqrt(t59, predicted_23)
+    t58 = multiply(t57, n3, predicted_22)
+    t59 = add(t58, t16, predicted_22)
+    t60 = sqrt(t59, predicted_22)
     t61 = multiply(t57, t60, w3)
-    t62 = multiply(t60, t61, predicted_23)
+    t62 = multiply(t60, t61, predicted_22)
     t63 = multiply(t34, t53, predicted_33)
-    t64 = subtract(t62, t63, predicted_23)
+    t64 = subtract(t62, t63, predicted_22)
     t65 = subtract(t61, t34, w3)
-    t66 = divide(t64, t65, predicted_23)
+    t66 = divide(t64, t65, predicted_22)
     t68 = multiply(t14, t66, w3)
     t69 = add(t68, t18, w3)
     t70 = sqrt(t69, w3)
@@ -1806,7 +2322,7 @@ def _predicted_covariance_derivatives_block(
     t73 = sqrt(t72, predicted_33)
     t74 = multiply(t70, t73, w3)
     t75 = multiply(t73, t74, predicted_33)
-    t76 = multiply(t34, t66, predicted_23)
+    t76 = multiply(t34, t66, predicted_22)
     t77 = subtract(t75, t76, predicted_33)
     t78 = subtract(t74, t34, w3)
     t79 = divide(t77, t78, predicted_33)
@@ -1816,110 +2332,91 @@ def _predicted_covariance_derivatives_block(
     t84 = multiply(e, n3, w1)
     t85 = add(t84, t16, w1)
     x = sqrt(t85, w1)
-    t87 = square(e, w3)
-    t89 = multiply(t87, n8, w4)
-    t90 = multiply(p, e, predicted_13)
-    t92 = multiply(t90, n9, predicted_23)
-    t94 = multiply(tracking_index, n10, predicted_33)
-    t95 = add(t89, t92, w4)
-    t96 = add(t95, t94, w4)
-    t97 = multiply(t87, n9, predicted_23)
-    t98 = multiply(t90, n11, w5)
-    t99 = add(t97, t98, w5)
-    t100 = add(t99, t94, w5)
-    t101 = multiply(x, r, w6)
-    t102 = divide(t101, t12, w7)
-    t103 = multiply(t102, p, w8)
-    t105 = multiply(t103, n12, w8)
-    t106 = multiply(p, n9, w9)
-    t107 = add(e, t106, w9)
-    t108 = add(t107, t105, w9)
-    t109 = divide(tracking_index, t96, w8)
-    t110 = multiply(t109, t102, w7)
-    t112 = multiply(t110, n13, w7)
-    t113 = divide(t100, t96, w5)
-    t114 = multiply(t113, n3, w5)
-    t115 = divide(t108, t96, w9)
-    t116 = multiply(t101, n9, w6)
-    t117 = multiply(t115, t116, w9)
-    t118 = add(t114, n14, w10)
-    t119 = multiply(e, n4, w11)
-    t120 = add(t12, t119, w11)
-    t121 = multiply(p, n11, w12)
-    t122 = add(t116, t121, w6)
-    t123 = add(t120, t122, w11)
-    t124 = multiply(p, t123, w6)
-    t125 = multiply(t19, x, w2)
-    t126 = divide(x, r, w12)
-    t127 = multiply(t126, n3, w13)
-    t128 = add(t118, t112, w14)
-    t129 = multiply(e, p, w15)
-    t131 = multiply(t90, n15, w16)
-    t132 = add(t97, t131, predicted_23)
-    t133 = add(t132, t94, predicted_23)
-    t134 = divide(t133, t96, predicted_23)
-    t136 = multiply(t134, n16, predicted_23)
-    t137 = multiply(t129, t136, predicted_23)
-    t138 = multiply(t109, tracking_index, w8)
-    t140 = multiply(t138, n17, w8)
-    t141 = add(t137, t140, predicted_23)
-    t142 = divide(t117, p, w8)
-    t143 = multiply(t142, t123, w8)
-    t144 = multiply(t124, n3, w11)
-    t146 = add(t114, t117, w5)
-    t147 = add(t146, t112, w5)
-    t148 = multiply(t126, t147, w12)
-    t150 = add(t117, n14, w9)
-    t153 = multiply(t87, n18, w3)
-    t154 = multiply(t90, n4, predicted_13)
-    t156 = multiply(tracking_index, n19, w5)
-    t157 = add(t153, t154, w3)
-    t158 = add(t157, t156, w3)
-    t160 = multiply(t129, n20, w15)
-    t162 = multiply(tracking_index, n21, w5)
-    t163 = add(t160, t162, w15)
-    t164 = divide(t158, t96, w3)
-    t165 = multiply(e, t164, w3)
-    t166 = divide(e, x, w0)
-    t167 = multiply(t165, t166, w3)
-    t168 = multiply(r, n3, w0)
-    t169 = multiply(t167, t168, w3)
-    t170 = divide(t163, t96, w15)
-    t171 = divide(tracking_index, x, w1)
-    t172 = multiply(t170, t171, w15)
-    t173 = multiply(r, n11, predicted_12)
-    t174 = multiply(t172, t173, w15)
-    t175 = add(t169, t174, w3)
-    t176 = multiply(t125, n4, w0)
-    t177 = multiply(t118, n4, w1)
-    t178 = multiply(t176, t177, w1)
-    t179 = multiply(t12, p, predicted_22)
-    t180 = multiply(t179, n7, predicted_22)
-    t181 = multiply(t125, n3, w4)
-    t182 = add(t127, n3, w5)
-    t183 = multiply(t127, t182, w5)
-    t184 = add(t183, n14, w5)
-    t185 = multiply(t181, t184, w4)
-    t186 = add(t180, t185, predicted_22)
-    t187 = multiply(t186, n11, predicted_22)
-    t188 = multiply(t112, t187, predicted_22)
-    t189 = multiply(tracking_index, n4, w4)
-    t190 = add(t175, t178, w3)
-    t191 = add(t190, t141, w3)
-    t192 = add(t191, t188, w3)
-    t194 = add(t127, n14, w13)
-    t195 = multiply(t112, t194, w7)
-    t196 = add(t118, t195, w10)
-    t197 = multiply(t176, t196, w0)
-    t199 = multiply(tracking_index, n22, w1)
-    t200 = add(t197, t141, w0)
-    t202 = multiply(t125, t128, w2)
-    multiply(t143, t144, predicted_11)
-    multiply(t148, t124, predicted_12)
-    multiply(t124, t150, predicted_13)
-    add(t192, t189, predicted_22)
-    add(t200, t199, predicted_23)
-    add(t202, tracking_index, predicted_33)
+    t88 = multiply(p, n8, w3)
+    t89 = add(e, t88, w4)
+    t90 = multiply(x, r, predicted_22)
+    t91 = divide(t90, t12, predicted_33)
+    t92 = multiply(t91, p, w5)
+    t94 = multiply(t92, n9, w5)
+    t95 = add(t89, t94, w4)
+    t96 = square(e, w5)
+    t98 = multiply(t96, n10, w6)
+    t99 = multiply(p, e, w7)
+    t100 = multiply(t99, n8, w8)
+    t101 = add(t98, t100, w6)
+    t103 = multiply(tracking_index, n11, w8)
+    t104 = add(t101, t103, w6)
+    t105 = divide(t95, t104, w4)
+    t106 = multiply(t90, n8, w9)
+    t107 = multiply(t105, t106, w4)
+    t108 = multiply(t107, n3, w10)
+    t109 = multiply(e, n4, w11)
+    t110 = add(t12, t109, w11)
+    t111 = multiply(p, n12, w12)
+    t112 = add(t106, t111, w9)
+    t113 = add(t110, t112, w11)
+    t114 = multiply(t108, t113, w10)
+    t116 = divide(x, r, w9)
+    t117 = multiply(t96, n8, w5)
+    t118 = multiply(t99, n12, w7)
+    t119 = add(t117, t118, w5)
+    t120 = add(t119, t103, w5)
+    t121 = divide(t120, t104, w7)
+    t122 = multiply(t121, n3, w7)
+    t123 = divide(tracking_index, t104, w8)
+    t124 = multiply(t123, t91, w8)
+    t126 = multiply(t124, n13, w8)
+    t127 = add(t122, t126, w7)
+    t128 = add(t127, t107, w12)
+    t129 = multiply(t116, t128, w9)
+    t130 = multiply(p, t113, w12)
+    t132 = add(t107, n14, w4)
+    t134 = divide(tracking_index, t12, predicted_33)
+    t135 = divide(t134, t12, predicted_33)
+    t137 = multiply(t135, n15, predicted_33)
+    t138 = add(n14, t137, predicted_33)
+    t139 = multiply(t138, t12, predicted_33)
+    t141 = multiply(t139, n16, predicted_33)
+    t142 = divide(t88, e, w3)
+    t143 = multiply(t142, n3, w3)
+    t144 = add(t143, n3, w3)
+    t145 = multiply(tracking_index, t144, w13)
+    t146 = multiply(t145, n11, w13)
+    t147 = add(t120, t146, w5)
+    t148 = divide(t147, t104, w5)
+    t149 = multiply(t126, t144, w8)
+    t150 = add(t148, t149, w5)
+    t151 = add(n14, t150, w5)
+    t152 = multiply(t151, e, w3)
+    t153 = add(t141, t152, predicted_33)
+    t154 = add(t153, t16, predicted_33)
+    t155 = divide(r, x, predicted_11)
+    t156 = divide(t90, t104, w6)
+    t157 = divide(t156, tracking_index, w6)
+    t158 = divide(t157, t12, w6)
+    t159 = multiply(t158, n4, w6)
+    t160 = add(t151, t159, w5)
+    t161 = multiply(t160, e, w5)
+    t162 = add(n3, t159, w6)
+    t163 = multiply(t162, p, w6)
+    t165 = multiply(t163, n17, w6)
+    t166 = add(t161, t165, w5)
+    t167 = multiply(t155, t166, predicted_11)
+    t168 = add(t154, t167, predicted_33)
+    t170 = add(n14, t127, w7)
+    t171 = multiply(t170, t90, predicted_22)
+    t172 = multiply(t171, n4, predicted_22)
+    t173 = add(t172, t152, predicted_22)
+    t175 = multiply(p, n18, w0)
+    t176 = add(t173, t175, w0)
+    t178 = multiply(t19, x, w2)
+    t179 = multiply(t178, t170, w2)
+    multiply(t114, t113, predicted_11)
+    multiply(t129, t130, predicted_12)
+    multiply(t130, t132, predicted_13)
+    multiply(t168, p, predicted_22)
+    multiply(t176, p, predicted_23)
+    add(t179, tracking_index, predicted_33)
 
 
 _PREDICTED_COVARIANCE_DERIVATIVES = Signature(
@@ -1933,8 +2430,9 @@ _PREDICTED_COVARIANCE_DERIVATIVES = Signature(
         "predicted_23",
         "predicted_33",
     ),
-    17,
+    14,
     _predicted_covariance_derivatives_block,
+    numbers=_predicted_covariance_derivatives_of_numbers,
 )
 
 
@@ -1980,18 +2478,18 @@ def updated_covariance(
         at most 4.55 * 2^-52 (float64), 4.55 * 2^-23 (float32), proved for 2.2250738585072014e-308
         <= tracking_index <= 1.7976931348623157e308 (float64) and 1.1754945e-38 <= tracking_index <=
         3.4028235e38 (float32).
-    updated_22: variance of the updated velocity times T^2/sigma_v^2. Relative error at most 16.67 *
-        2^-52 (float64), 17.17 * 2^-23 (float32), proved for 7.416912861690675e-309 <=
-        tracking_index <= 5.47189735077569e154 (float64) and 3.918315e-39 <= tracking_index <=
-        7.527825e19 (float32).
+    updated_22: variance of the updated velocity times T^2/sigma_v^2. Relative error at most 8.09 *
+        2^-52 (float64), 8.22 * 2^-23 (float32), proved for 7.416912861690675e-309 <= tracking_index
+        <= 5.471897350776219e154 (float64) and 3.918315e-39 <= tracking_index <= 7.528226e19
+        (float32).
     updated_23: covariance of updated velocity and acceleration times T^3/sigma_v^2. Relative error
-        at most 12.74 * 2^-52 (float64), 12.68 * 2^-23 (float32), proved for 1.0832677820940206e-231
-        <= tracking_index <= 3.208560686758333e154 (float64) and 2.122721e-29 <= tracking_index <=
-        4.414168e19 (float32).
+        at most 9.01 * 2^-52 (float64), 9.01 * 2^-23 (float32), proved for 1.0832677820940206e-231
+        <= tracking_index <= 3.2085606867585784e154 (float64) and 2.122721e-29 <= tracking_index <=
+        4.414355e19 (float32).
     updated_33: variance of the updated acceleration times T^4/sigma_v^2. Relative error at most
-        7.09 * 2^-52 (float64), 7.08 * 2^-23 (float32), proved for 1.6896185209462645e-185 <=
-        tracking_index <= 1.6532656032496635e154 (float64) and 1.1521641e-23 <= tracking_index <=
-        2.2745362e19 (float32).
+        6.45 * 2^-52 (float64), 6.46 * 2^-23 (float32), proved for 1.6896185209462645e-185 <=
+        tracking_index <= 1.6532656032497123e154 (float64) and 1.1521641e-23 <= tracking_index <=
+        2.2745733e19 (float32).
 
     Outside an output's range, a few numbers next to its ends apart, its true value is no normal
     number: it comes as 0, a subnormal number or infinity, never as NaN. Numbers and arrays are
@@ -2005,7 +2503,70 @@ def updated_covariance(
 
     Source: derivation continuous-white-jerk
     """
+    if (
+        type(tracking_index) is float
+        and 5e-324 <= tracking_index <= 1.7976931348623157e308
+        and out is None
+        and workers is ONE
+    ):
+        try:
+            return named(UpdatedCovariance, _updated_covariance_of_numbers(tracking_index))
+        except (ArithmeticError, ValueError):
+            pass  # arrays say what is wrong
     return UpdatedCovariance(*evaluate(_UPDATED_COVARIANCE, (tracking_index,), out, workers))
+
+
+def _updated_covariance_of_numbers(tracking_index: float, form: Form = Double) -> tuple[float, ...]:
+    t2 = form.sqrt(tracking_index)
+    t3 = form.sqrt(t2)
+    t5 = 2.220446049250313e-16 / tracking_index
+    t7 = tracking_index * 4.625929269271486e-19
+    t11 = form.sqrt(t5 + t7) * 67108864.0
+    t13 = (t11 * t3) * 2.0
+    t15 = t2 * 0.5
+    t17 = tracking_index * 0.07083333333333333
+    t24 = ((t2 * t3) * 1.5516447222296765) + (8.0 / t3)
+    t25 = form.near_cbrt(t24)
+    t29 = form.sqrt((t13 * t25) + t17)
+    t32 = form.sqrt((t29 * 2.0) + t15)
+    t33 = t13 * 0.5
+    t34 = t29 * t32
+    t39 = ((t32 * t34) - (t33 * t25)) / (t34 - t33)
+    t43 = form.sqrt((t13 * t39) + t17)
+    t46 = form.sqrt((t43 * 2.0) + t15)
+    t47 = t43 * t46
+    t52 = ((t46 * t47) - (t33 * t39)) / (t47 - t33)
+    t56 = form.sqrt((t13 * t52) + t17)
+    t59 = form.sqrt((t56 * 2.0) + t15)
+    t60 = t56 * t59
+    t65 = ((t59 * t60) - (t33 * t52)) / (t60 - t33)
+    t69 = form.sqrt((t13 * t65) + t17)
+    t72 = form.sqrt((t69 * 2.0) + t15)
+    t73 = t69 * t72
+    t78 = ((t72 * t73) - (t33 * t65)) / (t73 - t33)
+    t82 = form.sqrt((t13 * t78) + t17)
+    t83 = t82 * 2.0
+    t85 = form.sqrt(t83 + t15)
+    t87 = t2 * 0.25
+    t88 = t82 + t87
+    t91 = t85 * t3
+    t95 = (t11 + (t82 * 0.5)) + ((t91 * 0.25) + (t2 * 0.125))
+    t102 = t3 / t85
+    t112 = (t11 * 0.2833333333333333) + (t82 * 0.016666666666666666)
+    t116 = t102 * (t112 + (t2 * 0.004166666666666667))
+    t119 = (t11 * (t88 + (t102 * t82))) + (t2 * ((t2 * 0.0125) + t116))
+    t121 = ((6.0 / t95) / tracking_index) + (t119 / t95)
+    t131 = (t11 * 0.3333333333333333) + (t82 * 0.041666666666666664)
+    t137 = (t131 + (t91 * 0.020833333333333332)) + (t2 * 0.014583333333333334)
+    t139 = (t11 * ((t91 * 0.5) + t82)) + (t2 * t137)
+    t147 = ((t87 + t83) * tracking_index) / ((t3 * 0.5) + t85)
+    t96 = t88 / t95
+    t97 = t91 / t95
+    t98 = t2 / t95
+    t123 = (t15 * t121) * tracking_index
+    t142 = ((t139 / t95) * t2) * tracking_index
+    t149 = (t147 / t3) * tracking_index
+    return (t96, t97, t98, t123, t142, t149)
 
 
 def _updated_covariance_block(
@@ -2023,24 +2584,19 @@ def _updated_covariance_block(
     n7: float = 8.0,
     n8: float = 0.25,
     n9: float = 0.125,
-    n10: float = 0.0015544039943282079,
-    n11: float = 0.001342661308665835,
-    n12: float = 0.012527851797391616,
-    n13: float = 0.4201389538804297,
-    n14: float = 1.157703721925804,
-    n15: float = 0.3038222447983318,
-    n16: float = 0.04564354645876384,
-    n17: float = 0.02951035632013989,
-    n18: float = 0.004836791882468496,
-    n19: float = 0.01554403994328208,
-    n20: float = 0.07688427749004201,
-    n21: float = 0.03257168256667591,
-    n22: float = 0.21594471475321234,
-    n23: float = 0.2840552852467877,
+    n10: float = 6.0,
+    n11: float = 0.0125,
+    n12: float = 0.2833333333333333,
+    n13: float = 0.016666666666666666,
+    n14: float = 0.004166666666666667,
+    n15: float = 0.3333333333333333,
+    n16: float = 0.041666666666666664,
+    n17: float = 0.020833333333333332,
+    n18: float = 0.014583333333333334,
 ) -> None:
     (tracking_index,) = given
     updated_11, updated_12, updated_13, updated_22, updated_23, updated_33 = out
-    w0, w1, w2, w3, w4, w5, w6 = work
+    w0, w1, w2, w3, w4, w5, w6, w7, w8, w9, w10 = work
     p = sqrt(tracking_index, updated_13)
     r = sqrt(p, updated_11)
     t5 = divide(n0, tracking_index, updated_12)
@@ -2053,128 +2609,128 @@ def _updated_covariance_block(
     t15 = multiply(p, n4, updated_12)
     t17 = multiply(tracking_index, n5, w1)
     t18 = multiply(p, r, w2)
-    t21 = multiply(t18, n6, w3)
+    t21 = multiply(t18, n6, w2)
     t23 = divide(n7, r, updated_23)
-    t24 = add(t21, t23, w3)
-    t25 = near_cbrt(t24, w3, single)
+    t24 = add(t21, t23, w2)
+    t25 = near_cbrt(t24, w2, single)
     t27 = multiply(t13, t25, updated_23)
     t28 = add(t27, t17, updated_23)
     t29 = sqrt(t28, updated_33)
     t30 = multiply(t29, n3, updated_23)
     t31 = add(t30, t15, updated_23)
     t32 = sqrt(t31, updated_23)
-    t33 = multiply(t13, n4, w4)
+    t33 = multiply(t13, n4, w3)
     t34 = multiply(t29, t32, updated_33)
     t35 = multiply(t32, t34, updated_23)
-    t36 = multiply(t33, t25, w3)
+    t36 = multiply(t33, t25, w2)
     t37 = subtract(t35, t36, updated_23)
     t38 = subtract(t34, t33, updated_33)
     t39 = divide(t37, t38, updated_23)
-    t41 = multiply(t13, t39, w3)
-    t42 = add(t41, t17, w3)
-    t43 = sqrt(t42, w3)
+    t41 = multiply(t13, t39, w2)
+    t42 = add(t41, t17, w2)
+    t43 = sqrt(t42, w2)
     t44 = multiply(t43, n3, updated_33)
     t45 = add(t44, t15, updated_33)
     t46 = sqrt(t45, updated_33)
-    t47 = multiply(t43, t46, w3)
+    t47 = multiply(t43, t46, w2)
     t48 = multiply(t46, t47, updated_33)
     t49 = multiply(t33, t39, updated_23)
     t50 = subtract(t48, t49, updated_33)
-    t51 = subtract(t47, t33, w3)
+    t51 = subtract(t47, t33, w2)
     t52 = divide(t50, t51, updated_33)
-    t54 = multiply(t13, t52, w3)
-    t55 = add(t54, t17, w3)
-    t56 = sqrt(t55, w3)
+    t54 = multiply(t13, t52, w2)
+    t55 = add(t54, t17, w2)
+    t56 = sqrt(t55, w2)
     t57 = multiply(t56, n3, updated_23)
     t58 = add(t57, t15, updated_23)
     t59 = sqrt(t58, updated_23)
-    t60 = multiply(t56, t59, w3)
+    t60 = multiply(t56, t59, w2)
     t61 = multiply(t59, t60, updated_23)
     t62 = multiply(t33, t52, updated_33)
     t63 = subtract(t61, t62, updated_23)
-    t64 = subtract(t60, t33, w3)
+    t64 = subtract(t60, t33, w2)
     t65 = divide(t63, t64, updated_23)
-    t67 = multiply(t13, t65, w3)
-    t68 = add(t67, t17, w3)
-    t69 = sqrt(t68, w3)
+    t67 = multiply(t13, t65, w2)
+    t68 = add(t67, t17, w2)
+    t69 = sqrt(t68, w2)
     t70 = multiply(t69, n3, updated_33)
     t71 = add(t70, t15, updated_33)
     t72 = sqrt(t71, updated_33)
-    t73 = multiply(t69, t72, w3)
+    t73 = multiply(t69, t72, w2)
     t74 = multiply(t72, t73, updated_33)
     t75 = multiply(t33, t65, updated_23)
     t76 = subtract(t74, t75, updated_33)
-    t77 = subtract(t73, t33, w3)
+    t77 = subtract(t73, t33, w2)
     t78 = divide(t76, t77, updated_33)
     t80 = multiply(t13, t78, w0)
     t81 = add(t80, t17, w0)
     e = sqrt(t81, w0)
     t83 = multiply(e, n3, w1)
-    t84 = add(t83, t15, w1)
-    x = sqrt(t84, w1)
-    t86 = multiply(e, n4, w3)
-    t87 = add(t11, t86, w3)
-    t88 = multiply(x, r, w4)
-    t90 = multiply(t88, n8, updated_12)
-    t91 = multiply(p, n9, updated_23)
-    t92 = add(t90, t91, updated_12)
-    t93 = add(t87, t92, w3)
-    t94 = multiply(p, n8, updated_12)
-    t95 = add(e, t94, updated_12)
-    t100 = divide(r, x, updated_23)
-    t101 = multiply(t100, n4, updated_23)
-    t106 = multiply(t101, n10, updated_33)
-    t107 = add(t106, n11, updated_33)
-    t108 = multiply(t101, t107, updated_33)
-    t109 = add(t108, n12, updated_33)
-    t110 = multiply(e, x, w5)
-    t111 = multiply(x, p, w6)
-    t113 = multiply(t111, n13, w6)
-    t114 = multiply(e, r, w0)
-    t116 = multiply(t114, n14, w0)
-    t118 = multiply(t18, n15, w2)
-    t119 = add(t110, t113, w5)
-    t120 = add(t119, t116, w5)
-    t121 = add(t120, t118, w5)
-    t123 = multiply(p, n16, w0)
-    t124 = add(t11, t123, updated_22)
-    t125 = multiply(x, n7, w0)
-    t126 = divide(t125, t124, w0)
-    t127 = divide(t126, t121, w0)
-    t128 = divide(t127, tracking_index, w0)
-    t129 = multiply(t128, t101, w0)
-    t130 = multiply(t129, t109, updated_33)
-    t131 = add(t130, n17, updated_33)
-    t132 = multiply(t129, t131, updated_33)
-    t133 = add(t132, n18, updated_33)
-    t134 = divide(x, r, w1)
-    t135 = multiply(t134, n3, w1)
-    t136 = multiply(tracking_index, t135, w2)
-    t137 = multiply(t136, t135, w5)
-    t138 = multiply(t137, t135, w1)
-    t139 = multiply(t138, t133, w1)
-    t144 = multiply(t129, n19, w6)
-    t145 = add(t144, n20, w6)
-    t146 = multiply(t129, t145, w6)
-    t147 = add(t146, n21, w6)
-    t148 = multiply(t137, t147, w5)
-    t152 = multiply(t129, n22, w0)
-    t153 = add(t152, n23, w0)
-    t154 = multiply(t136, t153, w2)
-    divide(t95, t93, updated_11)
-    divide(t88, t93, updated_12)
-    divide(p, t93, updated_13)
-    multiply(tracking_index, t139, updated_22)
-    multiply(tracking_index, t148, updated_23)
-    multiply(tracking_index, t154, updated_33)
+    t84 = add(t83, t15, w2)
+    x = sqrt(t84, w2)
+    t87 = multiply(p, n8, w3)
+    t88 = add(e, t87, updated_23)
+    t89 = multiply(e, n4, updated_33)
+    t90 = add(t11, t89, updated_33)
+    t91 = multiply(x, r, w4)
+    t92 = multiply(t91, n8, w5)
+    t93 = multiply(p, n9, w6)
+    t94 = add(t92, t93, w5)
+    t95 = add(t90, t94, updated_33)
+    t100 = divide(n10, t95, w5)
+    t101 = divide(t100, tracking_index, w5)
+    t102 = divide(r, x, w6)
+    t103 = multiply(t102, e, w7)
+    t104 = add(t88, t103, w7)
+    t105 = multiply(t11, t104, w7)
+    t107 = multiply(p, n11, w8)
+    t109 = multiply(t11, n12, w9)
+    t111 = multiply(e, n13, w10)
+    t112 = add(t109, t111, w9)
+    t114 = multiply(p, n14, w10)
+    t115 = add(t112, t114, w9)
+    t116 = multiply(t102, t115, w6)
+    t117 = add(t107, t116, w8)
+    t118 = multiply(p, t117, w8)
+    t119 = add(t105, t118, w7)
+    t120 = divide(t119, t95, w7)
+    t121 = add(t101, t120, w5)
+    t122 = multiply(t15, t121, w5)
+    t124 = multiply(t91, n4, w6)
+    t125 = add(t124, e, w6)
+    t126 = multiply(t11, t125, w6)
+    t128 = multiply(t11, n15, updated_22)
+    t130 = multiply(e, n16, w0)
+    t131 = add(t128, t130, updated_22)
+    t133 = multiply(t91, n17, w0)
+    t134 = add(t131, t133, updated_22)
+    t136 = multiply(p, n18, w0)
+    t137 = add(t134, t136, updated_22)
+    t138 = multiply(p, t137, updated_22)
+    t139 = add(t126, t138, w6)
+    t140 = divide(t139, t95, w6)
+    t141 = multiply(t140, p, w6)
+    t143 = add(t87, t83, w3)
+    t144 = multiply(t143, tracking_index, w3)
+    t145 = multiply(r, n4, w0)
+    t146 = add(t145, x, w0)
+    t147 = divide(t144, t146, w3)
+    t148 = divide(t147, r, w3)
+    divide(t88, t95, updated_11)
+    divide(t91, t95, updated_12)
+    divide(p, t95, updated_13)
+    multiply(t122, tracking_index, updated_22)
+    multiply(t141, tracking_index, updated_23)
+    multiply(t148, tracking_index, updated_33)
 
 
 _UPDATED_COVARIANCE = Signature(
     "updated_covariance",
     (_TRACKING_INDEX_DOMAIN,),
     ("updated_11", "updated_12", "updated_13", "updated_22", "updated_23", "updated_33"),
-    7,
+    11,
     _updated_covariance_block,
+    numbers=_updated_covariance_of_numbers,
 )
 
 
@@ -2211,26 +2767,26 @@ def updated_covariance_derivatives(
         2^1000, in float32 above 0 and at most 2^120.
 
     updated_11: derivative of the variance of the updated position over sigma_v^2. Relative error at
-        most 16.92 * 2^-52 (float64), 16.92 * 2^-23 (float32), proved for 5e-324 <= tracking_index
+        most 15.40 * 2^-52 (float64), 15.40 * 2^-23 (float32), proved for 5e-324 <= tracking_index
         <= 5.849498211276313e102 (float64) and 1e-45 <= tracking_index <= 7.235911e12 (float32).
     updated_12: derivative of the covariance of updated position and velocity times T/sigma_v^2.
-        Relative error at most 17.75 * 2^-52 (float64), 17.75 * 2^-23 (float32), proved for 5e-324
+        Relative error at most 15.92 * 2^-52 (float64), 15.93 * 2^-23 (float32), proved for 5e-324
         <= tracking_index <= 1.6140834523330185e103 (float64) and 1e-45 <= tracking_index <=
         1.9966437e13 (float32).
     updated_13: derivative of the covariance of updated position and acceleration times
-        T^2/sigma_v^2. Relative error at most 16.83 * 2^-52 (float64), 16.84 * 2^-23 (float32),
+        T^2/sigma_v^2. Relative error at most 16.18 * 2^-52 (float64), 16.22 * 2^-23 (float32),
         proved for 5e-324 <= tracking_index <= 1.9098208591277692e103 (float64) and 1e-45 <=
         tracking_index <= 2.362475e13 (float32).
     updated_22: derivative of the variance of the updated velocity times T^2/sigma_v^2. Relative
-        error at most 30.00 * 2^-52 (float64), 29.90 * 2^-23 (float32), proved for 5e-324 <=
+        error at most 14.47 * 2^-52 (float64), 14.44 * 2^-23 (float32), proved for 5e-324 <=
         tracking_index <= 1.0715086071862673e301 (float64) and 1e-45 <= tracking_index <=
         1.329228e36 (float32).
     updated_23: derivative of the covariance of updated velocity and acceleration times
-        T^3/sigma_v^2. Relative error at most 25.50 * 2^-52 (float64), 25.39 * 2^-23 (float32),
+        T^3/sigma_v^2. Relative error at most 13.10 * 2^-52 (float64), 13.07 * 2^-23 (float32),
         proved for 5e-324 <= tracking_index <= 1.0715086071862673e301 (float64) and 1e-45 <=
         tracking_index <= 1.329228e36 (float32).
     updated_33: derivative of the variance of the updated acceleration times T^4/sigma_v^2. Relative
-        error at most 20.45 * 2^-52 (float64), 20.44 * 2^-23 (float32), proved for 5e-324 <=
+        error at most 8.67 * 2^-52 (float64), 8.66 * 2^-23 (float32), proved for 5e-324 <=
         tracking_index <= 1.0715086071862673e301 (float64) and 1e-45 <= tracking_index <=
         1.329228e36 (float32).
 
@@ -2246,9 +2802,115 @@ def updated_covariance_derivatives(
 
     Source: derivation continuous-white-jerk
     """
+    if (
+        type(tracking_index) is float
+        and 5e-324 <= tracking_index <= 1.0715086071862673e301
+        and out is None
+        and workers is ONE
+    ):
+        try:
+            return named(
+                UpdatedCovarianceDerivatives,
+                _updated_covariance_derivatives_of_numbers(tracking_index),
+            )
+        except (ArithmeticError, ValueError):
+            pass  # arrays say what is wrong
     return UpdatedCovarianceDerivatives(
         *evaluate(_UPDATED_COVARIANCE_DERIVATIVES, (tracking_index,), out, workers)
     )
+
+
+def _updated_covariance_derivatives_of_numbers(
+    tracking_index: float,
+    form: Form = Double,
+) -> tuple[float, ...]:
+    t3 = form.sqrt(tracking_index)
+    t4 = form.sqrt(t3)
+    t6 = 2.220446049250313e-16 / tracking_index
+    t8 = tracking_index * 4.625929269271486e-19
+    t12 = form.sqrt(t6 + t8) * 67108864.0
+    t14 = (t12 * t4) * 2.0
+    t16 = t3 * 0.5
+    t18 = tracking_index * 0.07083333333333333
+    t19 = t3 * t4
+    t25 = (t19 * 1.5516447222296765) + (8.0 / t4)
+    t26 = form.near_cbrt(t25)
+    t30 = form.sqrt((t14 * t26) + t18)
+    t33 = form.sqrt((t30 * 2.0) + t16)
+    t34 = t14 * 0.5
+    t35 = t30 * t33
+    t40 = ((t33 * t35) - (t34 * t26)) / (t35 - t34)
+    t44 = form.sqrt((t14 * t40) + t18)
+    t47 = form.sqrt((t44 * 2.0) + t16)
+    t48 = t44 * t47
+    t53 = ((t47 * t48) - (t34 * t40)) / (t48 - t34)
+    t57 = form.sqrt((t14 * t53) + t18)
+    t60 = form.sqrt((t57 * 2.0) + t16)
+    t61 = t57 * t60
+    t66 = ((t60 * t61) - (t34 * t53)) / (t61 - t34)
+    t70 = form.sqrt((t14 * t66) + t18)
+    t73 = form.sqrt((t70 * 2.0) + t16)
+    t74 = t70 * t73
+    t79 = ((t73 * t74) - (t34 * t66)) / (t74 - t34)
+    t83 = form.sqrt((t14 * t79) + t18)
+    t86 = form.sqrt((t83 * 2.0) + t16)
+    t88 = t3 * 0.25
+    t89 = t83 + t88
+    t90 = t86 * t4
+    t91 = t90 / t12
+    t95 = t89 + ((t91 * t3) * 0.008333333333333333)
+    t96 = t83 * t83
+    t99 = t3 * t83
+    t103 = tracking_index * 0.017708333333333333
+    t104 = ((t96 * 0.75) + (t99 * 0.25)) + t103
+    t106 = t90 * 0.25
+    t108 = ((t95 / t104) * t106) / tracking_index
+    t114 = (t12 + (t83 * 0.5)) + (t106 + (t3 * 0.125))
+    t121 = ((t96 * 0.25) + (t99 * 0.125)) + t103
+    t125 = (t121 + (t90 * (t89 * 0.125))) / t104
+    t128 = (t125 * 2.0) * (t91 / tracking_index)
+    t129 = t3 * t114
+    t132 = t90 / t104
+    t138 = ((t132 * ((t89 + t106) * 0.5)) + 1.0) / (t12 * t3)
+    t145 = ((t132 / tracking_index) / t12) * 0.5
+    t150 = t145 * (t106 * (1.0 + ((t86 / t4) * 2.0)))
+    t151 = ((1.0 / t12) / tracking_index) + t150
+    t152 = t151 / t114
+    t156 = t152 * ((6.0 / t114) / tracking_index)
+    t159 = ((t88 / t83) * 2.0) + 2.0
+    t161 = (tracking_index * t159) * 0.017708333333333333
+    t167 = ((tracking_index / t104) * t91) * 0.0010416666666666667
+    t169 = ((t121 + t161) / t104) + (t167 * t159)
+    t173 = ((tracking_index / t12) / t12) * 0.0020833333333333333
+    t175 = (t169 + t173) + t152
+    t176 = t175 * t83
+    t177 = 1.0 + t152
+    t178 = t177 + t173
+    t182 = t4 / t86
+    t186 = (t176 + ((t178 * t3) * 0.25)) + (t182 * ((t175 + t145) * t83))
+    t188 = t177 + t169
+    t190 = t177 + 1.0
+    t191 = t190 * t3
+    t197 = ((t178 + t145) * t12) * 0.2833333333333333
+    t201 = ((t188 + t145) * t83) * 0.016666666666666666
+    t206 = ((t190 + t145) * t3) * 0.004166666666666667
+    t209 = (t191 * 0.0125) + (t182 * ((t197 + t201) + t206))
+    t213 = t156 + (((t12 * t186) + (t3 * t209)) / t114)
+    t217 = ((t121 / t104) * 2.0) + t167
+    t222 = ((((t217 + t173) + t152) * t90) * 0.5) + t176
+    t229 = ((t178 * t12) * 0.3333333333333333) + ((t188 * t83) * 0.041666666666666664)
+    t233 = ((t177 + t217) * t90) * 0.020833333333333332
+    t237 = (t229 + t233) + (t191 * 0.014583333333333334)
+    t244 = (t4 * 0.5) + t86
+    t246 = t145 * (t86 / t244)
+    t253 = ((((1.0 + t169) + t246) * t83) * 2.0) + (((2.0 + t246) * t3) * 0.25)
+    t117 = (((t108 * 2.0) / t114) / t114) / tracking_index
+    t131 = (t128 / t129) / t129
+    t140 = (t138 / t129) / t129
+    t214 = t16 * t213
+    t241 = (((t12 * t222) + (t3 * t237)) / t114) * t3
+    t255 = (t253 / t244) * t19
+    return (t117, t131, t140, t214, t241, t255)
 
 
 def _updated_covariance_derivatives_block(
@@ -2264,87 +2926,83 @@ def _updated_covariance_derivatives_block(
     n5: float = 0.07083333333333333,
     n6: float = 1.5516447222296765,
     n7: float = 8.0,
-    n8: float = 0.75,
-    n9: float = 0.25,
-    n10: float = 0.017708333333333333,
-    n11: float = 0.125,
-    n12: float = 0.008333333333333333,
+    n8: float = 0.25,
+    n9: float = 0.008333333333333333,
+    n10: float = 0.75,
+    n11: float = 0.017708333333333333,
+    n12: float = 0.125,
     n13: float = 1.0,
-    n14: float = 1.1333333333333333,
-    n15: float = 4.0,
-    n16: float = 3.0,
-    n17: float = 0.002147434972563894,
-    n18: float = 0.0004207522200028469,
-    n19: float = 0.0006806106112531079,
-    n20: float = 4.770195232300711e-05,
-    n21: float = 0.0005939932302701088,
-    n22: float = 0.0012011996131270541,
-    n23: float = 1.1130869873173935e-06,
-    n24: float = 2.40365251971767e-06,
-    n25: float = 4.485509837081989e-05,
-    n26: float = 2.6490197795575033e-05,
-    n27: float = 0.4201389538804297,
-    n28: float = 1.157703721925804,
-    n29: float = 0.3038222447983318,
-    n30: float = 0.04564354645876384,
-    n31: float = 0.003120138308007913,
-    n32: float = 0.0006919789408530644,
-    n33: float = 0.00016166178113617547,
-    n34: float = 0.003867012806359654,
-    n35: float = 0.008787800541239142,
-    n36: float = 0.010629383447761992,
-    n37: float = 0.0014572444000597266,
-    n38: float = 0.00044600464693861374,
-    n39: float = 0.0003819760675104699,
-    n40: float = 1.4198606121686811e-05,
-    n41: float = 4.5610907691950606e-05,
-    n42: float = 4.152448461890179e-06,
-    n43: float = 0.005748544758231629,
-    n44: float = 0.0010886547005292285,
-    n45: float = 0.0617702296423904,
-    n46: float = 0.009004199764000792,
-    n47: float = 0.029175032653922572,
-    n48: float = 0.024236707302347834,
-    n49: float = 2.8882077876638812e-05,
-    n50: float = 0.0018925618323447572,
-    n51: float = 5.070746774703352e-05,
-    n52: float = 5.994198246385098e-05,
-    n53: float = 2.3267309087301856e-06,
-    n54: float = 0.05962672141888376,
-    n55: float = 0.009494078817115444,
+    n14: float = 6.0,
+    n15: float = 0.0010416666666666667,
+    n16: float = 0.0020833333333333333,
+    n17: float = 0.0125,
+    n18: float = 0.2833333333333333,
+    n19: float = 0.016666666666666666,
+    n20: float = 0.004166666666666667,
+    n21: float = 0.3333333333333333,
+    n22: float = 0.041666666666666664,
+    n23: float = 0.020833333333333332,
+    n24: float = 0.014583333333333334,
 ) -> None:
     (tracking_index,) = given
     updated_11, updated_12, updated_13, updated_22, updated_23, updated_33 = out
-    w0, w1, w2, w3, w4, w5, w6, w7, w8, w9, w10, w11 = work
-    p = sqrt(tracking_index, updated_11)
-    r = sqrt(p, updated_12)
-    t6 = divide(n0, tracking_index, updated_13)
+    (
+        w0,
+        w1,
+        w2,
+        w3,
+        w4,
+        w5,
+        w6,
+        w7,
+        w8,
+        w9,
+        w10,
+        w11,
+        w12,
+        w13,
+        w14,
+        w15,
+        w16,
+        w17,
+        w18,
+        w19,
+        w20,
+        w21,
+        w22,
+        w23,
+        w24,
+        w25,
+    ) = work
+    p = sqrt(tracking_index, updated_23)
+    r = sqrt(p, updated_11)
+    t6 = divide(n0, tracking_index, updated_12)
     t8 = multiply(tracking_index, n1, w0)
-    t9 = add(t6, t8, updated_13)
-    c_scaled = sqrt(t9, updated_22)
-    t12 = multiply(c_scaled, n2, updated_22)
+    t9 = add(t6, t8, updated_12)
+    c_scaled = sqrt(t9, updated_13)
+    t12 = multiply(c_scaled, n2, updated_13)
     t13 = multiply(t12, r, w0)
     t14 = multiply(t13, n3, w0)
-    t16 = multiply(p, n4, updated_13)
-    t18 = multiply(tracking_index, n5, w1)
+    t16 = multiply(p, n4, w1)
+    t18 = multiply(tracking_index, n5, updated_12)
     t19 = multiply(p, r, w2)
     t22 = multiply(t19, n6, w3)
-    t24 = divide(n7, r, updated_23)
+    t24 = divide(n7, r, updated_22)
     t25 = add(t22, t24, w3)
     t26 = near_cbrt(t25, w3, single)
-    t28 = multiply(t14, t26, updated_23)
-    t29 = add(t28, t18, updated_23)
+    t28 = multiply(t14, t26, updated_22)
+    t29 = add(t28, t18, updated_22)
     t30 = sqrt(t29, updated_33)
-    t31 = multiply(t30, n3, updated_23)
-    t32 = add(t31, t16, updated_23)
-    t33 = sqrt(t32, updated_23)
+    t31 = multiply(t30, n3, updated_22)
+    t32 = add(t31, t16, updated_22)
+    t33 = sqrt(t32, updated_22)
     t34 = multiply(t14, n4, w4)
     t35 = multiply(t30, t33, updated_33)
-    t36 = multiply(t33, t35, updated_23)
+    t36 = multiply(t33, t35, updated_22)
     t37 = multiply(t34, t26, w3)
-    t38 = subtract(t36, t37, updated_23)
+    t38 = subtract(t36, t37, updated_22)
     t39 = subtract(t35, t34, updated_33)
-    t40 = divide(t38, t39, updated_23)
+    t40 = divide(t38, t39, updated_22)
     t42 = multiply(t14, t40, w3)
     t43 = add(t42, t18, w3)
     t44 = sqrt(t43, w3)
@@ -2353,22 +3011,22 @@ def _updated_covariance_derivatives_block(
     t47 = sqrt(t46, updated_33)
     t48 = multiply(t44, t47, w3)
     t49 = multiply(t47, t48, updated_33)
-    t50 = multiply(t34, t40, updated_23)
+    t50 = multiply(t34, t40, updated_22)
     t51 = subtract(t49, t50, updated_33)
     t52 = subtract(t48, t34, w3)
     t53 = divide(t51, t52, updated_33)
     t55 = multiply(t14, t53, w3)
     t56 = add(t55, t18, w3)
     t57 = sqrt(t56, w3)
-    t58 = multiply(t57, n3, updated_23)
-    t59 = add(t58, t16, updated_23)
-    t60 = sqrt(t59, updated_23)
+    t58 = multiply(t57, n3, updated_22)
+    t59 = add(t58, t16, updated_22)
+    t60 = sqrt(t59, updated_22)
     t61 = multiply(t57, t60, w3)
-    t62 = multiply(t60, t61, updated_23)
+    t62 = multiply(t60, t61, updated_22)
     t63 = multiply(t34, t53, updated_33)
-    t64 = subtract(t62, t63, updated_23)
+    t64 = subtract(t62, t63, updated_22)
     t65 = subtract(t61, t34, w3)
-    t66 = divide(t64, t65, updated_23)
+    t66 = divide(t64, t65, updated_22)
     t68 = multiply(t14, t66, w3)
     t69 = add(t68, t18, w3)
     t70 = sqrt(t69, w3)
@@ -2377,210 +3035,179 @@ def _updated_covariance_derivatives_block(
     t73 = sqrt(t72, updated_33)
     t74 = multiply(t70, t73, w3)
     t75 = multiply(t73, t74, updated_33)
-    t76 = multiply(t34, t66, updated_23)
+    t76 = multiply(t34, t66, updated_22)
     t77 = subtract(t75, t76, updated_33)
     t78 = subtract(t74, t34, w3)
     t79 = divide(t77, t78, updated_33)
     t81 = multiply(t14, t79, w0)
     t82 = add(t81, t18, w0)
     e = sqrt(t82, w0)
-    t84 = multiply(e, n3, w1)
-    t85 = add(t84, t16, w1)
-    x = sqrt(t85, w1)
-    t87 = square(e, w3)
-    t89 = multiply(t87, n8, w4)
-    t90 = multiply(p, e, updated_13)
-    t92 = multiply(t90, n9, updated_23)
-    t94 = multiply(tracking_index, n10, updated_33)
-    t95 = add(t89, t92, w4)
-    t96 = add(t95, t94, w4)
-    t97 = multiply(t87, n9, w3)
-    t98 = multiply(t90, n11, updated_13)
-    t99 = add(t97, t98, w3)
-    t100 = add(t99, t94, w3)
-    t101 = multiply(x, r, updated_13)
-    t102 = divide(t101, t12, updated_23)
-    t103 = multiply(t102, p, updated_23)
-    t105 = multiply(t103, n12, updated_23)
-    t106 = multiply(p, n9, updated_33)
-    t107 = add(e, t106, w5)
-    t108 = add(t107, t105, updated_23)
-    t109 = divide(t108, t96, updated_23)
-    t110 = multiply(t101, n9, w6)
-    t111 = multiply(t109, t110, updated_23)
-    t112 = divide(x, t19, w7)
-    t113 = multiply(t107, n11, w5)
-    t114 = multiply(t101, t113, w5)
-    t115 = add(t100, t114, w3)
-    t116 = divide(t101, t96, updated_13)
-    t117 = multiply(x, n9, w5)
-    t118 = multiply(r, n4, w8)
-    t119 = add(x, t118, w8)
-    t120 = multiply(t117, t119, w5)
-    t121 = multiply(t116, t120, updated_13)
-    t122 = add(t121, n13, updated_13)
-    t123 = divide(t111, tracking_index, updated_23)
-    t124 = multiply(t123, n3, updated_23)
-    t125 = divide(t115, t96, w3)
-    t126 = divide(t112, t12, w7)
-    t127 = multiply(t125, t126, w3)
-    t128 = multiply(t127, n3, w3)
-    t129 = multiply(t12, p, w4)
-    t130 = divide(t122, t129, updated_13)
-    t131 = multiply(e, n4, w4)
-    t132 = add(t12, t131, w4)
-    t133 = multiply(p, n11, w5)
-    t134 = add(t110, t133, w6)
-    t135 = add(t132, t134, w4)
-    t136 = multiply(p, t135, w4)
-    t137 = divide(t124, t136, updated_23)
-    t139 = divide(t128, t136, w3)
-    t141 = divide(t130, t136, updated_13)
-    t143 = divide(t106, e, updated_33)
-    t144 = multiply(t143, n3, w5)
-    t145 = add(t144, n3, w5)
-    t146 = square(t145, w5)
-    t148 = multiply(t143, n14, w6)
-    t150 = add(t148, n15, w6)
-    t151 = multiply(t143, t150, updated_33)
-    t153 = add(t151, n16, updated_33)
-    t154 = divide(t146, t153, w5)
-    t155 = multiply(t154, n3, w5)
-    t156 = multiply(t155, n4, w5)
-    t157 = square(x, w6)
-    t158 = divide(x, r, w7)
-    t159 = multiply(t157, t158, w6)
-    t160 = divide(t159, t12, w6)
-    t161 = multiply(t156, t160, w5)
-    t163 = divide(r, x, w6)
-    t164 = multiply(t163, n4, w6)
-    t169 = multiply(t164, n17, w8)
-    t170 = add(t169, n18, w8)
-    t175 = multiply(t164, n19, updated_33)
-    t176 = add(t175, n20, updated_33)
-    t177 = multiply(t164, t176, updated_33)
-    t178 = add(t177, n21, updated_33)
-    t179 = multiply(t164, t178, updated_33)
-    t180 = add(t179, n22, updated_33)
-    t181 = multiply(t164, t180, updated_33)
-    t186 = multiply(t164, n23, w9)
-    t187 = add(t186, n24, w9)
-    t188 = multiply(t164, t187, w9)
-    t189 = add(t188, n25, w9)
-    t190 = multiply(t164, t189, w9)
-    t191 = add(t190, n26, w9)
-    t192 = multiply(t164, t191, w9)
-    t193 = multiply(t164, t192, w9)
-    t194 = multiply(t164, t193, w9)
-    t195 = multiply(t164, t194, w9)
-    t196 = multiply(e, x, w10)
-    t197 = multiply(x, p, w11)
-    t199 = multiply(t197, n27, w11)
-    t200 = multiply(e, r, w0)
-    t202 = multiply(t200, n28, w0)
-    t204 = multiply(t19, n29, w2)
-    t205 = add(t196, t199, w10)
-    t206 = add(t205, t202, w10)
-    t207 = add(t206, t204, w10)
-    t209 = multiply(p, n30, updated_11)
-    t210 = add(t12, t209, updated_22)
-    t211 = multiply(x, n7, w1)
-    t212 = divide(t211, t210, w1)
-    t213 = divide(t212, t207, w1)
-    t214 = divide(t213, tracking_index, w1)
-    t215 = multiply(t214, t164, w1)
-    t216 = multiply(t215, t195, w9)
-    t217 = add(t216, t181, w9)
-    t218 = multiply(t215, t217, w9)
-    t219 = add(t218, t170, w9)
-    t220 = multiply(t215, t219, w9)
-    t221 = add(t220, n31, w9)
-    t222 = multiply(t215, t221, w9)
-    t223 = add(t222, n32, w9)
-    t224 = multiply(t215, t223, w9)
-    t225 = add(t224, n33, w9)
-    t226 = multiply(t225, t161, w9)
-    t227 = multiply(t158, n3, w7)
-    t228 = multiply(tracking_index, t227, w0)
-    t229 = multiply(t228, t227, w2)
-    t230 = multiply(t229, t227, w7)
-    t236 = multiply(t164, n34, w8)
-    t237 = add(t236, n35, w8)
-    t239 = multiply(t164, n36, w10)
-    t242 = multiply(t164, n37, w11)
-    t243 = add(t242, n38, w11)
-    t244 = multiply(t164, t243, w11)
-    t246 = multiply(t164, n39, updated_11)
-    t247 = multiply(t164, t246, updated_11)
-    t250 = multiply(t164, n40, updated_12)
-    t251 = add(t250, n41, updated_12)
-    t252 = multiply(t164, t251, updated_12)
-    t253 = multiply(t164, t252, updated_12)
-    t255 = multiply(t164, n42, updated_22)
-    t256 = multiply(t164, t255, updated_22)
-    t257 = multiply(t164, t256, updated_22)
-    t258 = multiply(t215, t257, updated_22)
-    t259 = add(t258, t253, updated_22)
-    t260 = multiply(t215, t259, updated_22)
-    t261 = add(t260, t247, updated_22)
-    t262 = multiply(t215, t261, updated_22)
-    t263 = add(t262, t244, updated_22)
-    t264 = multiply(t215, t263, updated_22)
-    t265 = add(t264, t239, updated_22)
-    t266 = multiply(t215, t265, updated_22)
-    t267 = add(t266, t237, updated_22)
-    t268 = multiply(t215, t267, updated_22)
-    t269 = add(t268, n43, updated_22)
-    t270 = multiply(t215, t269, updated_22)
-    t271 = add(t270, n44, updated_22)
-    t272 = multiply(t271, t161, w8)
-    t278 = multiply(t164, n45, w10)
-    t279 = add(t278, n46, w10)
-    t282 = multiply(t164, n47, w11)
-    t283 = add(t282, n48, w11)
-    t284 = multiply(t164, t283, w11)
-    t287 = multiply(t164, n49, updated_11)
-    t288 = multiply(t164, t287, updated_11)
-    t289 = multiply(t164, t288, updated_11)
-    t290 = multiply(t164, t289, updated_11)
-    t291 = add(t290, n50, updated_11)
-    t292 = multiply(t164, t291, updated_11)
-    t293 = multiply(t164, t292, updated_11)
-    t296 = multiply(t164, n51, updated_12)
-    t297 = add(t296, n52, updated_12)
-    t298 = multiply(t164, t297, updated_12)
-    t299 = multiply(t164, t298, updated_12)
-    t301 = multiply(t164, n53, updated_22)
-    t302 = multiply(t164, t301, updated_22)
-    t303 = multiply(t164, t302, w6)
-    t304 = multiply(t215, t303, w6)
-    t305 = add(t304, t299, w6)
-    t306 = multiply(t215, t305, w6)
-    t307 = multiply(t215, t306, w6)
-    t308 = add(t307, t293, w6)
-    t309 = multiply(t215, t308, w6)
-    t310 = add(t309, t284, w6)
-    t311 = multiply(t215, t310, w6)
-    t312 = add(t311, t279, w6)
-    t313 = multiply(t215, t312, w6)
-    t314 = add(t313, n54, w6)
-    t315 = multiply(t215, t314, w1)
-    t316 = add(t315, n55, w1)
-    t317 = multiply(t316, t161, w1)
-    divide(t137, t136, updated_11)
-    divide(t139, t136, updated_12)
-    divide(t141, t136, updated_13)
-    multiply(t230, t226, updated_22)
-    multiply(t229, t272, updated_23)
-    multiply(t228, t317, updated_33)
+    t84 = multiply(e, n3, w3)
+    t85 = add(t84, t16, w3)
+    x = sqrt(t85, w3)
+    t88 = multiply(p, n8, w4)
+    t89 = add(e, t88, updated_12)
+    t90 = multiply(x, r, updated_22)
+    t91 = divide(t90, t12, updated_33)
+    t92 = multiply(t91, p, w5)
+    t94 = multiply(t92, n9, w5)
+    t95 = add(t89, t94, w5)
+    t96 = square(e, w6)
+    t98 = multiply(t96, n10, w7)
+    t99 = multiply(p, e, w8)
+    t100 = multiply(t99, n8, w9)
+    t101 = add(t98, t100, w7)
+    t103 = multiply(tracking_index, n11, w9)
+    t104 = add(t101, t103, w7)
+    t105 = divide(t95, t104, w5)
+    t106 = multiply(t90, n8, w10)
+    t107 = multiply(t105, t106, w5)
+    t108 = divide(t107, tracking_index, w5)
+    t109 = multiply(t108, n3, w5)
+    t110 = multiply(e, n4, w11)
+    t111 = add(t12, t110, w11)
+    t112 = multiply(p, n12, w12)
+    t113 = add(t106, t112, w12)
+    t114 = add(t111, t113, w11)
+    t115 = divide(t109, t114, w5)
+    t116 = divide(t115, t114, w5)
+    t118 = multiply(t96, n8, w6)
+    t119 = multiply(t99, n12, w8)
+    t120 = add(t118, t119, w6)
+    t121 = add(t120, t103, w6)
+    t122 = multiply(t89, n12, w8)
+    t123 = multiply(t90, t122, w8)
+    t124 = add(t121, t123, w8)
+    t125 = divide(t124, t104, w8)
+    t126 = multiply(t125, n3, w8)
+    t127 = divide(t91, tracking_index, w9)
+    t128 = multiply(t126, t127, w8)
+    t129 = multiply(p, t114, w9)
+    t130 = divide(t128, t129, w8)
+    t132 = divide(t90, t104, w12)
+    t133 = add(t89, t106, updated_12)
+    t134 = multiply(t133, n4, updated_12)
+    t135 = multiply(t132, t134, updated_12)
+    t136 = add(t135, n13, updated_12)
+    t137 = multiply(t12, p, w13)
+    t138 = divide(t136, t137, updated_12)
+    t139 = divide(t138, t129, w13)
+    t141 = divide(n13, t12, updated_12)
+    t142 = divide(t141, tracking_index, updated_12)
+    t143 = divide(t132, tracking_index, w12)
+    t144 = divide(t143, t12, w12)
+    t145 = multiply(t144, n4, w12)
+    t146 = divide(x, r, w14)
+    t147 = multiply(t146, n3, w14)
+    t148 = add(n13, t147, w14)
+    t149 = multiply(t106, t148, w10)
+    t150 = multiply(t145, t149, w10)
+    t151 = add(t142, t150, updated_12)
+    t152 = divide(t151, t114, updated_12)
+    t154 = divide(n14, t114, w10)
+    t155 = divide(t154, tracking_index, w10)
+    t156 = multiply(t152, t155, w10)
+    t157 = divide(t88, e, w4)
+    t158 = multiply(t157, n3, w4)
+    t159 = add(t158, n3, w4)
+    t160 = multiply(tracking_index, t159, w14)
+    t161 = multiply(t160, n11, w14)
+    t162 = add(t121, t161, w14)
+    t163 = divide(t162, t104, w14)
+    t164 = divide(tracking_index, t104, w15)
+    t165 = multiply(t164, t91, w15)
+    t167 = multiply(t165, n15, w15)
+    t168 = multiply(t167, t159, w4)
+    t169 = add(t163, t168, w14)
+    t170 = divide(tracking_index, t12, w4)
+    t171 = divide(t170, t12, w4)
+    t173 = multiply(t171, n16, w4)
+    t174 = add(t169, t173, updated_33)
+    t175 = add(t174, t152, updated_33)
+    t176 = multiply(t175, e, w16)
+    t177 = add(n13, t152, w17)
+    t178 = add(t177, t173, w18)
+    t179 = multiply(t178, p, w19)
+    t180 = multiply(t179, n8, w19)
+    t181 = add(t176, t180, w19)
+    t182 = divide(r, x, w20)
+    t183 = add(t175, t145, updated_33)
+    t184 = multiply(t183, e, updated_33)
+    t185 = multiply(t182, t184, updated_33)
+    t186 = add(t181, t185, w19)
+    t187 = multiply(t12, t186, w19)
+    t188 = add(t177, t169, updated_33)
+    t189 = multiply(t188, e, w21)
+    t190 = add(t177, n13, w22)
+    t191 = multiply(t190, p, w23)
+    t193 = multiply(t191, n17, w24)
+    t194 = add(t178, t145, w25)
+    t195 = multiply(t194, t12, w25)
+    t197 = multiply(t195, n18, w25)
+    t198 = add(t188, t145, updated_33)
+    t199 = multiply(t198, e, updated_33)
+    t201 = multiply(t199, n19, updated_33)
+    t202 = add(t197, t201, w25)
+    t203 = add(t190, t145, w22)
+    t204 = multiply(t203, p, w22)
+    t206 = multiply(t204, n20, w22)
+    t207 = add(t202, t206, w25)
+    t208 = multiply(t182, t207, w20)
+    t209 = add(t193, t208, w24)
+    t210 = multiply(p, t209, w24)
+    t211 = add(t187, t210, w19)
+    t212 = divide(t211, t114, w19)
+    t213 = add(t156, t212, w10)
+    t215 = divide(t121, t104, w6)
+    t216 = multiply(t215, n3, w6)
+    t217 = add(t216, t167, w6)
+    t218 = add(t217, t173, w4)
+    t219 = add(t218, t152, w4)
+    t220 = multiply(t219, t90, w4)
+    t221 = multiply(t220, n4, w4)
+    t222 = add(t221, t176, w4)
+    t223 = multiply(t12, t222, w4)
+    t224 = multiply(t178, t12, w18)
+    t226 = multiply(t224, n21, w18)
+    t228 = multiply(t189, n22, w21)
+    t229 = add(t226, t228, w18)
+    t230 = add(t177, t217, w17)
+    t231 = multiply(t230, t90, w17)
+    t233 = multiply(t231, n23, w17)
+    t234 = add(t229, t233, w18)
+    t236 = multiply(t191, n24, w23)
+    t237 = add(t234, t236, w18)
+    t238 = multiply(p, t237, w18)
+    t239 = add(t223, t238, w4)
+    t240 = divide(t239, t114, w4)
+    t242 = add(n13, t169, w14)
+    t243 = multiply(r, n4, updated_11)
+    t244 = add(t243, x, updated_11)
+    t245 = divide(x, t244, w3)
+    t246 = multiply(t145, t245, w12)
+    t247 = add(t242, t246, w14)
+    t248 = multiply(t247, e, w14)
+    t249 = multiply(t248, n3, w14)
+    t250 = add(n3, t246, w12)
+    t251 = multiply(t250, p, w12)
+    t252 = multiply(t251, n8, w12)
+    t253 = add(t249, t252, w14)
+    t254 = divide(t253, t244, w14)
+    divide(t116, tracking_index, updated_11)
+    divide(t130, t129, updated_12)
+    divide(t139, t129, updated_13)
+    multiply(t16, t213, updated_22)
+    multiply(t240, p, updated_23)
+    multiply(t254, t19, updated_33)
 
 
 _UPDATED_COVARIANCE_DERIVATIVES = Signature(
     "updated_covariance_derivatives",
     (_TRACKING_INDEX_DOMAIN_2,),
     ("updated_11", "updated_12", "updated_13", "updated_22", "updated_23", "updated_33"),
-    12,
+    26,
     _updated_covariance_derivatives_block,
+    numbers=_updated_covariance_derivatives_of_numbers,
 )
 
 
@@ -2615,7 +3242,7 @@ def gain_second_derivatives(
         3.506117298416322e-232 <= tracking_index <= 3.351388711764904e77 (float64) and 6.871575e-30
         <= tracking_index <= 1.2430991e10 (float32).
     gamma: second derivative by Lambda of the acceleration gain times the square of the sampling
-        interval. Relative error at most 32.54 * 2^-52 (float64), 32.60 * 2^-23 (float32), proved
+        interval. Relative error at most 32.53 * 2^-52 (float64), 32.58 * 2^-23 (float32), proved
         for 5e-324 <= tracking_index <= 3.8021109680071646e77 (float64) and 1e-45 <= tracking_index
         <= 1.4102813e10 (float32).
 
@@ -2631,9 +3258,107 @@ def gain_second_derivatives(
 
     Source: derivation continuous-white-jerk
     """
+    if (
+        type(tracking_index) is float
+        and 5e-324 <= tracking_index <= 1.7976931348623157e308
+        and out is None
+        and workers is ONE
+    ):
+        try:
+            return named(GainSecondDerivatives, _gain_second_derivatives_of_numbers(tracking_index))
+        except (ArithmeticError, ValueError):
+            pass  # arrays say what is wrong
     return GainSecondDerivatives(
         *evaluate(_GAIN_SECOND_DERIVATIVES, (tracking_index,), out, workers)
     )
+
+
+def _gain_second_derivatives_of_numbers(
+    tracking_index: float,
+    form: Form = Double,
+) -> tuple[float, ...]:
+    t3 = form.sqrt(tracking_index)
+    t4 = form.sqrt(t3)
+    t6 = 2.220446049250313e-16 / tracking_index
+    t8 = tracking_index * 4.625929269271486e-19
+    t12 = form.sqrt(t6 + t8) * 67108864.0
+    t14 = (t12 * t4) * 2.0
+    t16 = t3 * 0.5
+    t18 = tracking_index * 0.07083333333333333
+    t25 = ((t3 * t4) * 1.5516447222296765) + (8.0 / t4)
+    t26 = form.near_cbrt(t25)
+    t30 = form.sqrt((t14 * t26) + t18)
+    t33 = form.sqrt((t30 * 2.0) + t16)
+    t34 = t14 * 0.5
+    t35 = t30 * t33
+    t40 = ((t33 * t35) - (t34 * t26)) / (t35 - t34)
+    t44 = form.sqrt((t14 * t40) + t18)
+    t47 = form.sqrt((t44 * 2.0) + t16)
+    t48 = t44 * t47
+    t53 = ((t47 * t48) - (t34 * t40)) / (t48 - t34)
+    t57 = form.sqrt((t14 * t53) + t18)
+    t60 = form.sqrt((t57 * 2.0) + t16)
+    t61 = t57 * t60
+    t66 = ((t60 * t61) - (t34 * t53)) / (t61 - t34)
+    t70 = form.sqrt((t14 * t66) + t18)
+    t73 = form.sqrt((t70 * 2.0) + t16)
+    t74 = t70 * t73
+    t79 = ((t73 * t74) - (t34 * t66)) / (t74 - t34)
+    t83 = form.sqrt((t14 * t79) + t18)
+    t86 = form.sqrt((t83 * 2.0) + t16)
+    t87 = t86 / t4
+    t88 = t87 * 2.0
+    t91 = (t3 * 0.25) / t83
+    t92 = t91 + 1.0
+    t95 = t91 * 1.1333333333333333
+    t100 = (t91 * (t95 + 4.0)) + 3.0
+    t103 = t3 / t83
+    t108 = ((t103 / t100) * t103) * (t87 * (t3 / t12))
+    t110 = t108 * 0.004166666666666667
+    t111 = (((t92 * t91) / t100) * 2.0) + t110
+    t112 = t111 * t88
+    t117 = (t91 * 2.0) + 2.0
+    t120 = ((t91 / t100) * (t117 / t100)) / t100
+    t125 = t91 * ((t91 * 0.7544444444444445) + 1.6)
+    t132 = (t91 * ((t91 * (t125 + 2.1)) + 2.0)) + 0.75
+    t138 = ((tracking_index / t12) / t12) * 0.0020833333333333333
+    t143 = (((t86 / t83) / (t83 * t100)) / t4) / t12
+    t145 = (t143 / t3) * 2.0
+    t148 = (t117 * t91) / t100
+    t151 = (t138 + t145) + ((t148 * t148) * 4.0)
+    t152 = t145 + t110
+    t156 = t152 + (((t117 * t117) / t100) * 2.0)
+    t157 = t110 * t156
+    t160 = (t120 * (t132 * 8.0)) + (t110 * (t151 + t157))
+    t163 = (t88 * (((t111 * t112) * 2.0) + t160)) * 2.0
+    t167 = t86 * t4
+    t171 = (t12 + (t83 * 0.5)) + ((t167 * 0.25) + (t3 * 0.125))
+    t172 = t3 * t171
+    t174 = ((t163 / tracking_index) / t172) / t172
+    t177 = t167 / t171
+    t189 = t91 * ((t91 * 2.908888888888889) + 10.2)
+    t197 = (t91 * ((t91 * (t189 + 12.8)) + 7.0)) + 1.5
+    t201 = ((t112 * t92) * 2.0) + (((t92 / t100) * (t197 / t100)) * 4.0)
+    t208 = t91 * ((t91 * 2.8666666666666667) + 6.0)
+    t211 = ((t208 + 3.0) / t100) * 2.0
+    t214 = t145 * (t117 + (((t12 / t83) * 2.0) * t211))
+    t220 = (((t91 * (t95 + 2.0)) + 1.0) / t100) * 2.0
+    t221 = t220 * t100
+    t223 = (t83 / t3) * 4.0
+    t227 = t110 * ((t221 * t223) + (t92 * t211))
+    t233 = t138 * (((t223 / t88) * (t221 * 0.5)) + t92)
+    t235 = (t145 * (t83 / t171)) * (((t201 + t214) + t227) + t233)
+    t236 = ((t177 / tracking_index) * 0.5) * t235
+    t244 = (((t223 * (t100 * 0.5)) / t117) + 1.0) + t88
+    t251 = (((t152 * t91) * (t92 + t117)) / t100) * 2.0
+    t252 = t148 * 2.0
+    t257 = ((t251 + (t252 * t252)) + t157) + (t138 * t220)
+    t258 = (t111 * ((t177 * 0.25) * t244)) + t257
+    t262 = ((t145 * (t88 * t258)) / t172) / tracking_index
+    t176 = -(t174 / tracking_index)
+    t238 = -(t236 / tracking_index)
+    t263 = -t262
+    return (t176, t238, t263)
 
 
 def _gain_second_derivatives_block(
@@ -2650,17 +3375,17 @@ def _gain_second_derivatives_block(
     n6: float = 1.5516447222296765,
     n7: float = 8.0,
     n8: float = 0.25,
-    n9: float = 0.125,
-    n10: float = 1.0,
-    n11: float = 1.1333333333333333,
-    n12: float = 4.0,
-    n13: float = 3.0,
-    n14: float = 0.004166666666666667,
-    n15: float = 0.7544444444444445,
-    n16: float = 1.6,
-    n17: float = 2.1,
-    n18: float = 0.75,
-    n19: float = 0.0020833333333333333,
+    n9: float = 1.0,
+    n10: float = 1.1333333333333333,
+    n11: float = 4.0,
+    n12: float = 3.0,
+    n13: float = 0.004166666666666667,
+    n14: float = 0.7544444444444445,
+    n15: float = 1.6,
+    n16: float = 2.1,
+    n17: float = 0.75,
+    n18: float = 0.0020833333333333333,
+    n19: float = 0.125,
     n20: float = 2.908888888888889,
     n21: float = 10.2,
     n22: float = 12.8,
@@ -2693,7 +3418,6 @@ def _gain_second_derivatives_block(
         w18,
         w19,
         w20,
-        w21,
     ) = work
     p = sqrt(tracking_index, alpha)
     r = sqrt(p, beta)
@@ -2766,175 +3490,175 @@ def _gain_second_derivatives_block(
     t84 = multiply(e, n3, w2)
     t85 = add(t84, t16, w2)
     x = sqrt(t85, w2)
-    t87 = multiply(e, n4, w1)
-    t88 = add(t12, t87, w1)
-    t89 = multiply(x, r, w3)
-    t91 = multiply(t89, n8, w4)
-    t92 = multiply(p, n9, w5)
-    t93 = add(t91, t92, w4)
-    t94 = add(t88, t93, w1)
-    t95 = multiply(p, t94, w4)
-    t96 = divide(x, r, w5)
-    t97 = multiply(t96, n3, w6)
-    t98 = multiply(p, n8, w7)
-    t99 = divide(t98, e, w7)
-    t100 = multiply(t99, n10, w8)
-    t101 = add(t100, n10, w8)
-    t102 = multiply(t101, t99, w9)
-    t104 = multiply(t99, n11, w10)
-    t106 = add(t104, n12, w11)
-    t107 = multiply(t99, t106, w11)
-    t109 = add(t107, n13, w11)
-    t110 = divide(t102, t109, w9)
-    t111 = multiply(t110, n3, w9)
-    t112 = divide(p, e, w12)
-    t113 = divide(t112, t109, w13)
-    t114 = multiply(t113, t112, w13)
-    t115 = divide(p, t12, w12)
-    t116 = multiply(t96, t115, w5)
-    t117 = multiply(t114, t116, w13)
-    t119 = multiply(t117, n14, w13)
-    t120 = add(t111, t119, w9)
-    t121 = multiply(t120, t97, w5)
-    t122 = multiply(t120, t121, w12)
-    t123 = multiply(t122, n3, w12)
-    t124 = divide(t99, t109, w14)
-    t125 = multiply(t99, n3, w15)
-    t126 = add(t125, n3, w15)
-    t127 = divide(t126, t109, w16)
-    t128 = multiply(t124, t127, w14)
-    t129 = divide(t128, t109, w14)
-    t131 = multiply(t99, n15, w16)
-    t133 = add(t131, n16, w16)
-    t134 = multiply(t99, t133, w16)
-    t136 = add(t134, n17, w16)
-    t137 = multiply(t99, t136, w16)
-    t138 = add(t137, n3, w16)
-    t139 = multiply(t99, t138, w16)
-    t141 = add(t139, n18, w16)
-    t142 = multiply(t141, n7, w16)
-    t143 = multiply(t129, t142, w14)
-    t144 = multiply(t126, t99, w16)
-    t145 = divide(t144, t109, w16)
-    t146 = divide(tracking_index, t12, w17)
-    t147 = divide(t146, t12, w17)
-    t149 = multiply(t147, n19, w17)
-    t150 = divide(x, e, w2)
-    t151 = multiply(e, t109, w18)
-    t152 = divide(t150, t151, w2)
-    t153 = divide(t152, r, w2)
-    t154 = divide(t153, t12, w2)
-    t155 = divide(t154, p, w2)
-    t156 = multiply(t155, n3, w2)
-    t157 = add(t149, t156, w18)
-    t158 = square(t145, beta)
-    t159 = multiply(t158, n12, beta)
-    t160 = add(t156, t119, w19)
-    t161 = square(t126, w20)
-    t162 = divide(t161, t109, w20)
-    t163 = multiply(t162, n3, w20)
-    t164 = add(t160, t163, w20)
-    t165 = multiply(t119, t164, w20)
-    t166 = add(t157, t159, w18)
-    t167 = add(t166, t165, w18)
-    t168 = multiply(t119, t167, w18)
-    t169 = add(t143, t168, w14)
-    t170 = add(t123, t169, w12)
-    t171 = multiply(t97, t170, w12)
-    t172 = divide(t89, t94, w3)
-    t173 = divide(t172, tracking_index, w14)
-    t174 = multiply(t173, n4, w14)
-    t175 = divide(e, t94, w1)
-    t176 = multiply(t156, t175, w1)
-    t178 = multiply(t99, n20, w18)
-    t180 = add(t178, n21, w18)
-    t181 = multiply(t99, t180, w18)
-    t183 = add(t181, n22, w18)
-    t184 = multiply(t99, t183, w18)
-    t186 = add(t184, n23, w18)
-    t187 = multiply(t99, t186, w18)
-    t189 = add(t187, n24, w18)
-    t191 = multiply(t99, n25, beta)
-    t193 = add(t191, n26, beta)
-    t194 = multiply(t99, t193, beta)
-    t195 = add(t194, n13, beta)
-    t196 = divide(t195, t109, beta)
-    t197 = multiply(t196, n3, beta)
-    t198 = divide(t12, e, gamma)
-    t199 = multiply(t198, n3, gamma)
-    t200 = multiply(t199, t197, gamma)
-    t201 = multiply(t121, t101, w5)
-    t202 = multiply(t201, n3, w5)
-    t203 = divide(t101, t109, w21)
-    t204 = divide(t189, t109, w18)
-    t205 = multiply(t203, t204, w21)
-    t206 = multiply(t205, n12, w21)
-    t207 = add(t202, t206, w5)
-    t208 = add(t126, t200, gamma)
-    t209 = multiply(t156, t208, gamma)
-    t210 = add(t207, t209, w5)
-    t211 = add(t104, n3, w10)
-    t212 = multiply(t99, t211, w10)
-    t213 = add(t212, n10, w10)
-    t214 = divide(t213, t109, w10)
-    t215 = multiply(t214, n3, w10)
-    t216 = multiply(t215, t109, w18)
-    t217 = multiply(t216, n4, w21)
-    t218 = divide(e, p, w0)
-    t219 = multiply(t218, n12, w0)
-    t220 = multiply(t216, t219, w18)
-    t221 = multiply(t101, t197, beta)
-    t222 = add(t220, t221, w18)
-    t223 = multiply(t119, t222, w13)
-    t224 = divide(t219, t97, w18)
-    t225 = multiply(t224, t217, w18)
-    t226 = add(t225, t101, w18)
-    t227 = multiply(t149, t226, w18)
-    t228 = add(t210, t223, w5)
-    t229 = add(t228, t227, w5)
-    t230 = multiply(t176, t229, w1)
-    t231 = multiply(t174, t230, w14)
-    t232 = multiply(t109, n4, w1)
-    t233 = multiply(t219, t232, w0)
-    t234 = divide(t233, t126, w0)
-    t235 = multiply(t172, n8, w3)
-    t236 = add(t234, n10, w0)
-    t237 = add(t236, t97, w0)
-    t238 = multiply(t235, t237, w3)
-    t239 = multiply(t120, t238, w9)
-    t240 = multiply(t160, t99, w19)
-    t241 = add(t101, t126, w8)
-    t242 = multiply(t240, t241, w19)
-    t243 = divide(t242, t109, w19)
-    t244 = multiply(t243, n3, w19)
-    t245 = multiply(t145, n3, w16)
-    t246 = square(t245, w16)
-    t247 = multiply(t149, t215, w17)
-    t248 = add(t244, t246, w19)
-    t249 = add(t248, t165, w19)
-    t250 = add(t249, t247, w19)
-    t251 = add(t239, t250, w9)
-    t252 = multiply(t97, t251, w6)
-    t253 = multiply(t156, t252, w2)
-    t254 = multiply(t171, n3, w12)
-    t255 = divide(t254, tracking_index, w12)
-    t256 = divide(t255, t95, w12)
-    t257 = divide(t256, t95, w12)
-    t258 = divide(t257, tracking_index, w12)
-    t259 = divide(t231, tracking_index, w14)
-    t260 = divide(t253, t95, w2)
-    t261 = divide(t260, tracking_index, w2)
-    negative(t258, alpha)
-    negative(t259, beta)
-    negative(t261, gamma)
+    t87 = divide(x, r, w1)
+    t88 = multiply(t87, n3, w3)
+    t90 = multiply(p, n8, w4)
+    t91 = divide(t90, e, w4)
+    t92 = add(t91, n9, w5)
+    t93 = multiply(t92, t91, w6)
+    t95 = multiply(t91, n10, w7)
+    t97 = add(t95, n11, w8)
+    t98 = multiply(t91, t97, w8)
+    t100 = add(t98, n12, w8)
+    t101 = divide(t93, t100, w6)
+    t102 = multiply(t101, n3, w6)
+    t103 = divide(p, e, w9)
+    t104 = divide(t103, t100, w10)
+    t105 = multiply(t104, t103, w10)
+    t106 = divide(p, t12, w9)
+    t107 = multiply(t87, t106, w1)
+    t108 = multiply(t105, t107, w10)
+    t110 = multiply(t108, n13, w10)
+    t111 = add(t102, t110, w6)
+    t112 = multiply(t111, t88, w1)
+    t113 = multiply(t111, t112, w9)
+    t114 = multiply(t113, n3, w9)
+    t115 = divide(t91, t100, w11)
+    t116 = multiply(t91, n3, w12)
+    t117 = add(t116, n3, w12)
+    t118 = divide(t117, t100, w13)
+    t119 = multiply(t115, t118, w11)
+    t120 = divide(t119, t100, w11)
+    t122 = multiply(t91, n14, w13)
+    t124 = add(t122, n15, w13)
+    t125 = multiply(t91, t124, w13)
+    t127 = add(t125, n16, w13)
+    t128 = multiply(t91, t127, w13)
+    t129 = add(t128, n3, w13)
+    t130 = multiply(t91, t129, w13)
+    t132 = add(t130, n17, w13)
+    t133 = multiply(t132, n7, w13)
+    t134 = multiply(t120, t133, w11)
+    t135 = divide(tracking_index, t12, w13)
+    t136 = divide(t135, t12, w13)
+    t138 = multiply(t136, n18, w13)
+    t139 = divide(x, e, w14)
+    t140 = multiply(e, t100, w15)
+    t141 = divide(t139, t140, w14)
+    t142 = divide(t141, r, w14)
+    t143 = divide(t142, t12, w14)
+    t144 = divide(t143, p, w14)
+    t145 = multiply(t144, n3, w14)
+    t146 = add(t138, t145, w15)
+    t147 = multiply(t117, t91, w16)
+    t148 = divide(t147, t100, w16)
+    t149 = square(t148, w17)
+    t150 = multiply(t149, n11, w17)
+    t151 = add(t146, t150, w15)
+    t152 = add(t145, t110, w17)
+    t153 = square(t117, w18)
+    t154 = divide(t153, t100, w18)
+    t155 = multiply(t154, n3, w18)
+    t156 = add(t152, t155, w18)
+    t157 = multiply(t110, t156, w18)
+    t158 = add(t151, t157, w15)
+    t159 = multiply(t110, t158, w15)
+    t160 = add(t134, t159, w11)
+    t161 = add(t114, t160, w9)
+    t162 = multiply(t88, t161, w9)
+    t163 = multiply(t162, n3, w9)
+    t164 = divide(t163, tracking_index, w9)
+    t165 = multiply(e, n4, w11)
+    t166 = add(t12, t165, w11)
+    t167 = multiply(x, r, w2)
+    t168 = multiply(t167, n8, w15)
+    t169 = multiply(p, n19, beta)
+    t170 = add(t168, t169, w15)
+    t171 = add(t166, t170, w11)
+    t172 = multiply(p, t171, w15)
+    t173 = divide(t164, t172, w9)
+    t174 = divide(t173, t172, w9)
+    t175 = divide(t174, tracking_index, w9)
+    t177 = divide(t167, t171, w2)
+    t178 = divide(t177, tracking_index, beta)
+    t179 = multiply(t178, n4, beta)
+    t180 = divide(e, t171, w11)
+    t181 = multiply(t145, t180, w11)
+    t182 = multiply(t112, t92, w1)
+    t183 = multiply(t182, n3, w1)
+    t184 = divide(t92, t100, w19)
+    t186 = multiply(t91, n20, w20)
+    t188 = add(t186, n21, w20)
+    t189 = multiply(t91, t188, w20)
+    t191 = add(t189, n22, w20)
+    t192 = multiply(t91, t191, w20)
+    t194 = add(t192, n23, w20)
+    t195 = multiply(t91, t194, w20)
+    t197 = add(t195, n24, w20)
+    t198 = divide(t197, t100, w20)
+    t199 = multiply(t184, t198, w19)
+    t200 = multiply(t199, n11, w19)
+    t201 = add(t183, t200, w1)
+    t202 = divide(t12, e, gamma)
+    t203 = multiply(t202, n3, gamma)
+    t205 = multiply(t91, n25, w19)
+    t207 = add(t205, n26, w19)
+    t208 = multiply(t91, t207, w19)
+    t209 = add(t208, n12, w19)
+    t210 = divide(t209, t100, w19)
+    t211 = multiply(t210, n3, w19)
+    t212 = multiply(t203, t211, gamma)
+    t213 = add(t117, t212, gamma)
+    t214 = multiply(t145, t213, gamma)
+    t215 = add(t201, t214, w1)
+    t216 = add(t95, n3, w7)
+    t217 = multiply(t91, t216, w7)
+    t218 = add(t217, n9, w7)
+    t219 = divide(t218, t100, w7)
+    t220 = multiply(t219, n3, w7)
+    t221 = multiply(t220, t100, w20)
+    t222 = divide(e, p, w0)
+    t223 = multiply(t222, n11, w0)
+    t224 = multiply(t221, t223, alpha)
+    t225 = multiply(t92, t211, w19)
+    t226 = add(t224, t225, alpha)
+    t227 = multiply(t110, t226, w10)
+    t228 = add(t215, t227, w1)
+    t229 = divide(t223, t88, w10)
+    t230 = multiply(t221, n4, w20)
+    t231 = multiply(t229, t230, w10)
+    t232 = add(t231, t92, w10)
+    t233 = multiply(t138, t232, w10)
+    t234 = add(t228, t233, w1)
+    t235 = multiply(t181, t234, w11)
+    t236 = multiply(t179, t235, beta)
+    t237 = divide(t236, tracking_index, beta)
+    t239 = multiply(t177, n8, w2)
+    t240 = multiply(t100, n4, w1)
+    t241 = multiply(t223, t240, w0)
+    t242 = divide(t241, t117, w0)
+    t243 = add(t242, n9, w0)
+    t244 = add(t243, t88, w0)
+    t245 = multiply(t239, t244, w2)
+    t246 = multiply(t111, t245, w6)
+    t247 = multiply(t152, t91, w17)
+    t248 = add(t92, t117, w5)
+    t249 = multiply(t247, t248, w17)
+    t250 = divide(t249, t100, w17)
+    t251 = multiply(t250, n3, w17)
+    t252 = multiply(t148, n3, w16)
+    t253 = square(t252, w16)
+    t254 = add(t251, t253, w17)
+    t255 = add(t254, t157, w17)
+    t256 = multiply(t138, t220, w13)
+    t257 = add(t255, t256, w17)
+    t258 = add(t246, t257, w6)
+    t259 = multiply(t88, t258, w3)
+    t260 = multiply(t145, t259, w14)
+    t261 = divide(t260, t172, w14)
+    t262 = divide(t261, tracking_index, w14)
+    negative(t175, alpha)
+    negative(t237, beta)
+    negative(t262, gamma)
 
 
 _GAIN_SECOND_DERIVATIVES = Signature(
     "gain_second_derivatives",
     (_TRACKING_INDEX_DOMAIN,),
     ("alpha", "beta", "gamma"),
-    22,
+    21,
     _gain_second_derivatives_block,
+    numbers=_gain_second_derivatives_of_numbers,
 )
 
 
@@ -2963,7 +3687,7 @@ def predictor_gain_second_derivatives(
         jerk_density*sampling_interval**5/measurement_deviation**2; a number above 0 and finite.
 
     position: second derivative by Lambda of the position entry of F K, alpha + beta + gamma/2.
-        Relative error at most 30.14 * 2^-52 (float64), 30.16 * 2^-23 (float32), proved for
+        Relative error at most 30.13 * 2^-52 (float64), 30.16 * 2^-23 (float32), proved for
         6.8526910636419685e-186 <= tracking_index <= 3.922157988100115e77 (float64) and 4.673531e-24
         <= tracking_index <= 1.4548092e10 (float32).
     velocity: second derivative by Lambda of the velocity entry of F K times the sampling interval,
@@ -2971,7 +3695,7 @@ def predictor_gain_second_derivatives(
         proved for 3.5061172984163225e-232 <= tracking_index <= 4.2786186800086156e77 (float64) and
         6.871576e-30 <= tracking_index <= 1.5870279e10 (float32).
     acceleration: second derivative by Lambda of the acceleration entry of F K times the square of
-        the sampling interval, gamma. Relative error at most 32.54 * 2^-52 (float64), 32.60 * 2^-23
+        the sampling interval, gamma. Relative error at most 32.53 * 2^-52 (float64), 32.58 * 2^-23
         (float32), proved for 5e-324 <= tracking_index <= 3.8021109680071646e77 (float64) and 1e-45
         <= tracking_index <= 1.4102813e10 (float32).
 
@@ -2987,9 +3711,112 @@ def predictor_gain_second_derivatives(
 
     Source: derivation continuous-white-jerk
     """
+    if (
+        type(tracking_index) is float
+        and 5e-324 <= tracking_index <= 1.7976931348623157e308
+        and out is None
+        and workers is ONE
+    ):
+        try:
+            return named(
+                PredictorGainSecondDerivatives,
+                _predictor_gain_second_derivatives_of_numbers(tracking_index),
+            )
+        except (ArithmeticError, ValueError):
+            pass  # arrays say what is wrong
     return PredictorGainSecondDerivatives(
         *evaluate(_PREDICTOR_GAIN_SECOND_DERIVATIVES, (tracking_index,), out, workers)
     )
+
+
+def _predictor_gain_second_derivatives_of_numbers(
+    tracking_index: float,
+    form: Form = Double,
+) -> tuple[float, ...]:
+    t3 = form.sqrt(tracking_index)
+    t4 = form.sqrt(t3)
+    t6 = 2.220446049250313e-16 / tracking_index
+    t8 = tracking_index * 4.625929269271486e-19
+    t12 = form.sqrt(t6 + t8) * 67108864.0
+    t14 = (t12 * t4) * 2.0
+    t16 = t3 * 0.5
+    t18 = tracking_index * 0.07083333333333333
+    t25 = ((t3 * t4) * 1.5516447222296765) + (8.0 / t4)
+    t26 = form.near_cbrt(t25)
+    t30 = form.sqrt((t14 * t26) + t18)
+    t33 = form.sqrt((t30 * 2.0) + t16)
+    t34 = t14 * 0.5
+    t35 = t30 * t33
+    t40 = ((t33 * t35) - (t34 * t26)) / (t35 - t34)
+    t44 = form.sqrt((t14 * t40) + t18)
+    t47 = form.sqrt((t44 * 2.0) + t16)
+    t48 = t44 * t47
+    t53 = ((t47 * t48) - (t34 * t40)) / (t48 - t34)
+    t57 = form.sqrt((t14 * t53) + t18)
+    t60 = form.sqrt((t57 * 2.0) + t16)
+    t61 = t57 * t60
+    t66 = ((t60 * t61) - (t34 * t53)) / (t61 - t34)
+    t70 = form.sqrt((t14 * t66) + t18)
+    t73 = form.sqrt((t70 * 2.0) + t16)
+    t74 = t70 * t73
+    t79 = ((t73 * t74) - (t34 * t66)) / (t74 - t34)
+    t83 = form.sqrt((t14 * t79) + t18)
+    t86 = form.sqrt((t83 * 2.0) + t16)
+    t87 = t86 / t4
+    t88 = t87 * 2.0
+    t91 = (t3 * 0.25) / t83
+    t92 = t91 + 1.0
+    t95 = t91 * 1.1333333333333333
+    t100 = (t91 * (t95 + 4.0)) + 3.0
+    t103 = t3 / t83
+    t108 = ((t103 / t100) * t103) * (t87 * (t3 / t12))
+    t110 = t108 * 0.004166666666666667
+    t111 = (((t92 * t91) / t100) * 2.0) + t110
+    t112 = t111 * t88
+    t117 = (t91 * 2.0) + 2.0
+    t120 = ((t91 / t100) * (t117 / t100)) / t100
+    t125 = t91 * ((t91 * 0.7544444444444445) + 1.6)
+    t132 = (t91 * ((t91 * (t125 + 2.1)) + 2.0)) + 0.75
+    t138 = ((tracking_index / t12) / t12) * 0.0020833333333333333
+    t143 = (((t86 / t83) / (t83 * t100)) / t4) / t12
+    t145 = (t143 / t3) * 2.0
+    t148 = (t117 * t91) / t100
+    t151 = (t138 + t145) + ((t148 * t148) * 4.0)
+    t152 = t145 + t110
+    t156 = t152 + (((t117 * t117) / t100) * 2.0)
+    t157 = t110 * t156
+    t160 = (t120 * (t132 * 8.0)) + (t110 * (t151 + t157))
+    t163 = (t88 * (((t111 * t112) * 2.0) + t160)) * 2.0
+    t167 = t86 * t4
+    t171 = (t12 + (t83 * 0.5)) + ((t167 * 0.25) + (t3 * 0.125))
+    t172 = t3 * t171
+    t174 = ((t163 / tracking_index) / t172) / t172
+    t176 = t167 / t171
+    t188 = t91 * ((t91 * 2.908888888888889) + 10.2)
+    t196 = (t91 * ((t91 * (t188 + 12.8)) + 7.0)) + 1.5
+    t200 = ((t112 * t92) * 2.0) + (((t92 / t100) * (t196 / t100)) * 4.0)
+    t207 = t91 * ((t91 * 2.8666666666666667) + 6.0)
+    t210 = ((t207 + 3.0) / t100) * 2.0
+    t213 = t145 * (t117 + (((t12 / t83) * 2.0) * t210))
+    t219 = (((t91 * (t95 + 2.0)) + 1.0) / t100) * 2.0
+    t220 = t219 * t100
+    t222 = (t83 / t3) * 4.0
+    t226 = t110 * ((t220 * t222) + (t92 * t210))
+    t232 = t138 * (((t222 / t88) * (t220 * 0.5)) + t92)
+    t234 = (t145 * (t83 / t171)) * (((t200 + t213) + t226) + t232)
+    t235 = ((t176 / tracking_index) * 0.5) * t234
+    t236 = t235 / tracking_index
+    t242 = (((t222 * (t100 * 0.5)) / t117) + 1.0) + t88
+    t249 = (((t152 * t91) * (t92 + t117)) / t100) * 2.0
+    t250 = t148 * 2.0
+    t255 = ((t249 + (t250 * t250)) + t157) + (t138 * t219)
+    t256 = (t111 * ((t176 * 0.25) * t242)) + t255
+    t260 = ((t145 * (t88 * t256)) / t172) / tracking_index
+    t263 = (t174 / tracking_index) + (t236 + (t260 * 0.5))
+    t264 = -t263
+    t266 = -(t236 + t260)
+    t267 = -t260
+    return (t264, t266, t267)
 
 
 def _predictor_gain_second_derivatives_block(
@@ -3006,17 +3833,17 @@ def _predictor_gain_second_derivatives_block(
     n6: float = 1.5516447222296765,
     n7: float = 8.0,
     n8: float = 0.25,
-    n9: float = 0.125,
-    n10: float = 1.0,
-    n11: float = 1.1333333333333333,
-    n12: float = 4.0,
-    n13: float = 3.0,
-    n14: float = 0.004166666666666667,
-    n15: float = 0.7544444444444445,
-    n16: float = 1.6,
-    n17: float = 2.1,
-    n18: float = 0.75,
-    n19: float = 0.0020833333333333333,
+    n9: float = 1.0,
+    n10: float = 1.1333333333333333,
+    n11: float = 4.0,
+    n12: float = 3.0,
+    n13: float = 0.004166666666666667,
+    n14: float = 0.7544444444444445,
+    n15: float = 1.6,
+    n16: float = 2.1,
+    n17: float = 0.75,
+    n18: float = 0.0020833333333333333,
+    n19: float = 0.125,
     n20: float = 2.908888888888889,
     n21: float = 10.2,
     n22: float = 12.8,
@@ -3049,7 +3876,6 @@ def _predictor_gain_second_derivatives_block(
         w18,
         w19,
         w20,
-        w21,
     ) = work
     p = sqrt(tracking_index, position)
     r = sqrt(p, velocity)
@@ -3122,179 +3948,179 @@ def _predictor_gain_second_derivatives_block(
     t84 = multiply(e, n3, w2)
     t85 = add(t84, t16, w2)
     x = sqrt(t85, w2)
-    t87 = multiply(e, n4, w1)
-    t88 = add(t12, t87, w1)
-    t89 = multiply(x, r, w3)
-    t91 = multiply(t89, n8, w4)
-    t92 = multiply(p, n9, w5)
-    t93 = add(t91, t92, w4)
-    t94 = add(t88, t93, w1)
-    t95 = multiply(p, t94, w4)
-    t96 = divide(x, r, w5)
-    t97 = multiply(t96, n3, w6)
-    t98 = multiply(p, n8, w7)
-    t99 = divide(t98, e, w7)
-    t100 = multiply(t99, n10, w8)
-    t101 = add(t100, n10, w8)
-    t102 = multiply(t101, t99, w9)
-    t104 = multiply(t99, n11, w10)
-    t106 = add(t104, n12, w11)
-    t107 = multiply(t99, t106, w11)
-    t109 = add(t107, n13, w11)
-    t110 = divide(t102, t109, w9)
-    t111 = multiply(t110, n3, w9)
-    t112 = divide(p, e, w12)
-    t113 = divide(t112, t109, w13)
-    t114 = multiply(t113, t112, w13)
-    t115 = divide(p, t12, w12)
-    t116 = multiply(t96, t115, w5)
-    t117 = multiply(t114, t116, w13)
-    t119 = multiply(t117, n14, w13)
-    t120 = add(t111, t119, w9)
-    t121 = multiply(t120, t97, w5)
-    t122 = multiply(t120, t121, w12)
-    t123 = multiply(t122, n3, w12)
-    t124 = divide(t99, t109, w14)
-    t125 = multiply(t99, n3, w15)
-    t126 = add(t125, n3, w15)
-    t127 = divide(t126, t109, w16)
-    t128 = multiply(t124, t127, w14)
-    t129 = divide(t128, t109, w14)
-    t131 = multiply(t99, n15, w16)
-    t133 = add(t131, n16, w16)
-    t134 = multiply(t99, t133, w16)
-    t136 = add(t134, n17, w16)
-    t137 = multiply(t99, t136, w16)
-    t138 = add(t137, n3, w16)
-    t139 = multiply(t99, t138, w16)
-    t141 = add(t139, n18, w16)
-    t142 = multiply(t141, n7, w16)
-    t143 = multiply(t129, t142, w14)
-    t144 = multiply(t126, t99, w16)
-    t145 = divide(t144, t109, w16)
-    t146 = divide(tracking_index, t12, w17)
-    t147 = divide(t146, t12, w17)
-    t149 = multiply(t147, n19, w17)
-    t150 = divide(x, e, w2)
-    t151 = multiply(e, t109, w18)
-    t152 = divide(t150, t151, w2)
-    t153 = divide(t152, r, w2)
-    t154 = divide(t153, t12, w2)
-    t155 = divide(t154, p, w2)
-    t156 = multiply(t155, n3, w2)
-    t157 = add(t149, t156, w18)
-    t158 = square(t145, velocity)
-    t159 = multiply(t158, n12, velocity)
-    t160 = add(t156, t119, w19)
-    t161 = square(t126, w20)
-    t162 = divide(t161, t109, w20)
-    t163 = multiply(t162, n3, w20)
-    t164 = add(t160, t163, w20)
-    t165 = multiply(t119, t164, w20)
-    t166 = add(t157, t159, w18)
-    t167 = add(t166, t165, w18)
-    t168 = multiply(t119, t167, w18)
-    t169 = add(t143, t168, w14)
-    t170 = add(t123, t169, w12)
-    t171 = multiply(t97, t170, w12)
-    t172 = divide(t89, t94, w3)
-    t173 = divide(t172, tracking_index, w14)
-    t174 = multiply(t173, n4, w14)
-    t175 = divide(e, t94, w1)
-    t176 = multiply(t156, t175, w1)
-    t178 = multiply(t99, n20, w18)
-    t180 = add(t178, n21, w18)
-    t181 = multiply(t99, t180, w18)
-    t183 = add(t181, n22, w18)
-    t184 = multiply(t99, t183, w18)
-    t186 = add(t184, n23, w18)
-    t187 = multiply(t99, t186, w18)
-    t189 = add(t187, n24, w18)
-    t191 = multiply(t99, n25, velocity)
-    t193 = add(t191, n26, velocity)
-    t194 = multiply(t99, t193, velocity)
-    t195 = add(t194, n13, velocity)
-    t196 = divide(t195, t109, velocity)
-    t197 = multiply(t196, n3, velocity)
-    t198 = divide(t12, e, acceleration)
-    t199 = multiply(t198, n3, acceleration)
-    t200 = multiply(t199, t197, acceleration)
-    t201 = multiply(t121, t101, w5)
-    t202 = multiply(t201, n3, w5)
-    t203 = divide(t101, t109, w21)
-    t204 = divide(t189, t109, w18)
-    t205 = multiply(t203, t204, w21)
-    t206 = multiply(t205, n12, w21)
-    t207 = add(t202, t206, w5)
-    t208 = add(t126, t200, acceleration)
-    t209 = multiply(t156, t208, acceleration)
-    t210 = add(t207, t209, w5)
-    t211 = add(t104, n3, w10)
-    t212 = multiply(t99, t211, w10)
-    t213 = add(t212, n10, w10)
-    t214 = divide(t213, t109, w10)
-    t215 = multiply(t214, n3, w10)
-    t216 = multiply(t215, t109, w18)
-    t217 = multiply(t216, n4, w21)
-    t218 = divide(e, p, w0)
-    t219 = multiply(t218, n12, w0)
-    t220 = multiply(t216, t219, w18)
-    t221 = multiply(t101, t197, velocity)
-    t222 = add(t220, t221, w18)
-    t223 = multiply(t119, t222, w13)
-    t224 = divide(t219, t97, w18)
-    t225 = multiply(t224, t217, w18)
-    t226 = add(t225, t101, w18)
-    t227 = multiply(t149, t226, w18)
-    t228 = add(t210, t223, w5)
-    t229 = add(t228, t227, w5)
-    t230 = multiply(t176, t229, w1)
-    t231 = multiply(t174, t230, w14)
-    t232 = multiply(t109, n4, w1)
-    t233 = multiply(t219, t232, w0)
-    t234 = divide(t233, t126, w0)
-    t235 = multiply(t172, n8, w3)
-    t236 = add(t234, n10, w0)
-    t237 = add(t236, t97, w0)
-    t238 = multiply(t235, t237, w3)
-    t239 = multiply(t120, t238, w9)
-    t240 = multiply(t160, t99, w19)
-    t241 = add(t101, t126, w8)
-    t242 = multiply(t240, t241, w19)
-    t243 = divide(t242, t109, w19)
-    t244 = multiply(t243, n3, w19)
-    t245 = multiply(t145, n3, w16)
-    t246 = square(t245, w16)
-    t247 = multiply(t149, t215, w17)
-    t248 = add(t244, t246, w19)
-    t249 = add(t248, t165, w19)
-    t250 = add(t249, t247, w19)
-    t251 = add(t239, t250, w9)
-    t252 = multiply(t97, t251, w6)
-    t253 = multiply(t156, t252, w2)
-    t254 = multiply(t171, n3, w12)
-    t255 = divide(t254, tracking_index, w12)
-    t256 = divide(t255, t95, w12)
-    t257 = divide(t256, t95, w12)
-    t258 = divide(t257, tracking_index, w12)
-    t259 = divide(t231, tracking_index, w14)
-    t260 = divide(t253, t95, w2)
-    t261 = divide(t260, tracking_index, w2)
-    t262 = multiply(t261, n4, w0)
-    t263 = add(t259, t262, w0)
-    t264 = add(t258, t263, w12)
-    t266 = add(t259, t261, w14)
-    negative(t264, position)
-    negative(t266, velocity)
-    negative(t261, acceleration)
+    t87 = divide(x, r, w1)
+    t88 = multiply(t87, n3, w3)
+    t90 = multiply(p, n8, w4)
+    t91 = divide(t90, e, w4)
+    t92 = add(t91, n9, w5)
+    t93 = multiply(t92, t91, w6)
+    t95 = multiply(t91, n10, w7)
+    t97 = add(t95, n11, w8)
+    t98 = multiply(t91, t97, w8)
+    t100 = add(t98, n12, w8)
+    t101 = divide(t93, t100, w6)
+    t102 = multiply(t101, n3, w6)
+    t103 = divide(p, e, w9)
+    t104 = divide(t103, t100, w10)
+    t105 = multiply(t104, t103, w10)
+    t106 = divide(p, t12, w9)
+    t107 = multiply(t87, t106, w1)
+    t108 = multiply(t105, t107, w10)
+    t110 = multiply(t108, n13, w10)
+    t111 = add(t102, t110, w6)
+    t112 = multiply(t111, t88, w1)
+    t113 = multiply(t111, t112, w9)
+    t114 = multiply(t113, n3, w9)
+    t115 = divide(t91, t100, w11)
+    t116 = multiply(t91, n3, w12)
+    t117 = add(t116, n3, w12)
+    t118 = divide(t117, t100, w13)
+    t119 = multiply(t115, t118, w11)
+    t120 = divide(t119, t100, w11)
+    t122 = multiply(t91, n14, w13)
+    t124 = add(t122, n15, w13)
+    t125 = multiply(t91, t124, w13)
+    t127 = add(t125, n16, w13)
+    t128 = multiply(t91, t127, w13)
+    t129 = add(t128, n3, w13)
+    t130 = multiply(t91, t129, w13)
+    t132 = add(t130, n17, w13)
+    t133 = multiply(t132, n7, w13)
+    t134 = multiply(t120, t133, w11)
+    t135 = divide(tracking_index, t12, w13)
+    t136 = divide(t135, t12, w13)
+    t138 = multiply(t136, n18, w13)
+    t139 = divide(x, e, w14)
+    t140 = multiply(e, t100, w15)
+    t141 = divide(t139, t140, w14)
+    t142 = divide(t141, r, w14)
+    t143 = divide(t142, t12, w14)
+    t144 = divide(t143, p, w14)
+    t145 = multiply(t144, n3, w14)
+    t146 = add(t138, t145, w15)
+    t147 = multiply(t117, t91, w16)
+    t148 = divide(t147, t100, w16)
+    t149 = square(t148, w17)
+    t150 = multiply(t149, n11, w17)
+    t151 = add(t146, t150, w15)
+    t152 = add(t145, t110, w17)
+    t153 = square(t117, w18)
+    t154 = divide(t153, t100, w18)
+    t155 = multiply(t154, n3, w18)
+    t156 = add(t152, t155, w18)
+    t157 = multiply(t110, t156, w18)
+    t158 = add(t151, t157, w15)
+    t159 = multiply(t110, t158, w15)
+    t160 = add(t134, t159, w11)
+    t161 = add(t114, t160, w9)
+    t162 = multiply(t88, t161, w9)
+    t163 = multiply(t162, n3, w9)
+    t164 = divide(t163, tracking_index, w9)
+    t165 = multiply(e, n4, w11)
+    t166 = add(t12, t165, w11)
+    t167 = multiply(x, r, w2)
+    t168 = multiply(t167, n8, w15)
+    t169 = multiply(p, n19, velocity)
+    t170 = add(t168, t169, w15)
+    t171 = add(t166, t170, w11)
+    t172 = multiply(p, t171, w15)
+    t173 = divide(t164, t172, w9)
+    t174 = divide(t173, t172, w9)
+    t175 = divide(t174, tracking_index, w9)
+    t176 = divide(t167, t171, w2)
+    t177 = divide(t176, tracking_index, velocity)
+    t178 = multiply(t177, n4, velocity)
+    t179 = divide(e, t171, w11)
+    t180 = multiply(t145, t179, w11)
+    t181 = multiply(t112, t92, w1)
+    t182 = multiply(t181, n3, w1)
+    t183 = divide(t92, t100, w19)
+    t185 = multiply(t91, n20, w20)
+    t187 = add(t185, n21, w20)
+    t188 = multiply(t91, t187, w20)
+    t190 = add(t188, n22, w20)
+    t191 = multiply(t91, t190, w20)
+    t193 = add(t191, n23, w20)
+    t194 = multiply(t91, t193, w20)
+    t196 = add(t194, n24, w20)
+    t197 = divide(t196, t100, w20)
+    t198 = multiply(t183, t197, w19)
+    t199 = multiply(t198, n11, w19)
+    t200 = add(t182, t199, w1)
+    t201 = divide(t12, e, acceleration)
+    t202 = multiply(t201, n3, acceleration)
+    t204 = multiply(t91, n25, w19)
+    t206 = add(t204, n26, w19)
+    t207 = multiply(t91, t206, w19)
+    t208 = add(t207, n12, w19)
+    t209 = divide(t208, t100, w19)
+    t210 = multiply(t209, n3, w19)
+    t211 = multiply(t202, t210, acceleration)
+    t212 = add(t117, t211, acceleration)
+    t213 = multiply(t145, t212, acceleration)
+    t214 = add(t200, t213, w1)
+    t215 = add(t95, n3, w7)
+    t216 = multiply(t91, t215, w7)
+    t217 = add(t216, n9, w7)
+    t218 = divide(t217, t100, w7)
+    t219 = multiply(t218, n3, w7)
+    t220 = multiply(t219, t100, w20)
+    t221 = divide(e, p, w0)
+    t222 = multiply(t221, n11, w0)
+    t223 = multiply(t220, t222, position)
+    t224 = multiply(t92, t210, w19)
+    t225 = add(t223, t224, position)
+    t226 = multiply(t110, t225, w10)
+    t227 = add(t214, t226, w1)
+    t228 = divide(t222, t88, w10)
+    t229 = multiply(t220, n4, w20)
+    t230 = multiply(t228, t229, w10)
+    t231 = add(t230, t92, w10)
+    t232 = multiply(t138, t231, w10)
+    t233 = add(t227, t232, w1)
+    t234 = multiply(t180, t233, w11)
+    t235 = multiply(t178, t234, velocity)
+    t236 = divide(t235, tracking_index, velocity)
+    t237 = multiply(t176, n8, w2)
+    t238 = multiply(t100, n4, w1)
+    t239 = multiply(t222, t238, w0)
+    t240 = divide(t239, t117, w0)
+    t241 = add(t240, n9, w0)
+    t242 = add(t241, t88, w0)
+    t243 = multiply(t237, t242, w2)
+    t244 = multiply(t111, t243, w6)
+    t245 = multiply(t152, t91, w17)
+    t246 = add(t92, t117, w5)
+    t247 = multiply(t245, t246, w17)
+    t248 = divide(t247, t100, w17)
+    t249 = multiply(t248, n3, w17)
+    t250 = multiply(t148, n3, w16)
+    t251 = square(t250, w16)
+    t252 = add(t249, t251, w17)
+    t253 = add(t252, t157, w17)
+    t254 = multiply(t138, t219, w13)
+    t255 = add(t253, t254, w17)
+    t256 = add(t244, t255, w6)
+    t257 = multiply(t88, t256, w3)
+    t258 = multiply(t145, t257, w14)
+    t259 = divide(t258, t172, w14)
+    t260 = divide(t259, tracking_index, w14)
+    t261 = multiply(t260, n4, w0)
+    t262 = add(t236, t261, w0)
+    t263 = add(t175, t262, w9)
+    t265 = add(t236, t260, velocity)
+    negative(t263, position)
+    negative(t265, velocity)
+    negative(t260, acceleration)
 
 
 _PREDICTOR_GAIN_SECOND_DERIVATIVES = Signature(
     "predictor_gain_second_derivatives",
     (_TRACKING_INDEX_DOMAIN,),
     ("position", "velocity", "acceleration"),
-    22,
+    21,
     _predictor_gain_second_derivatives_block,
+    numbers=_predictor_gain_second_derivatives_of_numbers,
 )
 
 
@@ -3327,7 +4153,7 @@ def predicted_covariance_second_derivatives(
         2^1000, in float32 above 0 and at most 2^120.
 
     predicted_13: second derivative by Lambda of the covariance of predicted position and
-        acceleration times T^2/sigma_v^2. Relative error at most 17.24 * 2^-52 (float64), 17.32 *
+        acceleration times T^2/sigma_v^2. Relative error at most 17.22 * 2^-52 (float64), 17.25 *
         2^-23 (float32), proved for 5e-324 <= tracking_index <= 1.0715086071862673e301 (float64) and
         1e-45 <= tracking_index <= 1.329228e36 (float32).
     predicted_22: second derivative by Lambda of the variance of the predicted velocity times
@@ -3335,7 +4161,7 @@ def predicted_covariance_second_derivatives(
         proved for 5e-324 <= tracking_index <= 1.0715086071862673e301 (float64) and 1e-45 <=
         tracking_index <= 1.329228e36 (float32).
     predicted_23: second derivative by Lambda of the covariance of predicted velocity and
-        acceleration times T^3/sigma_v^2. Relative error at most 10.21 * 2^-52 (float64), 10.19 *
+        acceleration times T^3/sigma_v^2. Relative error at most 10.17 * 2^-52 (float64), 10.17 *
         2^-23 (float32), proved for 5e-324 <= tracking_index <= 1.0715086071862673e301 (float64) and
         1e-45 <= tracking_index <= 1.329228e36 (float32).
     predicted_33: second derivative by Lambda of the variance of the predicted acceleration times
@@ -3355,9 +4181,109 @@ def predicted_covariance_second_derivatives(
 
     Source: derivation continuous-white-jerk
     """
+    if (
+        type(tracking_index) is float
+        and 5e-324 <= tracking_index <= 1.0715086071862673e301
+        and out is None
+        and workers is ONE
+    ):
+        try:
+            return named(
+                PredictedCovarianceSecondDerivatives,
+                _predicted_covariance_second_derivatives_of_numbers(tracking_index),
+            )
+        except (ArithmeticError, ValueError):
+            pass  # arrays say what is wrong
     return PredictedCovarianceSecondDerivatives(
         *evaluate(_PREDICTED_COVARIANCE_SECOND_DERIVATIVES, (tracking_index,), out, workers)
     )
+
+
+def _predicted_covariance_second_derivatives_of_numbers(
+    tracking_index: float,
+    form: Form = Double,
+) -> tuple[float, ...]:
+    t3 = form.sqrt(tracking_index)
+    t4 = form.sqrt(t3)
+    t6 = 2.220446049250313e-16 / tracking_index
+    t8 = tracking_index * 4.625929269271486e-19
+    t12 = form.sqrt(t6 + t8) * 67108864.0
+    t14 = (t12 * t4) * 2.0
+    t16 = t3 * 0.5
+    t18 = tracking_index * 0.07083333333333333
+    t25 = ((t3 * t4) * 1.5516447222296765) + (8.0 / t4)
+    t26 = form.near_cbrt(t25)
+    t30 = form.sqrt((t14 * t26) + t18)
+    t33 = form.sqrt((t30 * 2.0) + t16)
+    t34 = t14 * 0.5
+    t35 = t30 * t33
+    t40 = ((t33 * t35) - (t34 * t26)) / (t35 - t34)
+    t44 = form.sqrt((t14 * t40) + t18)
+    t47 = form.sqrt((t44 * 2.0) + t16)
+    t48 = t44 * t47
+    t53 = ((t47 * t48) - (t34 * t40)) / (t48 - t34)
+    t57 = form.sqrt((t14 * t53) + t18)
+    t60 = form.sqrt((t57 * 2.0) + t16)
+    t61 = t57 * t60
+    t66 = ((t60 * t61) - (t34 * t53)) / (t61 - t34)
+    t70 = form.sqrt((t14 * t66) + t18)
+    t73 = form.sqrt((t70 * 2.0) + t16)
+    t74 = t70 * t73
+    t79 = ((t73 * t74) - (t34 * t66)) / (t74 - t34)
+    t83 = form.sqrt((t14 * t79) + t18)
+    t86 = form.sqrt((t83 * 2.0) + t16)
+    t89 = (t3 * 0.25) / t83
+    t90 = t89 + 1.0
+    t93 = t89 * 1.1333333333333333
+    t98 = (t89 * (t93 + 4.0)) + 3.0
+    t101 = t3 / t83
+    t104 = t86 / t4
+    t107 = ((t101 / t98) * t101) * (t104 * (t3 / t12))
+    t109 = t107 * 0.004166666666666667
+    t111 = t104 * 2.0
+    t112 = ((((t90 * t89) / t98) * 2.0) + t109) * t111
+    t119 = (((t86 / t83) / (t83 * t98)) / t4) / t12
+    t121 = (t119 / t3) * 2.0
+    t122 = t121 + t109
+    t125 = (t89 * 2.0) + 2.0
+    t129 = (((t122 * t89) * (t90 + t125)) / t98) * 2.0
+    t131 = (t125 * t89) / t98
+    t132 = t131 * 2.0
+    t138 = t122 + (((t125 * t125) / t98) * 2.0)
+    t139 = t109 * t138
+    t144 = ((tracking_index / t12) / t12) * 0.0020833333333333333
+    t149 = (((t89 * (t93 + 2.0)) + 1.0) / t98) * 2.0
+    t151 = ((t129 + (t132 * t132)) + t139) + (t144 * t149)
+    t154 = (t112 * (t112 + 1.0)) + ((t121 * t151) * t111)
+    t161 = (t12 + (t83 * 0.5)) + (((t86 * t4) * 0.25) + (t3 * 0.125))
+    t166 = t83 / t3
+    t174 = t89 * ((t89 * 6.8) + 15.866666666666667)
+    t178 = (t89 * (t174 + 11.066666666666666)) + 2.0
+    t181 = t149 + t109
+    t183 = ((t89 / t98) * (t178 / t98)) * (t181 * 4.0)
+    t187 = (t89 * 4.533333333333333) + 9.066666666666666
+    t193 = ((((t89 * t187) + 4.0) * t89) / t98) * (t125 / t98)
+    t196 = t121 * ((t193 + t144) + t139)
+    t204 = t181 * ((t131 * 12.0) + (t122 * 6.0))
+    t210 = ((t89 * ((t89 * 3.4) + 4.0)) + 1.0) / t98
+    t212 = t210 + (t109 * 2.0)
+    t216 = t109 * ((t204 + (t212 * 4.0)) + t121)
+    t218 = (t166 * (t98 * 4.0)) * ((t183 + (t196 * t138)) + t216)
+    t224 = t111 * ((t181 * (t181 + 1.0)) + t196)
+    t226 = (((t83 / t86) * (t218 / t4)) + t224) * 0.125
+    t231 = (t89 * 12.844444444444445) + 42.61333333333334
+    t235 = t89 * ((t89 * t231) + 49.86666666666667)
+    t240 = (t89 * (t235 + 26.133333333333333)) + 10.0
+    t246 = ((((t89 * t240) + 4.0) / t98) / t98) + (t196 * t125)
+    t249 = (t89 * 2.2666666666666666) + 4.533333333333333
+    t254 = ((t89 * ((t89 * t249) + 6.0)) + 4.0) / t98
+    t259 = ((t254 * 2.0) + (t125 * t212)) + (t89 * 4.0)
+    t262 = (t166 * 4.0) * (t246 + (t109 * t259))
+    t164 = (t154 * (t3 * t161)) / tracking_index
+    t265 = t226 + ((t262 * 0.25) + 0.5)
+    t269 = ((t262 + t224) * 0.25) + 0.6666666666666666
+    t271 = (t224 * 0.5) + 1.0
+    return (t164, t265, t269, t271)
 
 
 def _predicted_covariance_second_derivatives_block(
@@ -3381,25 +4307,25 @@ def _predicted_covariance_second_derivatives_block(
     n13: float = 0.004166666666666667,
     n14: float = 0.0020833333333333333,
     n15: float = 0.125,
-    n16: float = 4.533333333333333,
-    n17: float = 9.066666666666666,
-    n18: float = 12.844444444444445,
-    n19: float = 42.61333333333334,
-    n20: float = 49.86666666666667,
-    n21: float = 26.133333333333333,
-    n22: float = 10.0,
-    n23: float = 2.2666666666666666,
-    n24: float = 6.0,
-    n25: float = 3.4,
-    n26: float = 6.8,
-    n27: float = 15.866666666666667,
-    n28: float = 11.066666666666666,
-    n29: float = 12.0,
+    n16: float = 6.8,
+    n17: float = 15.866666666666667,
+    n18: float = 11.066666666666666,
+    n19: float = 4.533333333333333,
+    n20: float = 9.066666666666666,
+    n21: float = 12.0,
+    n22: float = 6.0,
+    n23: float = 3.4,
+    n24: float = 12.844444444444445,
+    n25: float = 42.61333333333334,
+    n26: float = 49.86666666666667,
+    n27: float = 26.133333333333333,
+    n28: float = 10.0,
+    n29: float = 2.2666666666666666,
     n30: float = 0.6666666666666666,
 ) -> None:
     (tracking_index,) = given
     predicted_13, predicted_22, predicted_23, predicted_33 = out
-    w0, w1, w2, w3, w4, w5, w6, w7, w8, w9, w10, w11, w12, w13, w14, w15, w16 = work
+    w0, w1, w2, w3, w4, w5, w6, w7, w8, w9, w10, w11, w12, w13, w14, w15 = work
     p = sqrt(tracking_index, predicted_13)
     r = sqrt(p, predicted_22)
     t6 = divide(n0, tracking_index, predicted_23)
@@ -3473,177 +4399,177 @@ def _predicted_covariance_second_derivatives_block(
     x = sqrt(t85, w1)
     t88 = multiply(p, n8, w2)
     t89 = divide(t88, e, w2)
-    t90 = multiply(t89, n9, w3)
-    t91 = add(t90, n9, w3)
-    t92 = multiply(t91, t89, w4)
-    t94 = multiply(t89, n10, w5)
-    t96 = add(t94, n11, predicted_23)
-    t97 = multiply(t89, t96, predicted_23)
-    t99 = add(t97, n12, predicted_23)
-    t100 = divide(t92, t99, w4)
-    t101 = multiply(t100, n3, w4)
-    t102 = divide(p, e, w6)
-    t103 = divide(t102, t99, w7)
-    t104 = multiply(t103, t102, w7)
-    t105 = divide(x, r, w6)
-    t106 = divide(p, t12, w8)
-    t107 = multiply(t105, t106, w8)
-    t108 = multiply(t104, t107, w7)
-    t110 = multiply(t108, n13, w7)
-    t111 = add(t101, t110, w4)
-    t112 = multiply(t105, n3, w6)
-    t113 = multiply(t111, t112, w4)
-    t114 = add(t113, n9, w8)
-    t115 = multiply(t113, t114, w4)
-    t116 = divide(x, e, w8)
-    t117 = multiply(e, t99, w9)
-    t118 = divide(t116, t117, w8)
-    t119 = divide(t118, r, w8)
-    t120 = divide(t119, t12, w8)
-    t121 = divide(t120, p, w8)
-    t122 = multiply(t121, n3, w8)
-    t123 = add(t122, t110, w9)
-    t124 = multiply(t123, t89, w10)
-    t125 = multiply(t89, n3, w11)
-    t126 = add(t125, n3, w11)
-    t127 = add(t91, t126, w3)
-    t128 = multiply(t124, t127, w10)
-    t129 = divide(t128, t99, w10)
-    t130 = multiply(t129, n3, w10)
-    t131 = multiply(t126, t89, w3)
-    t132 = divide(t131, t99, w3)
-    t133 = multiply(t132, n3, w12)
-    t134 = square(t133, w12)
-    t135 = square(t126, w13)
-    t136 = divide(t135, t99, w13)
-    t137 = multiply(t136, n3, w13)
-    t138 = add(t123, t137, w13)
-    t139 = multiply(t110, t138, w14)
-    t140 = divide(tracking_index, t12, w15)
-    t141 = divide(t140, t12, w15)
-    t143 = multiply(t141, n14, w15)
-    t144 = add(t94, n3, w5)
-    t145 = multiply(t89, t144, w5)
-    t146 = add(t145, n9, w5)
-    t147 = divide(t146, t99, w5)
-    t148 = multiply(t147, n3, w5)
-    t149 = multiply(t143, t148, w16)
-    t150 = add(t130, t134, w10)
-    t151 = add(t150, t139, w10)
-    t152 = add(t151, t149, w10)
-    t153 = multiply(t122, t152, w10)
-    t154 = multiply(t153, t112, w10)
-    t155 = add(t115, t154, w4)
-    t156 = multiply(e, n4, w10)
-    t157 = add(t12, t156, predicted_33)
-    t158 = multiply(x, r, w10)
-    t159 = multiply(t158, n8, w10)
-    t160 = multiply(p, n15, w12)
-    t161 = add(t159, t160, w10)
-    t162 = add(t157, t161, predicted_33)
-    t163 = multiply(p, t162, predicted_33)
-    t164 = multiply(t155, t163, w4)
-    t166 = add(t148, t110, w5)
-    t167 = add(t166, n9, w10)
+    t90 = add(t89, n9, w3)
+    t91 = multiply(t90, t89, w4)
+    t93 = multiply(t89, n10, w5)
+    t95 = add(t93, n11, predicted_23)
+    t96 = multiply(t89, t95, predicted_23)
+    t98 = add(t96, n12, predicted_23)
+    t99 = divide(t91, t98, w4)
+    t100 = multiply(t99, n3, w4)
+    t101 = divide(p, e, w6)
+    t102 = divide(t101, t98, w7)
+    t103 = multiply(t102, t101, w7)
+    t104 = divide(x, r, w6)
+    t105 = divide(p, t12, w8)
+    t106 = multiply(t104, t105, w8)
+    t107 = multiply(t103, t106, w7)
+    t109 = multiply(t107, n13, w7)
+    t110 = add(t100, t109, w4)
+    t111 = multiply(t104, n3, w6)
+    t112 = multiply(t110, t111, w4)
+    t113 = add(t112, n9, w8)
+    t114 = multiply(t112, t113, w4)
+    t115 = divide(x, e, w8)
+    t116 = multiply(e, t98, w9)
+    t117 = divide(t115, t116, w8)
+    t118 = divide(t117, r, w8)
+    t119 = divide(t118, t12, w8)
+    t120 = divide(t119, p, w8)
+    t121 = multiply(t120, n3, w8)
+    t122 = add(t121, t109, w9)
+    t123 = multiply(t122, t89, w10)
+    t124 = multiply(t89, n3, w11)
+    t125 = add(t124, n3, w11)
+    t126 = add(t90, t125, w3)
+    t127 = multiply(t123, t126, w10)
+    t128 = divide(t127, t98, w10)
+    t129 = multiply(t128, n3, w10)
+    t130 = multiply(t125, t89, w3)
+    t131 = divide(t130, t98, w3)
+    t132 = multiply(t131, n3, w12)
+    t133 = square(t132, w12)
+    t134 = add(t129, t133, w10)
+    t135 = square(t125, w12)
+    t136 = divide(t135, t98, w12)
+    t137 = multiply(t136, n3, w12)
+    t138 = add(t122, t137, w12)
+    t139 = multiply(t109, t138, w13)
+    t140 = add(t134, t139, w10)
+    t141 = divide(tracking_index, t12, w14)
+    t142 = divide(t141, t12, w14)
+    t144 = multiply(t142, n14, w14)
+    t145 = add(t93, n3, w5)
+    t146 = multiply(t89, t145, w5)
+    t147 = add(t146, n9, w5)
+    t148 = divide(t147, t98, w5)
+    t149 = multiply(t148, n3, w5)
+    t150 = multiply(t144, t149, w15)
+    t151 = add(t140, t150, w10)
+    t152 = multiply(t121, t151, w10)
+    t153 = multiply(t152, t111, w10)
+    t154 = add(t114, t153, w4)
+    t155 = multiply(e, n4, w10)
+    t156 = add(t12, t155, predicted_33)
+    t157 = multiply(x, r, w10)
+    t158 = multiply(t157, n8, w10)
+    t159 = multiply(p, n15, w15)
+    t160 = add(t158, t159, w10)
+    t161 = add(t156, t160, predicted_33)
+    t162 = multiply(p, t161, predicted_33)
+    t163 = multiply(t154, t162, w4)
+    t165 = divide(e, x, w1)
+    t166 = divide(e, p, w0)
+    t167 = multiply(t98, n11, w10)
     t168 = multiply(t166, t167, w10)
-    t170 = multiply(t89, n16, w12)
-    t172 = add(t170, n17, w12)
-    t173 = multiply(t89, t172, w12)
-    t174 = add(t173, n11, w12)
-    t175 = multiply(t174, t89, w12)
-    t176 = divide(t175, t99, w12)
-    t177 = divide(t126, t99, w16)
-    t178 = multiply(t176, t177, w12)
-    t179 = add(t178, t143, w12)
-    t180 = add(t179, t139, w12)
-    t181 = multiply(t122, t180, w12)
-    t182 = add(t168, t181, w10)
-    t183 = multiply(t112, t182, w6)
-    t185 = multiply(t89, n18, w10)
-    t187 = add(t185, n19, w10)
-    t188 = multiply(t89, t187, w10)
-    t190 = add(t188, n20, w10)
-    t191 = multiply(t89, t190, w10)
-    t193 = add(t191, n21, w10)
-    t194 = multiply(t89, t193, w10)
-    t196 = add(t194, n22, w10)
-    t197 = multiply(t89, t196, w10)
-    t198 = add(t197, n11, w10)
-    t199 = divide(t198, t99, w10)
-    t200 = divide(t199, t99, w10)
-    t201 = multiply(t181, t126, w14)
-    t202 = add(t200, t201, w10)
-    t204 = multiply(t89, n23, w14)
-    t205 = add(t204, n16, w14)
-    t206 = multiply(t89, t205, w14)
-    t208 = add(t206, n24, w14)
-    t209 = multiply(t89, t208, w14)
-    t210 = add(t209, n11, w14)
-    t211 = divide(t210, t99, w14)
-    t212 = multiply(t211, n3, w14)
-    t214 = multiply(t89, n25, w15)
-    t215 = add(t214, n11, w15)
-    t216 = multiply(t89, t215, w15)
-    t217 = add(t216, n9, w15)
-    t218 = divide(t217, t99, w15)
-    t219 = multiply(t110, n3, w16)
-    t220 = add(t218, t219, w15)
-    t221 = divide(e, p, predicted_13)
-    t222 = multiply(t221, n11, w16)
-    t223 = multiply(t126, t220, w11)
-    t224 = add(t212, t223, w14)
-    t225 = multiply(t89, n11, w11)
-    t226 = add(t224, t225, w14)
-    t227 = multiply(t110, t226, w14)
-    t228 = add(t202, t227, w10)
-    t229 = multiply(t222, t228, w16)
-    t231 = multiply(t89, n26, w10)
-    t233 = add(t231, n27, w10)
-    t234 = multiply(t89, t233, w10)
-    t236 = add(t234, n28, w10)
-    t237 = multiply(t89, t236, w10)
-    t238 = add(t237, n3, w10)
-    t239 = divide(t89, t99, w2)
-    t240 = divide(t238, t99, w10)
-    t241 = multiply(t239, t240, w2)
-    t242 = multiply(t166, n11, w10)
-    t243 = multiply(t241, t242, w2)
-    t244 = multiply(t181, t138, w12)
-    t245 = add(t243, t244, w2)
-    t247 = multiply(t132, n29, w3)
-    t248 = multiply(t123, n24, w9)
-    t249 = add(t247, t248, w3)
-    t250 = multiply(t166, t249, w5)
-    t251 = multiply(t220, n11, w15)
-    t252 = add(t250, t251, w5)
-    t253 = add(t252, t122, w5)
-    t254 = multiply(t110, t253, w7)
-    t255 = add(t245, t254, w2)
-    t256 = divide(e, x, w0)
-    t257 = multiply(t99, n11, predicted_23)
-    t258 = multiply(t221, t257, predicted_13)
-    t259 = multiply(t258, t255, predicted_13)
-    t260 = divide(t259, r, predicted_13)
-    t261 = multiply(t256, t260, w0)
-    t262 = add(t261, t183, w0)
-    t263 = multiply(t262, n15, w0)
-    t264 = multiply(t229, n8, w1)
-    t265 = add(t264, n4, w1)
-    t267 = add(t229, t183, w16)
-    t268 = multiply(t267, n8, w16)
-    t271 = multiply(t183, n4, w6)
-    divide(t164, tracking_index, predicted_13)
-    add(t263, t265, predicted_22)
-    add(t268, n30, predicted_23)
-    add(t271, n9, predicted_33)
+    t169 = divide(t89, t98, w15)
+    t171 = multiply(t89, n16, predicted_13)
+    t173 = add(t171, n17, predicted_13)
+    t174 = multiply(t89, t173, predicted_13)
+    t176 = add(t174, n18, predicted_13)
+    t177 = multiply(t89, t176, predicted_13)
+    t178 = add(t177, n3, predicted_13)
+    t179 = divide(t178, t98, predicted_13)
+    t180 = multiply(t169, t179, w15)
+    t181 = add(t149, t109, w5)
+    t182 = multiply(t181, n11, predicted_13)
+    t183 = multiply(t180, t182, w15)
+    t185 = multiply(t89, n19, predicted_13)
+    t187 = add(t185, n20, predicted_13)
+    t188 = multiply(t89, t187, predicted_13)
+    t189 = add(t188, n11, predicted_13)
+    t190 = multiply(t189, t89, predicted_13)
+    t191 = divide(t190, t98, predicted_13)
+    t192 = divide(t125, t98, predicted_33)
+    t193 = multiply(t191, t192, predicted_13)
+    t194 = add(t193, t144, predicted_13)
+    t195 = add(t194, t139, predicted_13)
+    t196 = multiply(t121, t195, predicted_13)
+    t197 = multiply(t196, t138, w12)
+    t198 = add(t183, t197, w15)
+    t200 = multiply(t131, n21, w3)
+    t202 = multiply(t122, n22, w9)
+    t203 = add(t200, t202, w3)
+    t204 = multiply(t181, t203, w3)
+    t206 = multiply(t89, n23, w9)
+    t207 = add(t206, n11, w9)
+    t208 = multiply(t89, t207, w9)
+    t209 = add(t208, n9, w9)
+    t210 = divide(t209, t98, w9)
+    t211 = multiply(t109, n3, w12)
+    t212 = add(t210, t211, w9)
+    t213 = multiply(t212, n11, w12)
+    t214 = add(t204, t213, w3)
+    t215 = add(t214, t121, w3)
+    t216 = multiply(t109, t215, w3)
+    t217 = add(t198, t216, w15)
+    t218 = multiply(t168, t217, w10)
+    t219 = divide(t218, r, w10)
+    t220 = multiply(t165, t219, w1)
+    t221 = add(t181, n9, w3)
+    t222 = multiply(t181, t221, w5)
+    t223 = add(t222, t196, w5)
+    t224 = multiply(t111, t223, w6)
+    t225 = add(t220, t224, w1)
+    t226 = multiply(t225, n15, w1)
+    t227 = multiply(t166, n11, w0)
+    t229 = multiply(t89, n24, w3)
+    t231 = add(t229, n25, w3)
+    t232 = multiply(t89, t231, w3)
+    t234 = add(t232, n26, w3)
+    t235 = multiply(t89, t234, w3)
+    t237 = add(t235, n27, w3)
+    t238 = multiply(t89, t237, w3)
+    t240 = add(t238, n28, w3)
+    t241 = multiply(t89, t240, w3)
+    t242 = add(t241, n11, w3)
+    t243 = divide(t242, t98, w3)
+    t244 = divide(t243, t98, w3)
+    t245 = multiply(t196, t125, predicted_13)
+    t246 = add(t244, t245, w3)
+    t248 = multiply(t89, n29, w5)
+    t249 = add(t248, n19, w5)
+    t250 = multiply(t89, t249, w5)
+    t251 = add(t250, n22, w5)
+    t252 = multiply(t89, t251, w5)
+    t253 = add(t252, n11, w5)
+    t254 = divide(t253, t98, w5)
+    t255 = multiply(t254, n3, w5)
+    t256 = multiply(t125, t212, w11)
+    t257 = add(t255, t256, w5)
+    t258 = multiply(t89, n11, w2)
+    t259 = add(t257, t258, w5)
+    t260 = multiply(t109, t259, w7)
+    t261 = add(t246, t260, w3)
+    t262 = multiply(t227, t261, w0)
+    t263 = multiply(t262, n8, w2)
+    t264 = add(t263, n4, w2)
+    t266 = add(t262, t224, w0)
+    t267 = multiply(t266, n8, w0)
+    t270 = multiply(t224, n4, w6)
+    divide(t163, tracking_index, predicted_13)
+    add(t226, t264, predicted_22)
+    add(t267, n30, predicted_23)
+    add(t270, n9, predicted_33)
 
 
 _PREDICTED_COVARIANCE_SECOND_DERIVATIVES = Signature(
     "predicted_covariance_second_derivatives",
     (_TRACKING_INDEX_DOMAIN_2,),
     ("predicted_13", "predicted_22", "predicted_23", "predicted_33"),
-    17,
+    16,
     _predicted_covariance_second_derivatives_block,
+    numbers=_predicted_covariance_second_derivatives_of_numbers,
 )
 
 
@@ -3670,7 +4596,7 @@ def predicted_position_second_derivatives(
         most 2^1000, in float32 at least 2^-80 and at most 2^120.
 
     predicted_11: second derivative by Lambda of the variance of the predicted position over
-        sigma_v^2. Error over the sum of its terms' sizes at most 64.84 * 2^-52 (float64), 68.59 *
+        sigma_v^2. Error over the sum of its terms' sizes at most 64.84 * 2^-52 (float64), 68.57 *
         2^-23 (float32), proved for 6.852691063641298e-186 <= tracking_index <=
         1.0715086071862673e301 (float64) and 4.6732775e-24 <= tracking_index <= 1.329228e36
         (float32). Cancellation, condition number 1: it bends down for a small index and up for a
@@ -3679,7 +4605,7 @@ def predicted_position_second_derivatives(
         only where 0.72 <= tracking_index <= 1.5.
     predicted_12: second derivative by Lambda of the covariance of predicted position and velocity
         times T/sigma_v^2. Error over the sum of its terms' sizes at most 66.86 * 2^-52 (float64),
-        71.19 * 2^-23 (float32), proved for 1.688508503057271e-226 <= tracking_index <=
+        71.17 * 2^-23 (float32), proved for 1.688508503057271e-226 <= tracking_index <=
         1.0715086071862673e301 (float64) and 8.271806e-25 <= tracking_index <= 1.329228e36
         (float32). Cancellation, condition number 1: it bends down for a small index and up for a
         large one, so that it vanishes between. Digits that can be lost: up to 16 of 16 in float64,
@@ -3698,9 +4624,96 @@ def predicted_position_second_derivatives(
 
     Source: derivation continuous-white-jerk
     """
+    if (
+        type(tracking_index) is float
+        and 1.688508503057271e-226 <= tracking_index <= 1.0715086071862673e301
+        and out is None
+        and workers is ONE
+    ):
+        try:
+            return named(
+                PredictedPositionSecondDerivatives,
+                _predicted_position_second_derivatives_of_numbers(tracking_index),
+            )
+        except (ArithmeticError, ValueError):
+            pass  # arrays say what is wrong
     return PredictedPositionSecondDerivatives(
         *evaluate(_PREDICTED_POSITION_SECOND_DERIVATIVES, (tracking_index,), out, workers)
     )
+
+
+def _predicted_position_second_derivatives_of_numbers(
+    tracking_index: float,
+    form: Form = Double,
+) -> tuple[float, ...]:
+    t3 = form.sqrt(tracking_index)
+    t4 = form.sqrt(t3)
+    t6 = 2.220446049250313e-16 / tracking_index
+    t8 = tracking_index * 4.625929269271486e-19
+    t12 = form.sqrt(t6 + t8) * 67108864.0
+    t14 = (t12 * t4) * 2.0
+    t16 = t3 * 0.5
+    t18 = tracking_index * 0.07083333333333333
+    t25 = ((t3 * t4) * 1.5516447222296765) + (8.0 / t4)
+    t26 = form.near_cbrt(t25)
+    t30 = form.sqrt((t14 * t26) + t18)
+    t33 = form.sqrt((t30 * 2.0) + t16)
+    t34 = t14 * 0.5
+    t35 = t30 * t33
+    t40 = ((t33 * t35) - (t34 * t26)) / (t35 - t34)
+    t44 = form.sqrt((t14 * t40) + t18)
+    t47 = form.sqrt((t44 * 2.0) + t16)
+    t48 = t44 * t47
+    t53 = ((t47 * t48) - (t34 * t40)) / (t48 - t34)
+    t57 = form.sqrt((t14 * t53) + t18)
+    t60 = form.sqrt((t57 * 2.0) + t16)
+    t61 = t57 * t60
+    t66 = ((t60 * t61) - (t34 * t53)) / (t61 - t34)
+    t70 = form.sqrt((t14 * t66) + t18)
+    t73 = form.sqrt((t70 * 2.0) + t16)
+    t74 = t70 * t73
+    t79 = ((t73 * t74) - (t34 * t66)) / (t74 - t34)
+    t83 = form.sqrt((t14 * t79) + t18)
+    t86 = form.sqrt((t83 * 2.0) + t16)
+    t89 = (t3 * 0.25) / t83
+    t90 = t89 + 1.0
+    t93 = t89 * 1.1333333333333333
+    t98 = (t89 * (t93 + 4.0)) + 3.0
+    t101 = t3 / t83
+    t104 = t86 / t4
+    t107 = ((t101 / t98) * t101) * (t104 * (t3 / t12))
+    t109 = t107 * 0.004166666666666667
+    t111 = t104 * 2.0
+    t112 = ((((t90 * t89) / t98) * 2.0) + t109) * t111
+    t120 = (t12 + (t83 * 0.5)) + (((t86 * t4) * 0.25) + (t3 * 0.125))
+    t122 = (t3 * t120) / tracking_index
+    t125 = ((t112 * t112) * t122) * (t122 * 4.0)
+    t128 = (t89 * 2.0) + 2.0
+    t129 = t128 / t98
+    t136 = t89 * ((t89 * 0.7544444444444445) + 1.6)
+    t143 = (t89 * ((t89 * (t136 + 2.1)) + 2.0)) + 0.75
+    t145 = (((t89 / t98) * t129) / t98) * (t143 * 8.0)
+    t149 = ((tracking_index / t12) / t12) * 0.0020833333333333333
+    t154 = (((t86 / t83) / (t83 * t98)) / t4) / t12
+    t156 = (t154 / t3) * 2.0
+    t159 = (t128 * t89) / t98
+    t162 = (t149 + t156) + ((t159 * t159) * 4.0)
+    t163 = t156 + t109
+    t168 = t109 * (t163 + (((t128 * t128) / t98) * 2.0))
+    t172 = (t145 + (t109 * (t162 + t168))) * t111
+    t178 = t104 * t122
+    t183 = (((t89 * (t93 + 2.0)) + 1.0) / t98) * 2.0
+    t185 = (t183 + t109) + t112
+    t191 = (((t163 * t89) * (t90 + t128)) / t98) * 2.0
+    t192 = t159 * 2.0
+    t197 = ((t191 + (t192 * t192)) + t168) + (t149 * t183)
+    t200 = (t185 * t112) + ((t156 * t197) * t111)
+    t204 = (t89 * 4.533333333333333) + 9.066666666666666
+    t209 = ((((t89 * t204) + 4.0) * t89) / t98) * t129
+    t213 = t200 + (t156 * ((t209 + t149) + t168))
+    t176 = t125 - ((t172 * t122) * (t122 * 2.0))
+    t217 = (t178 * t213) - (t178 * (t185 * t156))
+    return (t176, t217)
 
 
 def _predicted_position_second_derivatives_block(
@@ -3717,23 +4730,23 @@ def _predicted_position_second_derivatives_block(
     n6: float = 1.5516447222296765,
     n7: float = 8.0,
     n8: float = 0.25,
-    n9: float = 0.125,
+    n9: float = 1.0,
     n10: float = 1.1333333333333333,
     n11: float = 4.0,
     n12: float = 3.0,
     n13: float = 0.004166666666666667,
-    n14: float = 1.0,
-    n15: float = 0.0020833333333333333,
-    n16: float = 0.7544444444444445,
-    n17: float = 1.6,
-    n18: float = 2.1,
-    n19: float = 0.75,
+    n14: float = 0.125,
+    n15: float = 0.7544444444444445,
+    n16: float = 1.6,
+    n17: float = 2.1,
+    n18: float = 0.75,
+    n19: float = 0.0020833333333333333,
     n20: float = 4.533333333333333,
     n21: float = 9.066666666666666,
 ) -> None:
     (tracking_index,) = given
     predicted_11, predicted_12 = out
-    w0, w1, w2, w3, w4, w5, w6, w7, w8, w9, w10, w11, w12, w13, w14 = work
+    w0, w1, w2, w3, w4, w5, w6, w7, w8, w9, w10, w11, w12, w13, w14, w15, w16 = work
     p = sqrt(tracking_index, predicted_11)
     r = sqrt(p, predicted_12)
     t6 = divide(n0, tracking_index, w0)
@@ -3805,133 +4818,133 @@ def _predicted_position_second_derivatives_block(
     t84 = multiply(e, n3, w3)
     t85 = add(t84, t16, w3)
     x = sqrt(t85, w3)
-    t87 = multiply(e, n4, w2)
-    t88 = add(t12, t87, w2)
-    t89 = multiply(x, r, w4)
-    t91 = multiply(t89, n8, w4)
-    t92 = multiply(p, n9, w5)
-    t93 = add(t91, t92, w4)
-    t94 = add(t88, t93, w2)
-    t95 = multiply(p, t94, w2)
-    t96 = divide(t95, tracking_index, w2)
-    t97 = divide(x, r, w4)
-    t98 = multiply(t97, t96, w5)
-    t99 = divide(x, e, w3)
-    t100 = multiply(p, n8, w6)
-    t101 = divide(t100, e, w6)
-    t103 = multiply(t101, n10, w7)
-    t105 = add(t103, n11, w8)
-    t106 = multiply(t101, t105, w8)
-    t108 = add(t106, n12, w8)
-    t109 = multiply(e, t108, w9)
-    t110 = divide(t99, t109, w3)
-    t111 = divide(t110, r, w3)
-    t112 = divide(t111, t12, w3)
-    t113 = divide(t112, p, w3)
-    t114 = multiply(t113, n3, w3)
-    t115 = divide(p, e, w1)
-    t116 = divide(t115, t108, w9)
-    t117 = multiply(t116, t115, w9)
-    t118 = divide(p, t12, predicted_11)
-    t119 = multiply(t97, t118, predicted_11)
-    t120 = multiply(t117, t119, w9)
-    t122 = multiply(t120, n13, w9)
-    t123 = add(t114, t122, w1)
-    t124 = multiply(t123, t101, predicted_11)
-    t125 = multiply(t101, n14, predicted_12)
-    t126 = add(t125, n14, predicted_12)
-    t127 = multiply(t101, n3, w10)
-    t128 = add(t127, n3, w10)
-    t129 = add(t126, t128, w11)
-    t130 = multiply(t124, t129, predicted_11)
-    t131 = divide(t130, t108, predicted_11)
-    t132 = multiply(t131, n3, predicted_11)
-    t133 = multiply(t128, t101, w11)
-    t134 = divide(t133, t108, w11)
-    t135 = multiply(t134, n3, w12)
-    t136 = square(t135, w12)
-    t137 = square(t128, w13)
-    t138 = divide(t137, t108, w13)
-    t139 = multiply(t138, n3, w13)
-    t140 = add(t123, t139, w1)
-    t141 = multiply(t122, t140, w1)
-    t142 = divide(tracking_index, t12, w13)
-    t143 = divide(t142, t12, w13)
-    t145 = multiply(t143, n15, w13)
-    t146 = add(t103, n3, w7)
-    t147 = multiply(t101, t146, w7)
-    t148 = add(t147, n14, w7)
-    t149 = divide(t148, t108, w7)
-    t150 = multiply(t149, n3, w7)
-    t151 = multiply(t145, t150, w0)
-    t152 = add(t132, t136, predicted_11)
-    t153 = add(t152, t141, predicted_11)
-    t154 = add(t153, t151, predicted_11)
-    t155 = multiply(t114, t154, predicted_11)
-    t156 = multiply(t97, n3, w4)
-    t157 = multiply(t155, t156, predicted_11)
-    t158 = add(t150, t122, w7)
-    t159 = multiply(t126, t101, predicted_12)
-    t160 = divide(t159, t108, predicted_12)
-    t161 = multiply(t160, n3, predicted_12)
-    t162 = add(t161, t122, predicted_12)
-    t163 = multiply(t162, t156, predicted_12)
-    t164 = add(t158, t163, w7)
-    t165 = square(t163, w0)
-    t166 = multiply(t165, t96, w0)
-    t167 = multiply(t96, n11, w12)
-    t168 = multiply(t166, t167, w0)
-    t169 = divide(t101, t108, w12)
-    t170 = divide(t128, t108, w10)
-    t171 = multiply(t169, t170, w12)
-    t172 = divide(t171, t108, w12)
-    t174 = multiply(t101, n16, w14)
-    t176 = add(t174, n17, w14)
-    t177 = multiply(t101, t176, w14)
-    t179 = add(t177, n18, w14)
-    t180 = multiply(t101, t179, w14)
-    t181 = add(t180, n3, w14)
-    t182 = multiply(t101, t181, w14)
-    t184 = add(t182, n19, w14)
-    t185 = multiply(t184, n7, w14)
-    t186 = multiply(t172, t185, w12)
-    t187 = add(t145, t114, w14)
-    t188 = square(t134, w11)
-    t189 = multiply(t188, n11, w11)
-    t190 = add(t187, t189, w14)
-    t191 = add(t190, t141, w14)
-    t192 = multiply(t122, t191, w9)
-    t193 = add(t186, t192, w12)
-    t194 = multiply(t193, t156, w12)
-    t195 = multiply(t194, t96, w12)
-    t196 = multiply(t96, n3, w2)
-    t197 = multiply(t195, t196, w12)
-    t200 = multiply(t164, t163, predicted_12)
-    t202 = multiply(t101, n20, w2)
-    t204 = add(t202, n21, w2)
-    t205 = multiply(t101, t204, w2)
-    t206 = add(t205, n11, w2)
-    t207 = multiply(t206, t101, w2)
-    t208 = divide(t207, t108, w2)
-    t209 = multiply(t208, t170, w2)
-    t210 = add(t209, t145, w2)
-    t211 = add(t210, t141, w2)
-    t212 = multiply(t114, t211, w2)
-    t213 = add(t200, t157, predicted_12)
-    t214 = add(t213, t212, predicted_12)
-    t215 = multiply(t98, t214, predicted_12)
-    t216 = multiply(t164, t114, w7)
-    t217 = multiply(t98, t216, w5)
-    subtract(t168, t197, predicted_11)
-    subtract(t215, t217, predicted_12)
+    t88 = multiply(p, n8, w2)
+    t89 = divide(t88, e, w2)
+    t90 = add(t89, n9, w4)
+    t91 = multiply(t90, t89, w5)
+    t93 = multiply(t89, n10, w6)
+    t95 = add(t93, n11, w7)
+    t96 = multiply(t89, t95, w7)
+    t98 = add(t96, n12, w7)
+    t99 = divide(t91, t98, w5)
+    t100 = multiply(t99, n3, w5)
+    t101 = divide(p, e, w8)
+    t102 = divide(t101, t98, w9)
+    t103 = multiply(t102, t101, w9)
+    t104 = divide(x, r, w8)
+    t105 = divide(p, t12, w10)
+    t106 = multiply(t104, t105, w10)
+    t107 = multiply(t103, t106, w9)
+    t109 = multiply(t107, n13, w9)
+    t110 = add(t100, t109, w5)
+    t111 = multiply(t104, n3, w10)
+    t112 = multiply(t110, t111, w5)
+    t113 = square(t112, w11)
+    t114 = multiply(e, n4, w12)
+    t115 = add(t12, t114, w12)
+    t116 = multiply(x, r, w13)
+    t117 = multiply(t116, n8, w13)
+    t118 = multiply(p, n14, w14)
+    t119 = add(t117, t118, w13)
+    t120 = add(t115, t119, w12)
+    t121 = multiply(p, t120, w12)
+    t122 = divide(t121, tracking_index, w12)
+    t123 = multiply(t113, t122, w11)
+    t124 = multiply(t122, n11, w13)
+    t125 = multiply(t123, t124, w11)
+    t126 = divide(t89, t98, w13)
+    t127 = multiply(t89, n3, w14)
+    t128 = add(t127, n3, w14)
+    t129 = divide(t128, t98, w15)
+    t130 = multiply(t126, t129, w13)
+    t131 = divide(t130, t98, w13)
+    t133 = multiply(t89, n15, w16)
+    t135 = add(t133, n16, w16)
+    t136 = multiply(t89, t135, w16)
+    t138 = add(t136, n17, w16)
+    t139 = multiply(t89, t138, w16)
+    t140 = add(t139, n3, w16)
+    t141 = multiply(t89, t140, w16)
+    t143 = add(t141, n18, w16)
+    t144 = multiply(t143, n7, w16)
+    t145 = multiply(t131, t144, w13)
+    t146 = divide(tracking_index, t12, w16)
+    t147 = divide(t146, t12, w16)
+    t149 = multiply(t147, n19, w16)
+    t150 = divide(x, e, w3)
+    t151 = multiply(e, t98, w1)
+    t152 = divide(t150, t151, w3)
+    t153 = divide(t152, r, w3)
+    t154 = divide(t153, t12, w3)
+    t155 = divide(t154, p, w3)
+    t156 = multiply(t155, n3, w3)
+    t157 = add(t149, t156, w0)
+    t158 = multiply(t128, t89, w1)
+    t159 = divide(t158, t98, w1)
+    t160 = square(t159, predicted_11)
+    t161 = multiply(t160, n11, predicted_11)
+    t162 = add(t157, t161, w0)
+    t163 = add(t156, t109, predicted_11)
+    t164 = square(t128, predicted_12)
+    t165 = divide(t164, t98, predicted_12)
+    t166 = multiply(t165, n3, predicted_12)
+    t167 = add(t163, t166, predicted_12)
+    t168 = multiply(t109, t167, predicted_12)
+    t169 = add(t162, t168, w0)
+    t170 = multiply(t109, t169, w0)
+    t171 = add(t145, t170, w13)
+    t172 = multiply(t171, t111, w13)
+    t173 = multiply(t172, t122, w13)
+    t174 = multiply(t122, n3, w0)
+    t175 = multiply(t173, t174, w13)
+    t178 = multiply(t104, t122, w8)
+    t179 = add(t93, n3, w6)
+    t180 = multiply(t89, t179, w6)
+    t181 = add(t180, n9, w6)
+    t182 = divide(t181, t98, w6)
+    t183 = multiply(t182, n3, w6)
+    t184 = add(t183, t109, w9)
+    t185 = add(t184, t112, w9)
+    t186 = multiply(t185, t112, w5)
+    t187 = multiply(t163, t89, predicted_11)
+    t188 = add(t90, t128, w4)
+    t189 = multiply(t187, t188, predicted_11)
+    t190 = divide(t189, t98, predicted_11)
+    t191 = multiply(t190, n3, predicted_11)
+    t192 = multiply(t159, n3, w1)
+    t193 = square(t192, w1)
+    t194 = add(t191, t193, predicted_11)
+    t195 = add(t194, t168, predicted_11)
+    t196 = multiply(t149, t183, w6)
+    t197 = add(t195, t196, predicted_11)
+    t198 = multiply(t156, t197, predicted_11)
+    t199 = multiply(t198, t111, predicted_11)
+    t200 = add(t186, t199, w5)
+    t202 = multiply(t89, n20, w0)
+    t204 = add(t202, n21, w0)
+    t205 = multiply(t89, t204, w0)
+    t206 = add(t205, n11, w0)
+    t207 = multiply(t206, t89, w0)
+    t208 = divide(t207, t98, w0)
+    t209 = multiply(t208, t129, w0)
+    t210 = add(t209, t149, w0)
+    t211 = add(t210, t168, w0)
+    t212 = multiply(t156, t211, w0)
+    t213 = add(t200, t212, w5)
+    t214 = multiply(t178, t213, w5)
+    t215 = multiply(t185, t156, w9)
+    t216 = multiply(t178, t215, w8)
+    subtract(t125, t175, predicted_11)
+    subtract(t214, t216, predicted_12)
 
 
 _PREDICTED_POSITION_SECOND_DERIVATIVES = Signature(
     "predicted_position_second_derivatives",
     (_TRACKING_INDEX_DOMAIN_3,),
     ("predicted_11", "predicted_12"),
-    15,
+    17,
     _predicted_position_second_derivatives_block,
+    numbers=_predicted_position_second_derivatives_of_numbers,
 )
 
 
@@ -3994,9 +5007,102 @@ def updated_covariance_second_derivatives(
 
     Source: derivation continuous-white-jerk
     """
+    if (
+        type(tracking_index) is float
+        and 5e-324 <= tracking_index <= 1.7976931348623157e308
+        and out is None
+        and workers is ONE
+    ):
+        try:
+            return named(
+                UpdatedCovarianceSecondDerivatives,
+                _updated_covariance_second_derivatives_of_numbers(tracking_index),
+            )
+        except (ArithmeticError, ValueError):
+            pass  # arrays say what is wrong
     return UpdatedCovarianceSecondDerivatives(
         *evaluate(_UPDATED_COVARIANCE_SECOND_DERIVATIVES, (tracking_index,), out, workers)
     )
+
+
+def _updated_covariance_second_derivatives_of_numbers(
+    tracking_index: float,
+    form: Form = Double,
+) -> tuple[float, ...]:
+    t3 = form.sqrt(tracking_index)
+    t4 = form.sqrt(t3)
+    t6 = 2.220446049250313e-16 / tracking_index
+    t8 = tracking_index * 4.625929269271486e-19
+    t12 = form.sqrt(t6 + t8) * 67108864.0
+    t14 = (t12 * t4) * 2.0
+    t16 = t3 * 0.5
+    t18 = tracking_index * 0.07083333333333333
+    t25 = ((t3 * t4) * 1.5516447222296765) + (8.0 / t4)
+    t26 = form.near_cbrt(t25)
+    t30 = form.sqrt((t14 * t26) + t18)
+    t33 = form.sqrt((t30 * 2.0) + t16)
+    t34 = t14 * 0.5
+    t35 = t30 * t33
+    t40 = ((t33 * t35) - (t34 * t26)) / (t35 - t34)
+    t44 = form.sqrt((t14 * t40) + t18)
+    t47 = form.sqrt((t44 * 2.0) + t16)
+    t48 = t44 * t47
+    t53 = ((t47 * t48) - (t34 * t40)) / (t48 - t34)
+    t57 = form.sqrt((t14 * t53) + t18)
+    t60 = form.sqrt((t57 * 2.0) + t16)
+    t61 = t57 * t60
+    t66 = ((t60 * t61) - (t34 * t53)) / (t61 - t34)
+    t70 = form.sqrt((t14 * t66) + t18)
+    t73 = form.sqrt((t70 * 2.0) + t16)
+    t74 = t70 * t73
+    t79 = ((t73 * t74) - (t34 * t66)) / (t74 - t34)
+    t83 = form.sqrt((t14 * t79) + t18)
+    t86 = form.sqrt((t83 * 2.0) + t16)
+    t88 = t83 / t3
+    t91 = (t3 * 0.25) / t83
+    t93 = t91 * 1.1333333333333333
+    t98 = (t91 * (t93 + 4.0)) + 3.0
+    t106 = t91 * ((t91 * 6.8) + 15.866666666666667)
+    t110 = (t91 * (t106 + 11.066666666666666)) + 2.0
+    t117 = (((t91 * (t93 + 2.0)) + 1.0) / t98) * 2.0
+    t118 = t3 / t83
+    t121 = t86 / t4
+    t124 = ((t118 / t98) * t118) * (t121 * (t3 / t12))
+    t126 = t124 * 0.004166666666666667
+    t127 = t117 + t126
+    t129 = ((t91 / t98) * (t110 / t98)) * (t127 * 4.0)
+    t134 = (((t86 / t83) / (t83 * t98)) / t4) / t12
+    t136 = (t134 / t3) * 2.0
+    t140 = (t91 * 4.533333333333333) + 9.066666666666666
+    t146 = (t91 * 2.0) + 2.0
+    t148 = ((((t91 * t140) + 4.0) * t91) / t98) * (t146 / t98)
+    t152 = ((tracking_index / t12) / t12) * 0.0020833333333333333
+    t154 = t136 + t126
+    t158 = t154 + (((t146 * t146) / t98) * 2.0)
+    t161 = t136 * ((t148 + t152) + (t126 * t158))
+    t170 = (((t146 * t91) / t98) * 12.0) + (t154 * 6.0)
+    t177 = ((t91 * ((t91 * 3.4) + 4.0)) + 1.0) / t98
+    t179 = t177 + (t126 * 2.0)
+    t182 = ((t127 * t170) + (t179 * 4.0)) + t136
+    t184 = (t129 + (t161 * t158)) + (t126 * t182)
+    t187 = (t83 / t86) * (((t88 * (t98 * 4.0)) * t184) / t4)
+    t188 = t121 * 2.0
+    t192 = t188 * ((t127 * (t127 + 1.0)) + t161)
+    t199 = (t91 * 12.844444444444445) + 42.61333333333334
+    t203 = t91 * ((t91 * t199) + 49.86666666666667)
+    t208 = (t91 * (t203 + 26.133333333333333)) + 10.0
+    t214 = ((((t91 * t208) + 4.0) / t98) / t98) + (t161 * t146)
+    t217 = (t91 * 2.2666666666666666) + 4.533333333333333
+    t222 = ((t91 * ((t91 * t217) + 6.0)) + 4.0) / t98
+    t227 = ((t222 * 2.0) + (t146 * t179)) + (t91 * 4.0)
+    t230 = (t88 * 4.0) * (t214 + (t126 * t227))
+    t233 = ((t187 + t192) * 0.125) + ((t230 * 0.25) + 0.5)
+    t241 = ((t230 + t192) * 0.25) + 0.6666666666666666
+    t242 = t192 * 0.5
+    t236 = t233 - ((t230 * 0.5) + 1.0)
+    t243 = t241 - t242
+    t250 = (t242 + 1.0) - (t188 * (((t4 / t86) * 0.5) * 2.0))
+    return (t236, t243, t250)
 
 
 def _updated_covariance_second_derivatives_block(
@@ -4014,31 +5120,31 @@ def _updated_covariance_second_derivatives_block(
     n7: float = 8.0,
     n8: float = 0.25,
     n9: float = 1.1333333333333333,
-    n10: float = 1.0,
-    n11: float = 4.0,
-    n12: float = 3.0,
-    n13: float = 0.004166666666666667,
-    n14: float = 4.533333333333333,
-    n15: float = 9.066666666666666,
-    n16: float = 0.0020833333333333333,
-    n17: float = 12.844444444444445,
-    n18: float = 42.61333333333334,
-    n19: float = 49.86666666666667,
-    n20: float = 26.133333333333333,
-    n21: float = 10.0,
-    n22: float = 2.2666666666666666,
-    n23: float = 6.0,
-    n24: float = 3.4,
-    n25: float = 6.8,
-    n26: float = 15.866666666666667,
-    n27: float = 11.066666666666666,
-    n28: float = 12.0,
-    n29: float = 0.125,
+    n10: float = 4.0,
+    n11: float = 3.0,
+    n12: float = 6.8,
+    n13: float = 15.866666666666667,
+    n14: float = 11.066666666666666,
+    n15: float = 1.0,
+    n16: float = 0.004166666666666667,
+    n17: float = 4.533333333333333,
+    n18: float = 9.066666666666666,
+    n19: float = 0.0020833333333333333,
+    n20: float = 12.0,
+    n21: float = 6.0,
+    n22: float = 3.4,
+    n23: float = 0.125,
+    n24: float = 12.844444444444445,
+    n25: float = 42.61333333333334,
+    n26: float = 49.86666666666667,
+    n27: float = 26.133333333333333,
+    n28: float = 10.0,
+    n29: float = 2.2666666666666666,
     n30: float = 0.6666666666666666,
 ) -> None:
     (tracking_index,) = given
     updated_22, updated_23, updated_33 = out
-    w0, w1, w2, w3, w4, w5, w6, w7, w8, w9, w10, w11, w12, w13, w14, w15, w16 = work
+    w0, w1, w2, w3, w4, w5, w6, w7, w8, w9, w10, w11, w12, w13 = work
     p = sqrt(tracking_index, updated_22)
     r = sqrt(p, updated_23)
     t6 = divide(n0, tracking_index, updated_33)
@@ -4110,155 +5216,156 @@ def _updated_covariance_second_derivatives_block(
     t84 = multiply(e, n3, w2)
     t85 = add(t84, t16, w2)
     x = sqrt(t85, w2)
-    t87 = divide(x, r, w1)
-    t88 = multiply(t87, n3, w3)
+    t87 = divide(e, x, w1)
+    t88 = divide(e, p, w3)
     t90 = multiply(p, n8, w4)
     t91 = divide(t90, e, w4)
     t93 = multiply(t91, n9, w5)
-    t94 = add(t93, n3, w6)
-    t95 = multiply(t91, t94, w6)
-    t96 = add(t95, n10, w6)
-    t98 = add(t93, n11, w5)
-    t99 = multiply(t91, t98, w5)
-    t101 = add(t99, n12, w5)
-    t102 = divide(t96, t101, w6)
-    t103 = multiply(t102, n3, w6)
-    t104 = divide(p, e, w7)
-    t105 = divide(t104, t101, w8)
-    t106 = multiply(t105, t104, w8)
-    t107 = divide(p, t12, w7)
-    t108 = multiply(t87, t107, w1)
-    t109 = multiply(t106, t108, w8)
-    t111 = multiply(t109, n13, w8)
-    t112 = add(t103, t111, w6)
-    t113 = add(t112, n10, w1)
-    t114 = multiply(t112, t113, w1)
-    t115 = divide(x, e, w7)
-    t116 = multiply(e, t101, w9)
-    t117 = divide(t115, t116, w7)
-    t118 = divide(t117, r, w7)
-    t119 = divide(t118, t12, w7)
-    t120 = divide(t119, p, w7)
-    t121 = multiply(t120, n3, w7)
-    t123 = multiply(t91, n14, w9)
-    t125 = add(t123, n15, w9)
-    t126 = multiply(t91, t125, w9)
-    t127 = add(t126, n11, w9)
-    t128 = multiply(t127, t91, w9)
-    t129 = divide(t128, t101, w9)
-    t130 = multiply(t91, n3, w10)
-    t131 = add(t130, n3, w10)
-    t132 = divide(t131, t101, w11)
-    t133 = multiply(t129, t132, w9)
-    t134 = divide(tracking_index, t12, w11)
-    t135 = divide(t134, t12, w11)
-    t137 = multiply(t135, n16, w11)
-    t138 = add(t121, t111, updated_33)
-    t139 = square(t131, w12)
-    t140 = divide(t139, t101, w12)
-    t141 = multiply(t140, n3, w12)
-    t142 = add(t138, t141, w12)
-    t143 = multiply(t111, t142, w13)
-    t144 = add(t133, t137, w9)
-    t145 = add(t144, t143, w9)
-    t146 = multiply(t121, t145, w9)
-    t147 = add(t114, t146, w1)
-    t148 = multiply(t88, t147, w1)
-    t150 = multiply(t91, n17, w11)
-    t152 = add(t150, n18, w11)
-    t153 = multiply(t91, t152, w11)
-    t155 = add(t153, n19, w11)
-    t156 = multiply(t91, t155, w11)
-    t158 = add(t156, n20, w11)
-    t159 = multiply(t91, t158, w11)
-    t161 = add(t159, n21, w11)
-    t162 = multiply(t91, t161, w11)
-    t163 = add(t162, n11, w11)
-    t164 = divide(t163, t101, w11)
-    t165 = divide(t164, t101, w11)
-    t166 = multiply(t146, t131, w13)
-    t167 = add(t165, t166, w11)
-    t169 = multiply(t91, n22, w13)
-    t170 = add(t169, n14, w13)
-    t171 = multiply(t91, t170, w13)
-    t173 = add(t171, n23, w13)
-    t174 = multiply(t91, t173, w13)
-    t175 = add(t174, n11, w13)
-    t176 = divide(t175, t101, w13)
-    t177 = multiply(t176, n3, w13)
-    t179 = multiply(t91, n24, w14)
-    t180 = add(t179, n11, w14)
-    t181 = multiply(t91, t180, w14)
-    t182 = add(t181, n10, w14)
-    t183 = divide(t182, t101, w14)
-    t184 = multiply(t111, n3, w15)
-    t185 = add(t183, t184, w14)
-    t186 = divide(e, p, updated_22)
-    t187 = multiply(t186, n11, w15)
-    t188 = multiply(t131, t185, w16)
-    t189 = add(t177, t188, w13)
-    t190 = multiply(t91, n11, w16)
-    t191 = add(t189, t190, w13)
-    t192 = multiply(t111, t191, w13)
-    t193 = add(t167, t192, w11)
-    t194 = multiply(t187, t193, w15)
-    t196 = multiply(t91, n25, w11)
-    t198 = add(t196, n26, w11)
-    t199 = multiply(t91, t198, w11)
-    t201 = add(t199, n27, w11)
-    t202 = multiply(t91, t201, w11)
-    t203 = add(t202, n3, w11)
-    t204 = divide(t91, t101, w13)
-    t205 = divide(t203, t101, w11)
-    t206 = multiply(t204, t205, w13)
-    t207 = multiply(t112, n11, w11)
-    t208 = multiply(t206, t207, w13)
-    t209 = multiply(t146, t142, w9)
-    t210 = add(t208, t209, w13)
-    t211 = multiply(t131, t91, w10)
-    t212 = divide(t211, t101, w10)
-    t214 = multiply(t212, n28, w10)
-    t215 = multiply(t138, n23, updated_33)
-    t216 = add(t214, t215, w10)
-    t217 = multiply(t112, t216, w6)
-    t218 = multiply(t185, n11, w14)
-    t219 = add(t217, t218, w6)
-    t220 = add(t219, t121, w6)
-    t221 = multiply(t111, t220, w8)
-    t222 = add(t210, t221, w13)
-    t223 = divide(e, x, w0)
-    t224 = multiply(t101, n11, w5)
-    t225 = multiply(t186, t224, updated_22)
-    t226 = multiply(t225, t222, updated_22)
-    t227 = divide(t226, r, updated_22)
-    t228 = multiply(t223, t227, w0)
-    t229 = add(t228, t148, w0)
-    t230 = multiply(t229, n29, w0)
-    t231 = multiply(t194, n8, w4)
-    t232 = add(t231, n4, w4)
-    t233 = add(t230, t232, w0)
-    t234 = add(t194, t148, w4)
-    t235 = multiply(t234, n8, w4)
-    t237 = add(t235, n30, w4)
-    t238 = multiply(t148, n4, w1)
-    t239 = add(t238, n10, w5)
-    t240 = multiply(t194, n4, w15)
-    t241 = add(t240, n10, w15)
-    t242 = divide(r, x, updated_23)
-    t243 = multiply(t242, n4, updated_23)
-    t244 = multiply(t243, n3, updated_23)
-    t245 = multiply(t88, t244, w3)
-    subtract(t233, t241, updated_22)
-    subtract(t237, t238, updated_23)
-    subtract(t239, t245, updated_33)
+    t95 = add(t93, n10, w6)
+    t96 = multiply(t91, t95, w6)
+    t98 = add(t96, n11, w6)
+    t99 = multiply(t98, n10, w7)
+    t100 = multiply(t88, t99, w7)
+    t101 = divide(t91, t98, w8)
+    t103 = multiply(t91, n12, w9)
+    t105 = add(t103, n13, w9)
+    t106 = multiply(t91, t105, w9)
+    t108 = add(t106, n14, w9)
+    t109 = multiply(t91, t108, w9)
+    t110 = add(t109, n3, w9)
+    t111 = divide(t110, t98, w9)
+    t112 = multiply(t101, t111, w8)
+    t113 = add(t93, n3, w5)
+    t114 = multiply(t91, t113, w5)
+    t115 = add(t114, n15, w5)
+    t116 = divide(t115, t98, w5)
+    t117 = multiply(t116, n3, w5)
+    t118 = divide(p, e, w9)
+    t119 = divide(t118, t98, w10)
+    t120 = multiply(t119, t118, w10)
+    t121 = divide(x, r, w9)
+    t122 = divide(p, t12, w11)
+    t123 = multiply(t121, t122, w11)
+    t124 = multiply(t120, t123, w10)
+    t126 = multiply(t124, n16, w10)
+    t127 = add(t117, t126, w5)
+    t128 = multiply(t127, n10, w11)
+    t129 = multiply(t112, t128, w8)
+    t130 = divide(x, e, w11)
+    t131 = multiply(e, t98, w0)
+    t132 = divide(t130, t131, w11)
+    t133 = divide(t132, r, w11)
+    t134 = divide(t133, t12, w11)
+    t135 = divide(t134, p, w11)
+    t136 = multiply(t135, n3, w11)
+    t138 = multiply(t91, n17, w0)
+    t140 = add(t138, n18, w0)
+    t141 = multiply(t91, t140, w0)
+    t142 = add(t141, n10, w0)
+    t143 = multiply(t142, t91, w0)
+    t144 = divide(t143, t98, w0)
+    t145 = multiply(t91, n3, updated_22)
+    t146 = add(t145, n3, updated_22)
+    t147 = divide(t146, t98, w12)
+    t148 = multiply(t144, t147, w0)
+    t149 = divide(tracking_index, t12, w12)
+    t150 = divide(t149, t12, w12)
+    t152 = multiply(t150, n19, w12)
+    t153 = add(t148, t152, w0)
+    t154 = add(t136, t126, w12)
+    t155 = square(t146, updated_33)
+    t156 = divide(t155, t98, updated_33)
+    t157 = multiply(t156, n3, updated_33)
+    t158 = add(t154, t157, updated_33)
+    t159 = multiply(t126, t158, w13)
+    t160 = add(t153, t159, w0)
+    t161 = multiply(t136, t160, w0)
+    t162 = multiply(t161, t158, updated_33)
+    t163 = add(t129, t162, w8)
+    t164 = multiply(t146, t91, w13)
+    t165 = divide(t164, t98, w13)
+    t167 = multiply(t165, n20, w13)
+    t169 = multiply(t154, n21, w12)
+    t170 = add(t167, t169, w13)
+    t171 = multiply(t127, t170, w13)
+    t173 = multiply(t91, n22, w12)
+    t174 = add(t173, n10, w12)
+    t175 = multiply(t91, t174, w12)
+    t176 = add(t175, n15, w12)
+    t177 = divide(t176, t98, w12)
+    t178 = multiply(t126, n3, updated_33)
+    t179 = add(t177, t178, w12)
+    t180 = multiply(t179, n10, updated_33)
+    t181 = add(t171, t180, w13)
+    t182 = add(t181, t136, w13)
+    t183 = multiply(t126, t182, w13)
+    t184 = add(t163, t183, w8)
+    t185 = multiply(t100, t184, w7)
+    t186 = divide(t185, r, w7)
+    t187 = multiply(t87, t186, w1)
+    t188 = multiply(t121, n3, w9)
+    t189 = add(t127, n15, w7)
+    t190 = multiply(t127, t189, w5)
+    t191 = add(t190, t161, w5)
+    t192 = multiply(t188, t191, w5)
+    t193 = add(t187, t192, w1)
+    t194 = multiply(t193, n23, w1)
+    t195 = multiply(t88, n10, w3)
+    t197 = multiply(t91, n24, w7)
+    t199 = add(t197, n25, w7)
+    t200 = multiply(t91, t199, w7)
+    t202 = add(t200, n26, w7)
+    t203 = multiply(t91, t202, w7)
+    t205 = add(t203, n27, w7)
+    t206 = multiply(t91, t205, w7)
+    t208 = add(t206, n28, w7)
+    t209 = multiply(t91, t208, w7)
+    t210 = add(t209, n10, w7)
+    t211 = divide(t210, t98, w7)
+    t212 = divide(t211, t98, w7)
+    t213 = multiply(t161, t146, w0)
+    t214 = add(t212, t213, w7)
+    t216 = multiply(t91, n29, w0)
+    t217 = add(t216, n17, w0)
+    t218 = multiply(t91, t217, w0)
+    t219 = add(t218, n21, w0)
+    t220 = multiply(t91, t219, w0)
+    t221 = add(t220, n10, w0)
+    t222 = divide(t221, t98, w0)
+    t223 = multiply(t222, n3, w0)
+    t224 = multiply(t146, t179, updated_22)
+    t225 = add(t223, t224, w0)
+    t226 = multiply(t91, n10, w4)
+    t227 = add(t225, t226, w0)
+    t228 = multiply(t126, t227, w10)
+    t229 = add(t214, t228, w7)
+    t230 = multiply(t195, t229, w3)
+    t231 = multiply(t230, n8, w0)
+    t232 = add(t231, n4, w0)
+    t233 = add(t194, t232, w1)
+    t234 = multiply(t230, n4, w0)
+    t235 = add(t234, n15, w0)
+    t238 = add(t230, t192, w3)
+    t239 = multiply(t238, n8, w3)
+    t241 = add(t239, n30, w3)
+    t242 = multiply(t192, n4, w5)
+    t245 = add(t242, n15, w4)
+    t246 = divide(r, x, updated_23)
+    t247 = multiply(t246, n4, updated_23)
+    t248 = multiply(t247, n3, updated_23)
+    t249 = multiply(t188, t248, w9)
+    subtract(t233, t235, updated_22)
+    subtract(t241, t242, updated_23)
+    subtract(t245, t249, updated_33)
 
 
 _UPDATED_COVARIANCE_SECOND_DERIVATIVES = Signature(
     "updated_covariance_second_derivatives",
     (_TRACKING_INDEX_DOMAIN,),
     ("updated_22", "updated_23", "updated_33"),
-    17,
+    14,
     _updated_covariance_second_derivatives_block,
+    numbers=_updated_covariance_second_derivatives_of_numbers,
 )
 
 
@@ -4316,7 +5423,97 @@ def closed_loop_poles(
 
     Source: derivation continuous-white-jerk
     """
+    if (
+        type(tracking_index) is float
+        and 5e-324 <= tracking_index <= 1.7976931348623157e308
+        and out is None
+        and workers is ONE
+    ):
+        try:
+            return named(ClosedLoopPoles, _closed_loop_poles_of_numbers(tracking_index))
+        except (ArithmeticError, ValueError):
+            pass  # arrays say what is wrong
     return ClosedLoopPoles(*evaluate(_CLOSED_LOOP_POLES, (tracking_index,), out, workers))
+
+
+def _closed_loop_poles_of_numbers(tracking_index: float, form: Form = Double) -> tuple[float, ...]:
+    t1 = form.sqrt(tracking_index)
+    t4 = 1.0 / form.sqrt(t1)
+    t8 = 1.0 / (t4 + (tracking_index * 0.015625))
+    t9 = t8 * t4
+    t13 = (t9 * t9) * ((t9 * t4) * 0.015625)
+    t14 = t8 * t8
+    t17 = (tracking_index * t8) * 0.0006944444444444445
+    t18 = t14 * 0.015625
+    t19 = t17 * t17
+    t20 = t19 * t17
+    t25 = t13 + ((t17 * t18) + (t20 * 2.0))
+    t28 = (t19 * 3.0) + t18
+    t32 = t13 + ((t14 * t8) * 0.00234374962747097)
+    t38 = t32 + ((t17 * (t18 * 2.0)) + (t20 * 8.0))
+    t39 = form.near_cbrt(t38)
+    t41 = t28 * t39
+    t42 = t41 + t25
+    t44 = form.sqrt(t39 * t42)
+    t45 = form.sqrt(t44)
+    t49 = (t42 * 0.25) + (t41 * 0.25)
+    t50 = t44 * t45
+    t55 = ((t45 * t50) - (t49 * t39)) / (t50 - t49)
+    t57 = t28 * t55
+    t58 = t57 + t25
+    t60 = form.sqrt(t55 * t58)
+    t61 = form.sqrt(t60)
+    t64 = (t58 * 0.25) + (t57 * 0.25)
+    t65 = t60 * t61
+    t70 = ((t61 * t65) - (t64 * t55)) / (t65 - t64)
+    t72 = t28 * t70
+    t73 = t72 + t25
+    t75 = form.sqrt(t70 * t73)
+    t76 = form.sqrt(t75)
+    t79 = (t73 * 0.25) + (t72 * 0.25)
+    t80 = t75 * t76
+    t85 = ((t76 * t80) - (t79 * t70)) / (t80 - t79)
+    t87 = t28 * t85
+    t88 = t87 + t25
+    t90 = form.sqrt(t85 * t88)
+    t91 = form.sqrt(t90)
+    t94 = (t88 * 0.25) + (t87 * 0.25)
+    t95 = t90 * t91
+    t100 = ((t91 * t95) - (t94 * t85)) / (t95 - t94)
+    t105 = form.sqrt(t100 * ((t28 * t100) + t25))
+    t107 = form.sqrt(t105) + t17
+    t108 = t107 / t8
+    t109 = t8 / t107
+    t111 = t109 / tracking_index
+    t113 = form.sqrt(t111 + 1.0)
+    t115 = 2.220446049250313e-16 / tracking_index
+    t117 = tracking_index * 4.625929269271486e-19
+    t122 = (form.sqrt(t115 + t117) * 67108864.0) * 8.0
+    t124 = (t122 / t113) / t1
+    t128 = t124 + 1.0
+    t129 = t128 + (0.13333333333333333 / (t111 + t124))
+    t132 = (form.sqrt(t129) + 1.0) + t124
+    t133 = t113 + 1.0
+    t138 = tracking_index * 0.028087750045592646
+    t140 = t108 + ((t109 * 0.01454608337892598) + t138)
+    t141 = (5.966800592310059 - tracking_index) + (
+        -9.738720763152742e-08 if form.single else 3.740420498507711e-16
+    )
+    t145 = ((t141 / t140) / tracking_index) * (5.966800592310059 + tracking_index)
+    t156 = (t145 * 0.028087750045592646) * ((t111 + 0.9309493362512627) / t128)
+    t162 = tracking_index * 0.0033840162126440396
+    t163 = (t109 * 0.0028603819712654517) + t162
+    t165 = (31.608914128879448 - tracking_index) + (
+        7.072486027936975e-07 if form.single else -1.5829239487703273e-15
+    )
+    t167 = (t165 / (t108 + t163)) / tracking_index
+    t169 = t167 * (31.608914128879448 + tracking_index)
+    t176 = ((t169 * 0.001000877316602882) / t132) * ((t111 + 0.8497311128276556) / t129)
+    t149 = (t111 / t133) / t133
+    t152 = ((form.sqrt(t108) / t1) * 8.0) / t132
+    t157 = t156 / t132
+    t179 = (t176 / t132) * -3.0
+    return (t149, t152, t157, t179)
 
 
 def _closed_loop_poles_block(
@@ -4517,4 +5714,5 @@ _CLOSED_LOOP_POLES = Signature(
     ("real_pole", "modulus", "half_sum", "quarter_discriminant"),
     7,
     _closed_loop_poles_block,
+    numbers=_closed_loop_poles_of_numbers,
 )

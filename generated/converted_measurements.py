@@ -6,17 +6,17 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from numpy import add, cos, divide, exp, expm1, multiply, negative, sin, square, subtract
+from numpy import add, cos, divide, errstate, exp, expm1, multiply, negative, sin, square, subtract
 
+from gainproof.generated._numbers import ONE, Double, named
 from gainproof.generated._runtime import evaluate
 from gainproof.generated._signature import Domain, Signature
 
 if TYPE_CHECKING:
     from typing import NamedTuple
 
-    from numpy.typing import ArrayLike
-
-    from gainproof.generated._signature import Arrays, Real
+    from gainproof.generated._numbers import Form
+    from gainproof.generated._signature import ArrayLike, Arrays, Real
 else:
     from gainproof.generated._result import NamedTuple
 
@@ -171,6 +171,28 @@ def classical_conversion_in_plane(
 
     Source: derivation converted-measurements
     """
+    if (
+        type(slant_range) is float
+        and type(azimuth) is float
+        and type(range_deviation) is float
+        and type(azimuth_deviation) is float
+        and 1e-20 <= slant_range <= 1e60
+        and -6.2832 <= azimuth <= 6.2832
+        and (abs(azimuth) >= 1e-20 or azimuth == 0)
+        and 1e-20 <= range_deviation <= 1e60
+        and 1e-15 <= azimuth_deviation <= 2.0
+        and out is None
+        and workers is ONE
+    ):
+        try:
+            return named(
+                ClassicalConversionInPlane,
+                _classical_conversion_in_plane_of_numbers(
+                    slant_range, azimuth, range_deviation, azimuth_deviation
+                ),
+            )
+        except (ArithmeticError, ValueError):
+            pass  # arrays say what is wrong
     return ClassicalConversionInPlane(
         *evaluate(
             _CLASSICAL_CONVERSION_IN_PLANE,
@@ -179,6 +201,29 @@ def classical_conversion_in_plane(
             workers,
         )
     )
+
+
+@errstate(all="ignore")
+def _classical_conversion_in_plane_of_numbers(
+    slant_range: float,
+    azimuth: float,
+    range_deviation: float,
+    azimuth_deviation: float,
+    form: Form = Double,
+) -> tuple[float, ...]:
+    t4 = form.cos(azimuth)
+    t5 = form.sin(azimuth)
+    t6 = slant_range * azimuth_deviation
+    t7 = range_deviation * range_deviation
+    t8 = t6 * t6
+    t9 = t4 * t4
+    t10 = t5 * t5
+    t11 = slant_range * t4
+    t12 = slant_range * t5
+    t15 = (t9 * t7) + (t10 * t8)
+    t18 = (t5 * t4) * (t7 - t8)
+    t21 = (t10 * t7) + (t9 * t8)
+    return (t11, t12, t15, t18, t21, t7, t8)
 
 
 def _classical_conversion_in_plane_block(
@@ -221,6 +266,7 @@ _CLASSICAL_CONVERSION_IN_PLANE = Signature(
     ),
     8,
     _classical_conversion_in_plane_block,
+    numbers=_classical_conversion_in_plane_of_numbers,
 )
 
 
@@ -305,6 +351,28 @@ def debiased_conversion_in_plane(
 
     Source: derivation converted-measurements
     """
+    if (
+        type(slant_range) is float
+        and type(azimuth) is float
+        and type(range_deviation) is float
+        and type(azimuth_deviation) is float
+        and 1e-20 <= slant_range <= 1e60
+        and -6.2832 <= azimuth <= 6.2832
+        and (abs(azimuth) >= 1e-20 or azimuth == 0)
+        and 1e-20 <= range_deviation <= 1e60
+        and 1e-15 <= azimuth_deviation <= 2.0
+        and out is None
+        and workers is ONE
+    ):
+        try:
+            return named(
+                DebiasedConversionInPlane,
+                _debiased_conversion_in_plane_of_numbers(
+                    slant_range, azimuth, range_deviation, azimuth_deviation
+                ),
+            )
+        except (ArithmeticError, ValueError):
+            pass  # arrays say what is wrong
     return DebiasedConversionInPlane(
         *evaluate(
             _DEBIASED_CONVERSION_IN_PLANE,
@@ -313,6 +381,43 @@ def debiased_conversion_in_plane(
             workers,
         )
     )
+
+
+@errstate(all="ignore")
+def _debiased_conversion_in_plane_of_numbers(
+    slant_range: float,
+    azimuth: float,
+    range_deviation: float,
+    azimuth_deviation: float,
+    form: Form = Double,
+) -> tuple[float, ...]:
+    t4 = form.cos(azimuth)
+    t5 = form.sin(azimuth)
+    t6 = azimuth_deviation * azimuth_deviation
+    t7 = -t6
+    t10 = form.exp(t7 * 0.5)
+    t11 = form.expm1(t7)
+    t12 = range_deviation * range_deviation
+    t13 = t10 * t10
+    t14 = -t11
+    t19 = slant_range * ((t10 * t14) / (1.0 + t10))
+    t20 = slant_range + t19
+    t21 = t13 * t13
+    t22 = slant_range * slant_range
+    t25 = 1.0 + t13
+    t28 = (t22 + t12) * ((t14 * t14) * (t25 + t21))
+    t37 = t12 * (t25 * ((1.0 - t11) + (t21 * 2.0)))
+    t42 = t14 * ((t22 * (1.0 + (t21 * t13))) + t37)
+    t43 = (t28 + (t12 * (1.0 + (t21 * t21)))) * 0.5
+    t44 = t42 * 0.5
+    t45 = t4 * t4
+    t46 = t5 * t5
+    t47 = t20 * t4
+    t48 = t20 * t5
+    t51 = (t45 * t43) + (t46 * t44)
+    t54 = (t5 * t4) * (t43 - t44)
+    t57 = (t46 * t43) + (t45 * t44)
+    return (t47, t48, t51, t54, t57, t43, t44)
 
 
 def _debiased_conversion_in_plane_block(
@@ -395,6 +500,7 @@ _DEBIASED_CONVERSION_IN_PLANE = Signature(
     ),
     12,
     _debiased_conversion_in_plane_block,
+    numbers=_debiased_conversion_in_plane_of_numbers,
 )
 
 
@@ -482,6 +588,28 @@ def unbiased_conversion_in_plane(
 
     Source: derivation converted-measurements
     """
+    if (
+        type(slant_range) is float
+        and type(azimuth) is float
+        and type(range_deviation) is float
+        and type(azimuth_deviation) is float
+        and 1e-20 <= slant_range <= 1e60
+        and -6.2832 <= azimuth <= 6.2832
+        and (abs(azimuth) >= 1e-20 or azimuth == 0)
+        and 1e-20 <= range_deviation <= 1e60
+        and 1e-15 <= azimuth_deviation <= 2.0
+        and out is None
+        and workers is ONE
+    ):
+        try:
+            return named(
+                UnbiasedConversionInPlane,
+                _unbiased_conversion_in_plane_of_numbers(
+                    slant_range, azimuth, range_deviation, azimuth_deviation
+                ),
+            )
+        except (ArithmeticError, ValueError):
+            pass  # arrays say what is wrong
     return UnbiasedConversionInPlane(
         *evaluate(
             _UNBIASED_CONVERSION_IN_PLANE,
@@ -490,6 +618,39 @@ def unbiased_conversion_in_plane(
             workers,
         )
     )
+
+
+@errstate(all="ignore")
+def _unbiased_conversion_in_plane_of_numbers(
+    slant_range: float,
+    azimuth: float,
+    range_deviation: float,
+    azimuth_deviation: float,
+    form: Form = Double,
+) -> tuple[float, ...]:
+    t4 = form.cos(azimuth)
+    t5 = form.sin(azimuth)
+    t6 = azimuth_deviation * azimuth_deviation
+    t7 = -t6
+    t10 = form.exp(t7 * 0.5)
+    t12 = range_deviation * range_deviation
+    t13 = t10 * t10
+    t14 = -form.expm1(t7)
+    t15 = slant_range / t10
+    t16 = slant_range * t14
+    t17 = t16 * t16
+    t23 = (t17 + (t12 * (1.0 + (t13 * t13)))) * 0.5
+    t28 = ((slant_range * slant_range) + t12) * (t14 * (1.0 + t13))
+    t29 = t28 * 0.5
+    t31 = t23 + (t17 / t13)
+    t32 = t4 * t4
+    t33 = t5 * t5
+    t34 = t15 * t4
+    t35 = t15 * t5
+    t38 = (t32 * t31) + (t33 * t29)
+    t41 = (t5 * t4) * (t31 - t29)
+    t44 = (t33 * t31) + (t32 * t29)
+    return (t34, t35, t38, t41, t44, t31, t29)
 
 
 def _unbiased_conversion_in_plane_block(
@@ -553,6 +714,7 @@ _UNBIASED_CONVERSION_IN_PLANE = Signature(
     ),
     8,
     _unbiased_conversion_in_plane_block,
+    numbers=_unbiased_conversion_in_plane_of_numbers,
 )
 
 
@@ -639,6 +801,28 @@ def modified_unbiased_conversion_in_plane(
 
     Source: derivation converted-measurements
     """
+    if (
+        type(slant_range) is float
+        and type(azimuth) is float
+        and type(range_deviation) is float
+        and type(azimuth_deviation) is float
+        and 1e-20 <= slant_range <= 1e60
+        and -6.2832 <= azimuth <= 6.2832
+        and (abs(azimuth) >= 1e-20 or azimuth == 0)
+        and 1e-20 <= range_deviation <= 1e60
+        and 1e-15 <= azimuth_deviation <= 2.0
+        and out is None
+        and workers is ONE
+    ):
+        try:
+            return named(
+                ModifiedUnbiasedConversionInPlane,
+                _modified_unbiased_conversion_in_plane_of_numbers(
+                    slant_range, azimuth, range_deviation, azimuth_deviation
+                ),
+            )
+        except (ArithmeticError, ValueError):
+            pass  # arrays say what is wrong
     return ModifiedUnbiasedConversionInPlane(
         *evaluate(
             _MODIFIED_UNBIASED_CONVERSION_IN_PLANE,
@@ -647,6 +831,38 @@ def modified_unbiased_conversion_in_plane(
             workers,
         )
     )
+
+
+@errstate(all="ignore")
+def _modified_unbiased_conversion_in_plane_of_numbers(
+    slant_range: float,
+    azimuth: float,
+    range_deviation: float,
+    azimuth_deviation: float,
+    form: Form = Double,
+) -> tuple[float, ...]:
+    t4 = form.cos(azimuth)
+    t5 = form.sin(azimuth)
+    t6 = azimuth_deviation * azimuth_deviation
+    t7 = -t6
+    t10 = form.exp(t7 * 0.5)
+    t12 = range_deviation * range_deviation
+    t13 = t10 * t10
+    t14 = -form.expm1(t7)
+    t15 = slant_range * t10
+    t16 = slant_range * t14
+    t22 = (t16 * t16) + (t12 * (1.0 + (t13 * t13)))
+    t23 = t22 * 0.5
+    t28 = ((slant_range * slant_range) + t12) * (t14 * (1.0 + t13))
+    t29 = t28 * 0.5
+    t30 = t4 * t4
+    t31 = t5 * t5
+    t32 = t15 * t4
+    t33 = t15 * t5
+    t36 = (t30 * t23) + (t31 * t29)
+    t39 = (t5 * t4) * (t23 - t29)
+    t42 = (t31 * t23) + (t30 * t29)
+    return (t32, t33, t36, t39, t42, t23, t29)
 
 
 def _modified_unbiased_conversion_in_plane_block(
@@ -708,6 +924,7 @@ _MODIFIED_UNBIASED_CONVERSION_IN_PLANE = Signature(
     ),
     9,
     _modified_unbiased_conversion_in_plane_block,
+    numbers=_modified_unbiased_conversion_in_plane_of_numbers,
 )
 
 
@@ -817,6 +1034,38 @@ def classical_conversion(
 
     Source: derivation converted-measurements
     """
+    if (
+        type(slant_range) is float
+        and type(elevation) is float
+        and type(azimuth) is float
+        and type(range_deviation) is float
+        and type(elevation_deviation) is float
+        and type(azimuth_deviation) is float
+        and 1e-20 <= slant_range <= 1e60
+        and -1.5707963267948966 <= elevation <= 1.5707963267948966
+        and (abs(elevation) >= 1e-20 or elevation == 0)
+        and -6.2832 <= azimuth <= 6.2832
+        and (abs(azimuth) >= 1e-20 or azimuth == 0)
+        and 1e-20 <= range_deviation <= 1e60
+        and 1e-15 <= elevation_deviation <= 2.0
+        and 1e-15 <= azimuth_deviation <= 2.0
+        and out is None
+        and workers is ONE
+    ):
+        try:
+            return named(
+                ClassicalConversion,
+                _classical_conversion_of_numbers(
+                    slant_range,
+                    elevation,
+                    azimuth,
+                    range_deviation,
+                    elevation_deviation,
+                    azimuth_deviation,
+                ),
+            )
+        except (ArithmeticError, ValueError):
+            pass  # arrays say what is wrong
     return ClassicalConversion(
         *evaluate(
             _CLASSICAL_CONVERSION,
@@ -832,6 +1081,44 @@ def classical_conversion(
             workers,
         )
     )
+
+
+@errstate(all="ignore")
+def _classical_conversion_of_numbers(
+    slant_range: float,
+    elevation: float,
+    azimuth: float,
+    range_deviation: float,
+    elevation_deviation: float,
+    azimuth_deviation: float,
+    form: Form = Double,
+) -> tuple[float, ...]:
+    t5 = form.cos(elevation)
+    t6 = form.sin(elevation)
+    t8 = form.cos(azimuth)
+    t9 = form.sin(azimuth)
+    t10 = range_deviation * range_deviation
+    t11 = slant_range * elevation_deviation
+    t12 = slant_range * t5
+    t13 = t12 * azimuth_deviation
+    t14 = t11 * t11
+    t15 = t5 * t5
+    t16 = t6 * t6
+    t19 = (t15 * t10) + (t16 * t14)
+    t25 = (t5 * t6) * (t10 - t14)
+    t26 = t13 * t13
+    t30 = t8 * t8
+    t31 = t9 * t9
+    t22 = (t16 * t10) + (t15 * t14)
+    t27 = slant_range * t6
+    t28 = t12 * t8
+    t29 = t12 * t9
+    t34 = (t30 * t19) + (t31 * t26)
+    t37 = (t9 * t8) * (t19 - t26)
+    t38 = t8 * t25
+    t41 = (t31 * t19) + (t30 * t26)
+    t42 = t9 * t25
+    return (t28, t29, t27, t34, t37, t38, t41, t42, t22)
 
 
 def _classical_conversion_block(given: Arrays, out: Arrays, work: Arrays, _single: bool) -> None:
@@ -910,6 +1197,7 @@ _CLASSICAL_CONVERSION = Signature(
     ),
     15,
     _classical_conversion_block,
+    numbers=_classical_conversion_of_numbers,
 )
 
 
@@ -1021,6 +1309,38 @@ def debiased_conversion(
 
     Source: derivation converted-measurements
     """
+    if (
+        type(slant_range) is float
+        and type(elevation) is float
+        and type(azimuth) is float
+        and type(range_deviation) is float
+        and type(elevation_deviation) is float
+        and type(azimuth_deviation) is float
+        and 1e-20 <= slant_range <= 1e60
+        and -1.5707963267948966 <= elevation <= 1.5707963267948966
+        and (abs(elevation) >= 1e-20 or elevation == 0)
+        and -6.2832 <= azimuth <= 6.2832
+        and (abs(azimuth) >= 1e-20 or azimuth == 0)
+        and 1e-20 <= range_deviation <= 1e60
+        and 1e-15 <= elevation_deviation <= 2.0
+        and 1e-15 <= azimuth_deviation <= 2.0
+        and out is None
+        and workers is ONE
+    ):
+        try:
+            return named(
+                DebiasedConversion,
+                _debiased_conversion_of_numbers(
+                    slant_range,
+                    elevation,
+                    azimuth,
+                    range_deviation,
+                    elevation_deviation,
+                    azimuth_deviation,
+                ),
+            )
+        except (ArithmeticError, ValueError):
+            pass  # arrays say what is wrong
     return DebiasedConversion(
         *evaluate(
             _DEBIASED_CONVERSION,
@@ -1036,6 +1356,71 @@ def debiased_conversion(
             workers,
         )
     )
+
+
+@errstate(all="ignore")
+def _debiased_conversion_of_numbers(
+    slant_range: float,
+    elevation: float,
+    azimuth: float,
+    range_deviation: float,
+    elevation_deviation: float,
+    azimuth_deviation: float,
+    form: Form = Double,
+) -> tuple[float, ...]:
+    t5 = form.cos(elevation)
+    t6 = form.sin(elevation)
+    t8 = form.cos(azimuth)
+    t9 = form.sin(azimuth)
+    t10 = elevation_deviation * elevation_deviation
+    t11 = -t10
+    t14 = form.exp(t11 * 0.5)
+    t15 = form.expm1(t11)
+    t16 = t14 * t14
+    t17 = -t15
+    t18 = azimuth_deviation * azimuth_deviation
+    t19 = -t18
+    t21 = form.exp(t19 * 0.5)
+    t22 = form.expm1(t19)
+    t23 = t21 * t21
+    t24 = -t22
+    t25 = range_deviation * range_deviation
+    t26 = t21 * t14
+    t33 = (t26 * ((t23 * t17) - t22)) / (1.0 + t26)
+    t35 = (slant_range * t5) * (1.0 + t33)
+    t42 = t16 * t16
+    t43 = 1.0 + t16
+    t47 = slant_range * slant_range
+    t48 = t47 + t25
+    t51 = t5 * t5
+    t52 = 1.0 + (t42 * t42)
+    t54 = t6 * t6
+    t56 = (t51 * t52) + (t54 * ((t17 * t43) * (1.0 + t42)))
+    t58 = (t48 + t25) * (t56 * 0.5)
+    t64 = (t48 * ((t17 * t17) * (t43 + t42))) + (t25 * t52)
+    t69 = t25 * (t43 * ((1.0 - t15) + (t42 * 2.0)))
+    t74 = t17 * ((t47 * (1.0 + (t42 * t16))) + t69)
+    t75 = t64 * 0.5
+    t76 = t74 * 0.5
+    t90 = (t23 * ((t51 * t75) + (t54 * t76))) + (((t24 * t24) * t58) * 0.5)
+    t92 = t24 * (1.0 + t23)
+    t94 = (t58 * t92) * 0.5
+    t97 = 1.0 + (t23 * t23)
+    t101 = ((t90 * t97) + (t94 * t92)) * 0.5
+    t105 = ((t90 * t92) + (t94 * t97)) * 0.5
+    t106 = t21 * (t21 * ((t5 * t6) * (t75 - t76)))
+    t109 = t8 * t8
+    t110 = t9 * t9
+    t41 = (slant_range * t6) * (1.0 + ((t14 * t17) / (1.0 + t14)))
+    t82 = (t54 * t75) + (t51 * t76)
+    t107 = t35 * t8
+    t108 = t35 * t9
+    t113 = (t109 * t101) + (t110 * t105)
+    t116 = (t9 * t8) * (t101 - t105)
+    t117 = t8 * t106
+    t120 = (t110 * t101) + (t109 * t105)
+    t121 = t9 * t106
+    return (t107, t108, t41, t113, t116, t117, t120, t121, t82)
 
 
 def _debiased_conversion_block(
@@ -1222,6 +1607,7 @@ _DEBIASED_CONVERSION = Signature(
     ),
     22,
     _debiased_conversion_block,
+    numbers=_debiased_conversion_of_numbers,
 )
 
 
@@ -1338,6 +1724,38 @@ def unbiased_conversion(
 
     Source: derivation converted-measurements
     """
+    if (
+        type(slant_range) is float
+        and type(elevation) is float
+        and type(azimuth) is float
+        and type(range_deviation) is float
+        and type(elevation_deviation) is float
+        and type(azimuth_deviation) is float
+        and 1e-20 <= slant_range <= 1e60
+        and -1.5707963267948966 <= elevation <= 1.5707963267948966
+        and (abs(elevation) >= 1e-20 or elevation == 0)
+        and -6.2832 <= azimuth <= 6.2832
+        and (abs(azimuth) >= 1e-20 or azimuth == 0)
+        and 1e-20 <= range_deviation <= 1e60
+        and 1e-15 <= elevation_deviation <= 2.0
+        and 1e-15 <= azimuth_deviation <= 2.0
+        and out is None
+        and workers is ONE
+    ):
+        try:
+            return named(
+                UnbiasedConversion,
+                _unbiased_conversion_of_numbers(
+                    slant_range,
+                    elevation,
+                    azimuth,
+                    range_deviation,
+                    elevation_deviation,
+                    azimuth_deviation,
+                ),
+            )
+        except (ArithmeticError, ValueError):
+            pass  # arrays say what is wrong
     return UnbiasedConversion(
         *evaluate(
             _UNBIASED_CONVERSION,
@@ -1353,6 +1771,65 @@ def unbiased_conversion(
             workers,
         )
     )
+
+
+@errstate(all="ignore")
+def _unbiased_conversion_of_numbers(
+    slant_range: float,
+    elevation: float,
+    azimuth: float,
+    range_deviation: float,
+    elevation_deviation: float,
+    azimuth_deviation: float,
+    form: Form = Double,
+) -> tuple[float, ...]:
+    t5 = form.cos(elevation)
+    t6 = form.sin(elevation)
+    t8 = form.cos(azimuth)
+    t9 = form.sin(azimuth)
+    t10 = elevation_deviation * elevation_deviation
+    t11 = -t10
+    t14 = form.exp(t11 * 0.5)
+    t16 = t14 * t14
+    t17 = -form.expm1(t11)
+    t18 = azimuth_deviation * azimuth_deviation
+    t19 = -t18
+    t21 = form.exp(t19 * 0.5)
+    t22 = form.expm1(t19)
+    t23 = t21 * t21
+    t24 = -t22
+    t25 = range_deviation * range_deviation
+    t26 = slant_range * t5
+    t27 = t21 * t14
+    t28 = t26 / t27
+    t29 = slant_range * t6
+    t33 = (slant_range * slant_range) + t25
+    t36 = t17 * (1.0 + t16)
+    t37 = t5 * t5
+    t38 = 1.0 + (t16 * t16)
+    t40 = t6 * t6
+    t44 = t33 * (((t37 * t38) + (t40 * t36)) * 0.5)
+    t45 = slant_range * t17
+    t49 = ((t45 * t45) + (t25 * t38)) * 0.5
+    t51 = (t33 * t36) * 0.5
+    t65 = (t23 * ((t37 * t49) + (t40 * t51))) + (((t24 * t24) * t44) * 0.5)
+    t69 = (t44 * (t24 * (1.0 + t23))) * 0.5
+    t74 = (t26 * ((t23 * t17) - t22)) / t27
+    t76 = (t29 * t17) / t14
+    t78 = t65 + (t74 * t74)
+    t82 = (t21 * ((t5 * t6) * (t49 - t51))) + (t74 * t76)
+    t85 = t8 * t8
+    t86 = t9 * t9
+    t30 = t29 / t14
+    t80 = ((t40 * t49) + (t37 * t51)) + (t76 * t76)
+    t83 = t28 * t8
+    t84 = t28 * t9
+    t89 = (t85 * t78) + (t86 * t69)
+    t92 = (t9 * t8) * (t78 - t69)
+    t93 = t8 * t82
+    t96 = (t86 * t78) + (t85 * t69)
+    t97 = t9 * t82
+    return (t83, t84, t30, t89, t92, t93, t96, t97, t80)
 
 
 def _unbiased_conversion_block(
@@ -1508,6 +1985,7 @@ _UNBIASED_CONVERSION = Signature(
     ),
     21,
     _unbiased_conversion_block,
+    numbers=_unbiased_conversion_of_numbers,
 )
 
 
@@ -1622,6 +2100,38 @@ def modified_unbiased_conversion(
 
     Source: derivation converted-measurements
     """
+    if (
+        type(slant_range) is float
+        and type(elevation) is float
+        and type(azimuth) is float
+        and type(range_deviation) is float
+        and type(elevation_deviation) is float
+        and type(azimuth_deviation) is float
+        and 1e-20 <= slant_range <= 1e60
+        and -1.5707963267948966 <= elevation <= 1.5707963267948966
+        and (abs(elevation) >= 1e-20 or elevation == 0)
+        and -6.2832 <= azimuth <= 6.2832
+        and (abs(azimuth) >= 1e-20 or azimuth == 0)
+        and 1e-20 <= range_deviation <= 1e60
+        and 1e-15 <= elevation_deviation <= 2.0
+        and 1e-15 <= azimuth_deviation <= 2.0
+        and out is None
+        and workers is ONE
+    ):
+        try:
+            return named(
+                ModifiedUnbiasedConversion,
+                _modified_unbiased_conversion_of_numbers(
+                    slant_range,
+                    elevation,
+                    azimuth,
+                    range_deviation,
+                    elevation_deviation,
+                    azimuth_deviation,
+                ),
+            )
+        except (ArithmeticError, ValueError):
+            pass  # arrays say what is wrong
     return ModifiedUnbiasedConversion(
         *evaluate(
             _MODIFIED_UNBIASED_CONVERSION,
@@ -1637,6 +2147,58 @@ def modified_unbiased_conversion(
             workers,
         )
     )
+
+
+@errstate(all="ignore")
+def _modified_unbiased_conversion_of_numbers(
+    slant_range: float,
+    elevation: float,
+    azimuth: float,
+    range_deviation: float,
+    elevation_deviation: float,
+    azimuth_deviation: float,
+    form: Form = Double,
+) -> tuple[float, ...]:
+    t5 = form.cos(elevation)
+    t6 = form.sin(elevation)
+    t8 = form.cos(azimuth)
+    t9 = form.sin(azimuth)
+    t10 = elevation_deviation * elevation_deviation
+    t11 = -t10
+    t14 = form.exp(t11 * 0.5)
+    t16 = t14 * t14
+    t17 = -form.expm1(t11)
+    t18 = azimuth_deviation * azimuth_deviation
+    t19 = -t18
+    t21 = form.exp(t19 * 0.5)
+    t23 = t21 * t21
+    t24 = -form.expm1(t19)
+    t25 = range_deviation * range_deviation
+    t28 = (slant_range * t5) * (t21 * t14)
+    t33 = (slant_range * slant_range) + t25
+    t36 = t17 * (1.0 + t16)
+    t37 = t5 * t5
+    t38 = 1.0 + (t16 * t16)
+    t40 = t6 * t6
+    t44 = t33 * (((t37 * t38) + (t40 * t36)) * 0.5)
+    t45 = slant_range * t17
+    t49 = ((t45 * t45) + (t25 * t38)) * 0.5
+    t51 = (t33 * t36) * 0.5
+    t65 = (t23 * ((t37 * t49) + (t40 * t51))) + (((t24 * t24) * t44) * 0.5)
+    t69 = (t44 * (t24 * (1.0 + t23))) * 0.5
+    t70 = t21 * ((t5 * t6) * (t49 - t51))
+    t73 = t8 * t8
+    t74 = t9 * t9
+    t30 = (slant_range * t6) * t14
+    t57 = (t40 * t49) + (t37 * t51)
+    t71 = t28 * t8
+    t72 = t28 * t9
+    t77 = (t73 * t65) + (t74 * t69)
+    t80 = (t9 * t8) * (t65 - t69)
+    t81 = t8 * t70
+    t84 = (t74 * t65) + (t73 * t69)
+    t85 = t9 * t70
+    return (t71, t72, t30, t77, t80, t81, t84, t85, t57)
 
 
 def _modified_unbiased_conversion_block(
@@ -1758,6 +2320,7 @@ _MODIFIED_UNBIASED_CONVERSION = Signature(
     ),
     19,
     _modified_unbiased_conversion_block,
+    numbers=_modified_unbiased_conversion_of_numbers,
 )
 
 
@@ -1848,6 +2411,31 @@ def correlated_unbiased_conversion_in_plane(
 
     Source: derivation converted-measurements
     """
+    if (
+        type(slant_range) is float
+        and type(azimuth) is float
+        and type(range_deviation) is float
+        and type(azimuth_deviation) is float
+        and type(correlation) is float
+        and 1e-20 <= slant_range <= 1e60
+        and -6.2832 <= azimuth <= 6.2832
+        and (abs(azimuth) >= 1e-20 or azimuth == 0)
+        and 1e-20 <= range_deviation <= 1e60
+        and 1e-15 <= azimuth_deviation <= 2.0
+        and -1.0 <= correlation <= 1.0
+        and (abs(correlation) >= 1e-20 or correlation == 0)
+        and out is None
+        and workers is ONE
+    ):
+        try:
+            return named(
+                CorrelatedUnbiasedConversionInPlane,
+                _correlated_unbiased_conversion_in_plane_of_numbers(
+                    slant_range, azimuth, range_deviation, azimuth_deviation, correlation
+                ),
+            )
+        except (ArithmeticError, ValueError):
+            pass  # arrays say what is wrong
     return CorrelatedUnbiasedConversionInPlane(
         *evaluate(
             _CORRELATED_UNBIASED_CONVERSION_IN_PLANE,
@@ -1856,6 +2444,50 @@ def correlated_unbiased_conversion_in_plane(
             workers,
         )
     )
+
+
+@errstate(all="ignore")
+def _correlated_unbiased_conversion_in_plane_of_numbers(
+    slant_range: float,
+    azimuth: float,
+    range_deviation: float,
+    azimuth_deviation: float,
+    correlation: float,
+    form: Form = Double,
+) -> tuple[float, ...]:
+    t4 = form.cos(azimuth)
+    t5 = form.sin(azimuth)
+    t7 = azimuth_deviation * azimuth_deviation
+    t8 = -t7
+    t11 = form.exp(t8 * 0.5)
+    t13 = range_deviation * range_deviation
+    t14 = t11 * t11
+    t15 = -form.expm1(t8)
+    t17 = (range_deviation * azimuth_deviation) * correlation
+    t18 = t14 * t14
+    t21 = 1.0 - (t14 * 2.0)
+    t22 = slant_range * t15
+    t27 = ((t22 * t22) + (t13 * (1.0 + t18))) * 0.5
+    t28 = t17 * t17
+    t34 = 1.0 + t14
+    t36 = ((slant_range * slant_range) + t13) * (t15 * t34)
+    t44 = slant_range / t11
+    t46 = -(t17 / t11)
+    t47 = t22 / t11
+    t50 = -((t17 * t34) / t11)
+    t52 = (t27 - ((t18 * t28) * 2.0)) + (t47 * t47)
+    t54 = ((t36 * 0.5) - ((t14 * t28) * t21)) + (t50 * t50)
+    t56 = (t47 * t50) - ((t14 * (slant_range * t17)) * t21)
+    t57 = t4 * t4
+    t58 = t5 * t5
+    t59 = t5 * t4
+    t70 = (t59 * t56) * 2.0
+    t62 = (t44 * t4) - (t46 * t5)
+    t65 = (t44 * t5) + (t46 * t4)
+    t71 = ((t57 * t52) + (t58 * t54)) - t70
+    t76 = (t59 * (t52 - t54)) + ((t57 - t58) * t56)
+    t80 = ((t58 * t52) + (t57 * t54)) + t70
+    return (t62, t65, t71, t76, t80)
 
 
 def _correlated_unbiased_conversion_in_plane_block(
@@ -1958,6 +2590,7 @@ _CORRELATED_UNBIASED_CONVERSION_IN_PLANE = Signature(
     ("x", "y", "covariance_xx", "covariance_xy", "covariance_yy"),
     12,
     _correlated_unbiased_conversion_in_plane_block,
+    numbers=_correlated_unbiased_conversion_in_plane_of_numbers,
 )
 
 
@@ -2048,6 +2681,31 @@ def correlated_modified_unbiased_conversion_in_plane(
 
     Source: derivation converted-measurements
     """
+    if (
+        type(slant_range) is float
+        and type(azimuth) is float
+        and type(range_deviation) is float
+        and type(azimuth_deviation) is float
+        and type(correlation) is float
+        and 1e-20 <= slant_range <= 1e60
+        and -6.2832 <= azimuth <= 6.2832
+        and (abs(azimuth) >= 1e-20 or azimuth == 0)
+        and 1e-20 <= range_deviation <= 1e60
+        and 1e-15 <= azimuth_deviation <= 2.0
+        and -1.0 <= correlation <= 1.0
+        and (abs(correlation) >= 1e-20 or correlation == 0)
+        and out is None
+        and workers is ONE
+    ):
+        try:
+            return named(
+                CorrelatedModifiedUnbiasedConversionInPlane,
+                _correlated_modified_unbiased_conversion_in_plane_of_numbers(
+                    slant_range, azimuth, range_deviation, azimuth_deviation, correlation
+                ),
+            )
+        except (ArithmeticError, ValueError):
+            pass  # arrays say what is wrong
     return CorrelatedModifiedUnbiasedConversionInPlane(
         *evaluate(
             _CORRELATED_MODIFIED_UNBIASED_CONVERSION_IN_PLANE,
@@ -2056,6 +2714,47 @@ def correlated_modified_unbiased_conversion_in_plane(
             workers,
         )
     )
+
+
+@errstate(all="ignore")
+def _correlated_modified_unbiased_conversion_in_plane_of_numbers(
+    slant_range: float,
+    azimuth: float,
+    range_deviation: float,
+    azimuth_deviation: float,
+    correlation: float,
+    form: Form = Double,
+) -> tuple[float, ...]:
+    t4 = form.cos(azimuth)
+    t5 = form.sin(azimuth)
+    t7 = azimuth_deviation * azimuth_deviation
+    t8 = -t7
+    t11 = form.exp(t8 * 0.5)
+    t13 = range_deviation * range_deviation
+    t14 = t11 * t11
+    t15 = -form.expm1(t8)
+    t17 = (range_deviation * azimuth_deviation) * correlation
+    t18 = t14 * t14
+    t21 = 1.0 - (t14 * 2.0)
+    t22 = slant_range * t15
+    t27 = ((t22 * t22) + (t13 * (1.0 + t18))) * 0.5
+    t28 = t17 * t17
+    t31 = t27 - ((t18 * t28) * 2.0)
+    t36 = ((slant_range * slant_range) + t13) * (t15 * (1.0 + t14))
+    t40 = (t36 * 0.5) - ((t14 * t28) * t21)
+    t44 = -((t14 * (slant_range * t17)) * t21)
+    t45 = slant_range * t11
+    t46 = t17 * t11
+    t47 = t4 * t4
+    t48 = t5 * t5
+    t49 = t5 * t4
+    t60 = (t49 * t44) * 2.0
+    t52 = (t45 * t4) - (t46 * t5)
+    t55 = (t45 * t5) + (t46 * t4)
+    t61 = ((t47 * t31) + (t48 * t40)) - t60
+    t66 = (t49 * (t31 - t40)) + ((t47 - t48) * t44)
+    t70 = ((t48 * t31) + (t47 * t40)) + t60
+    return (t52, t55, t61, t66, t70)
 
 
 def _correlated_modified_unbiased_conversion_in_plane_block(
@@ -2148,4 +2847,5 @@ _CORRELATED_MODIFIED_UNBIASED_CONVERSION_IN_PLANE = Signature(
     ("x", "y", "covariance_xx", "covariance_xy", "covariance_yy"),
     13,
     _correlated_modified_unbiased_conversion_in_plane_block,
+    numbers=_correlated_modified_unbiased_conversion_in_plane_of_numbers,
 )

@@ -8,15 +8,15 @@ from typing import TYPE_CHECKING
 
 from numpy import add, divide, multiply, subtract
 
+from gainproof.generated._numbers import ONE, Double, named
 from gainproof.generated._runtime import evaluate
 from gainproof.generated._signature import Domain, Signature
 
 if TYPE_CHECKING:
     from typing import NamedTuple
 
-    from numpy.typing import ArrayLike
-
-    from gainproof.generated._signature import Arrays, Real
+    from gainproof.generated._numbers import Form
+    from gainproof.generated._signature import ArrayLike, Arrays, Real
 else:
     from gainproof.generated._result import NamedTuple
 
@@ -368,6 +368,29 @@ def step_two_states(
 
     Source: derivation filter-step
     """
+    if (
+        type(position) is float
+        and type(velocity) is float
+        and type(interval) is float
+        and type(observed) is float
+        and type(alpha) is float
+        and type(beta) is float
+        and -1e40 <= position <= 1e40
+        and -1e40 <= velocity <= 1e40
+        and 1e-10 <= interval <= 10000000000.0
+        and -1e40 <= observed <= 1e40
+        and -10000.0 <= alpha <= 10000.0
+        and -10000.0 <= beta <= 10000.0
+        and out is None
+        and workers is ONE
+    ):
+        try:
+            return named(
+                StepTwoStates,
+                _step_two_states_of_numbers(position, velocity, interval, observed, alpha, beta),
+            )
+        except (ArithmeticError, ValueError):
+            pass  # arrays say what is wrong
     return StepTwoStates(
         *evaluate(
             _STEP_TWO_STATES,
@@ -376,6 +399,22 @@ def step_two_states(
             workers,
         )
     )
+
+
+def _step_two_states_of_numbers(
+    position: float,
+    velocity: float,
+    interval: float,
+    observed: float,
+    alpha: float,
+    beta: float,
+    _form: Form = Double,
+) -> tuple[float, ...]:
+    t7 = position + (interval * velocity)
+    t8 = observed - t7
+    t12 = t7 + (alpha * t8)
+    t13 = velocity + (beta * (t8 / interval))
+    return (t12, t13)
 
 
 def _step_two_states_block(given: Arrays, out: Arrays, work: Arrays, _single: bool) -> None:
@@ -405,6 +444,7 @@ _STEP_TWO_STATES = Signature(
     ("updated_position", "updated_velocity"),
     1,
     _step_two_states_block,
+    numbers=_step_two_states_of_numbers,
 )
 
 
@@ -485,6 +525,35 @@ def step_three_states(
 
     Source: derivation filter-step
     """
+    if (
+        type(position) is float
+        and type(velocity) is float
+        and type(acceleration) is float
+        and type(interval) is float
+        and type(observed) is float
+        and type(alpha) is float
+        and type(beta) is float
+        and type(gamma) is float
+        and -1e40 <= position <= 1e40
+        and -1e40 <= velocity <= 1e40
+        and -1e40 <= acceleration <= 1e40
+        and 1e-10 <= interval <= 10000000000.0
+        and -1e40 <= observed <= 1e40
+        and -10000.0 <= alpha <= 10000.0
+        and -10000.0 <= beta <= 10000.0
+        and -10000.0 <= gamma <= 10000.0
+        and out is None
+        and workers is ONE
+    ):
+        try:
+            return named(
+                StepThreeStates,
+                _step_three_states_of_numbers(
+                    position, velocity, acceleration, interval, observed, alpha, beta, gamma
+                ),
+            )
+        except (ArithmeticError, ValueError):
+            pass  # arrays say what is wrong
     return StepThreeStates(
         *evaluate(
             _STEP_THREE_STATES,
@@ -493,6 +562,28 @@ def step_three_states(
             workers,
         )
     )
+
+
+def _step_three_states_of_numbers(
+    position: float,
+    velocity: float,
+    acceleration: float,
+    interval: float,
+    observed: float,
+    alpha: float,
+    beta: float,
+    gamma: float,
+    _form: Form = Double,
+) -> tuple[float, ...]:
+    t10 = (interval * 0.5) * acceleration
+    t11 = velocity + t10
+    t14 = position + (interval * t11)
+    t15 = observed - t14
+    t16 = t15 / interval
+    t21 = t14 + (alpha * t15)
+    t22 = (t11 + t10) + (beta * t16)
+    t23 = acceleration + (gamma * (t16 / interval))
+    return (t21, t22, t23)
 
 
 def _step_three_states_block(
@@ -533,6 +624,7 @@ _STEP_THREE_STATES = Signature(
     ("updated_position", "updated_velocity", "updated_acceleration"),
     2,
     _step_three_states_block,
+    numbers=_step_three_states_of_numbers,
 )
 
 
@@ -693,6 +785,102 @@ def step_interacting(
 
     Source: derivation filter-step
     """
+    if (
+        type(x_position) is float
+        and type(y_position) is float
+        and type(z_position) is float
+        and type(x_velocity) is float
+        and type(y_velocity) is float
+        and type(z_velocity) is float
+        and type(interval) is float
+        and type(x_observed) is float
+        and type(y_observed) is float
+        and type(z_observed) is float
+        and type(position_gain_11) is float
+        and type(position_gain_12) is float
+        and type(position_gain_13) is float
+        and type(position_gain_21) is float
+        and type(position_gain_22) is float
+        and type(position_gain_23) is float
+        and type(position_gain_31) is float
+        and type(position_gain_32) is float
+        and type(position_gain_33) is float
+        and type(velocity_gain_11) is float
+        and type(velocity_gain_12) is float
+        and type(velocity_gain_13) is float
+        and type(velocity_gain_21) is float
+        and type(velocity_gain_22) is float
+        and type(velocity_gain_23) is float
+        and type(velocity_gain_31) is float
+        and type(velocity_gain_32) is float
+        and type(velocity_gain_33) is float
+        and -1e40 <= x_position <= 1e40
+        and -1e40 <= y_position <= 1e40
+        and -1e40 <= z_position <= 1e40
+        and -1e40 <= x_velocity <= 1e40
+        and -1e40 <= y_velocity <= 1e40
+        and -1e40 <= z_velocity <= 1e40
+        and 1e-10 <= interval <= 10000000000.0
+        and -1e40 <= x_observed <= 1e40
+        and -1e40 <= y_observed <= 1e40
+        and -1e40 <= z_observed <= 1e40
+        and -10000.0 <= position_gain_11 <= 10000.0
+        and -10000.0 <= position_gain_12 <= 10000.0
+        and -10000.0 <= position_gain_13 <= 10000.0
+        and -10000.0 <= position_gain_21 <= 10000.0
+        and -10000.0 <= position_gain_22 <= 10000.0
+        and -10000.0 <= position_gain_23 <= 10000.0
+        and -10000.0 <= position_gain_31 <= 10000.0
+        and -10000.0 <= position_gain_32 <= 10000.0
+        and -10000.0 <= position_gain_33 <= 10000.0
+        and -100000000000000.0 <= velocity_gain_11 <= 100000000000000.0
+        and -100000000000000.0 <= velocity_gain_12 <= 100000000000000.0
+        and -100000000000000.0 <= velocity_gain_13 <= 100000000000000.0
+        and -100000000000000.0 <= velocity_gain_21 <= 100000000000000.0
+        and -100000000000000.0 <= velocity_gain_22 <= 100000000000000.0
+        and -100000000000000.0 <= velocity_gain_23 <= 100000000000000.0
+        and -100000000000000.0 <= velocity_gain_31 <= 100000000000000.0
+        and -100000000000000.0 <= velocity_gain_32 <= 100000000000000.0
+        and -100000000000000.0 <= velocity_gain_33 <= 100000000000000.0
+        and out is None
+        and workers is ONE
+    ):
+        try:
+            return named(
+                StepInteracting,
+                _step_interacting_of_numbers(
+                    x_position,
+                    y_position,
+                    z_position,
+                    x_velocity,
+                    y_velocity,
+                    z_velocity,
+                    interval,
+                    x_observed,
+                    y_observed,
+                    z_observed,
+                    position_gain_11,
+                    position_gain_12,
+                    position_gain_13,
+                    position_gain_21,
+                    position_gain_22,
+                    position_gain_23,
+                    position_gain_31,
+                    position_gain_32,
+                    position_gain_33,
+                    velocity_gain_11,
+                    velocity_gain_12,
+                    velocity_gain_13,
+                    velocity_gain_21,
+                    velocity_gain_22,
+                    velocity_gain_23,
+                    velocity_gain_31,
+                    velocity_gain_32,
+                    velocity_gain_33,
+                ),
+            )
+        except (ArithmeticError, ValueError):
+            pass  # arrays say what is wrong
     return StepInteracting(
         *evaluate(
             _STEP_INTERACTING,
@@ -730,6 +918,58 @@ def step_interacting(
             workers,
         )
     )
+
+
+def _step_interacting_of_numbers(
+    x_position: float,
+    y_position: float,
+    z_position: float,
+    x_velocity: float,
+    y_velocity: float,
+    z_velocity: float,
+    interval: float,
+    x_observed: float,
+    y_observed: float,
+    z_observed: float,
+    position_gain_11: float,
+    position_gain_12: float,
+    position_gain_13: float,
+    position_gain_21: float,
+    position_gain_22: float,
+    position_gain_23: float,
+    position_gain_31: float,
+    position_gain_32: float,
+    position_gain_33: float,
+    velocity_gain_11: float,
+    velocity_gain_12: float,
+    velocity_gain_13: float,
+    velocity_gain_21: float,
+    velocity_gain_22: float,
+    velocity_gain_23: float,
+    velocity_gain_31: float,
+    velocity_gain_32: float,
+    velocity_gain_33: float,
+    _form: Form = Double,
+) -> tuple[float, ...]:
+    t29 = x_position + (interval * x_velocity)
+    t31 = y_position + (interval * y_velocity)
+    t33 = z_position + (interval * z_velocity)
+    t34 = x_observed - t29
+    t35 = y_observed - t31
+    t36 = z_observed - t33
+    t39 = (position_gain_11 * t34) + (position_gain_12 * t35)
+    t45 = (position_gain_21 * t34) + (position_gain_22 * t35)
+    t51 = (position_gain_31 * t34) + (position_gain_32 * t35)
+    t57 = (velocity_gain_11 * t34) + (velocity_gain_12 * t35)
+    t63 = (velocity_gain_21 * t34) + (velocity_gain_22 * t35)
+    t69 = (velocity_gain_31 * t34) + (velocity_gain_32 * t35)
+    t42 = t29 + (t39 + (position_gain_13 * t36))
+    t48 = t31 + (t45 + (position_gain_23 * t36))
+    t54 = t33 + (t51 + (position_gain_33 * t36))
+    t60 = x_velocity + (t57 + (velocity_gain_13 * t36))
+    t66 = y_velocity + (t63 + (velocity_gain_23 * t36))
+    t72 = z_velocity + (t69 + (velocity_gain_33 * t36))
+    return (t42, t48, t54, t60, t66, t72)
 
 
 def _step_interacting_block(given: Arrays, out: Arrays, work: Arrays, _single: bool) -> None:
@@ -861,4 +1101,5 @@ _STEP_INTERACTING = Signature(
     ),
     12,
     _step_interacting_block,
+    numbers=_step_interacting_of_numbers,
 )

@@ -8,15 +8,15 @@ from typing import TYPE_CHECKING
 
 from numpy import add, divide
 
+from gainproof.generated._numbers import ONE, Double, named
 from gainproof.generated._runtime import evaluate
 from gainproof.generated._signature import Domain, Signature
 
 if TYPE_CHECKING:
     from typing import NamedTuple
 
-    from numpy.typing import ArrayLike
-
-    from gainproof.generated._signature import Arrays, Real
+    from gainproof.generated._numbers import Form
+    from gainproof.generated._signature import ArrayLike, Arrays, Real
 else:
     from gainproof.generated._result import NamedTuple
 
@@ -69,7 +69,24 @@ def position_gain(
 
     Source: derivation interacting-gains
     """
+    if (
+        type(variance_ratio) is float
+        and 1e-300 <= variance_ratio <= 1e300
+        and out is None
+        and workers is ONE
+    ):
+        try:
+            return named(PositionGain, _position_gain_of_numbers(variance_ratio))
+        except (ArithmeticError, ValueError):
+            pass  # arrays say what is wrong
     return PositionGain(*evaluate(_POSITION_GAIN, (variance_ratio,), out, workers))
+
+
+def _position_gain_of_numbers(variance_ratio: float, _form: Form = Double) -> tuple[float, ...]:
+    t2 = 1.0 + variance_ratio
+    t3 = variance_ratio / t2
+    t4 = 1.0 / t2
+    return (t3, t4)
 
 
 def _position_gain_block(
@@ -89,4 +106,5 @@ _POSITION_GAIN = Signature(
     ("gain", "rest"),
     1,
     _position_gain_block,
+    numbers=_position_gain_of_numbers,
 )

@@ -8,15 +8,15 @@ from typing import TYPE_CHECKING
 
 from numpy import add, divide, multiply
 
+from gainproof.generated._numbers import ONE, Double, named
 from gainproof.generated._runtime import evaluate
 from gainproof.generated._signature import Domain, Signature
 
 if TYPE_CHECKING:
     from typing import NamedTuple
 
-    from numpy.typing import ArrayLike
-
-    from gainproof.generated._signature import Arrays, Real
+    from gainproof.generated._numbers import Form
+    from gainproof.generated._signature import ArrayLike, Arrays, Real
 else:
     from gainproof.generated._result import NamedTuple
 
@@ -84,7 +84,25 @@ def gains(
 
     Source: derivation least-squares-line
     """
+    if (
+        type(sample_number) is float
+        and 1.0 <= sample_number <= 9007199254740992.0
+        and sample_number.is_integer()
+        and out is None
+        and workers is ONE
+    ):
+        try:
+            return named(Gains, _gains_of_numbers(sample_number))
+        except (ArithmeticError, ValueError):
+            pass  # arrays say what is wrong
     return Gains(*evaluate(_GAINS, (sample_number,), out, workers))
+
+
+def _gains_of_numbers(sample_number: float, _form: Form = Double) -> tuple[float, ...]:
+    t8 = (sample_number + 1.0) * (sample_number + 2.0)
+    t9 = (((sample_number * 2.0) + 1.0) * 2.0) / t8
+    t11 = 6.0 / t8
+    return (t9, t11)
 
 
 def _gains_block(
@@ -115,6 +133,7 @@ _GAINS = Signature(
     ("alpha", "beta"),
     3,
     _gains_block,
+    numbers=_gains_of_numbers,
 )
 
 
@@ -161,7 +180,28 @@ def updated_covariance(
 
     Source: derivation least-squares-line
     """
+    if (
+        type(sample_number) is float
+        and 1.0 <= sample_number <= 9007199254740992.0
+        and sample_number.is_integer()
+        and out is None
+        and workers is ONE
+    ):
+        try:
+            return named(UpdatedCovariance, _updated_covariance_of_numbers(sample_number))
+        except (ArithmeticError, ValueError):
+            pass  # arrays say what is wrong
     return UpdatedCovariance(*evaluate(_UPDATED_COVARIANCE, (sample_number,), out, workers))
+
+
+def _updated_covariance_of_numbers(sample_number: float, _form: Form = Double) -> tuple[float, ...]:
+    t5 = sample_number + 1.0
+    t6 = sample_number + 2.0
+    t8 = t5 * t6
+    t9 = (((sample_number * 2.0) + 1.0) * 2.0) / t8
+    t11 = 6.0 / t8
+    t15 = (12.0 / (sample_number * t5)) / t6
+    return (t9, t11, t15)
 
 
 def _updated_covariance_block(
@@ -196,6 +236,7 @@ _UPDATED_COVARIANCE = Signature(
     ("updated_11", "updated_12", "updated_22"),
     4,
     _updated_covariance_block,
+    numbers=_updated_covariance_of_numbers,
 )
 
 
@@ -242,7 +283,29 @@ def predicted_covariance(
 
     Source: derivation least-squares-line
     """
+    if (
+        type(sample_number) is float
+        and 2.0 <= sample_number <= 9007199254740992.0
+        and sample_number.is_integer()
+        and out is None
+        and workers is ONE
+    ):
+        try:
+            return named(PredictedCovariance, _predicted_covariance_of_numbers(sample_number))
+        except (ArithmeticError, ValueError):
+            pass  # arrays say what is wrong
     return PredictedCovariance(*evaluate(_PREDICTED_COVARIANCE, (sample_number,), out, workers))
+
+
+def _predicted_covariance_of_numbers(
+    sample_number: float,
+    _form: Form = Double,
+) -> tuple[float, ...]:
+    t8 = (sample_number + -1.0) * sample_number
+    t9 = (((sample_number * 2.0) + 1.0) * 2.0) / t8
+    t11 = 6.0 / t8
+    t15 = (12.0 / t8) / (sample_number + 1.0)
+    return (t9, t11, t15)
 
 
 def _predicted_covariance_block(
@@ -277,4 +340,5 @@ _PREDICTED_COVARIANCE = Signature(
     ("predicted_11", "predicted_12", "predicted_22"),
     3,
     _predicted_covariance_block,
+    numbers=_predicted_covariance_of_numbers,
 )

@@ -8,15 +8,15 @@ from typing import TYPE_CHECKING
 
 from numpy import add, divide
 
+from gainproof.generated._numbers import ONE, Double, named
 from gainproof.generated._runtime import evaluate
 from gainproof.generated._signature import Domain, Signature
 
 if TYPE_CHECKING:
     from typing import NamedTuple
 
-    from numpy.typing import ArrayLike
-
-    from gainproof.generated._signature import Arrays, Real
+    from gainproof.generated._numbers import Form
+    from gainproof.generated._signature import ArrayLike, Arrays, Real
 else:
     from gainproof.generated._result import NamedTuple
 
@@ -76,7 +76,23 @@ def gains(sample_number: ArrayLike, *, out: tuple[Real] | None = None, workers: 
 
     Source: derivation least-squares-mean
     """
+    if (
+        type(sample_number) is float
+        and 0.0 <= sample_number <= 9007199254740992.0
+        and sample_number.is_integer()
+        and out is None
+        and workers is ONE
+    ):
+        try:
+            return named(Gains, _gains_of_numbers(sample_number))
+        except (ArithmeticError, ValueError):
+            pass  # arrays say what is wrong
     return Gains(*evaluate(_GAINS, (sample_number,), out, workers))
+
+
+def _gains_of_numbers(sample_number: float, _form: Form = Double) -> tuple[float, ...]:
+    t3 = 1.0 / (sample_number + 1.0)
+    return (t3,)
 
 
 def _gains_block(given: Arrays, out: Arrays, work: Arrays, _single: bool, n0: float = 1.0) -> None:
@@ -93,6 +109,7 @@ _GAINS = Signature(
     ("alpha",),
     1,
     _gains_block,
+    numbers=_gains_of_numbers,
 )
 
 
@@ -129,7 +146,23 @@ def updated_covariance(
 
     Source: derivation least-squares-mean
     """
+    if (
+        type(sample_number) is float
+        and 0.0 <= sample_number <= 9007199254740992.0
+        and sample_number.is_integer()
+        and out is None
+        and workers is ONE
+    ):
+        try:
+            return named(UpdatedCovariance, _updated_covariance_of_numbers(sample_number))
+        except (ArithmeticError, ValueError):
+            pass  # arrays say what is wrong
     return UpdatedCovariance(*evaluate(_UPDATED_COVARIANCE, (sample_number,), out, workers))
+
+
+def _updated_covariance_of_numbers(sample_number: float, _form: Form = Double) -> tuple[float, ...]:
+    t3 = 1.0 / (sample_number + 1.0)
+    return (t3,)
 
 
 def _updated_covariance_block(
@@ -148,6 +181,7 @@ _UPDATED_COVARIANCE = Signature(
     ("updated_11",),
     1,
     _updated_covariance_block,
+    numbers=_updated_covariance_of_numbers,
 )
 
 
@@ -184,7 +218,26 @@ def predicted_covariance(
 
     Source: derivation least-squares-mean
     """
+    if (
+        type(sample_number) is float
+        and 1.0 <= sample_number <= 9007199254740992.0
+        and sample_number.is_integer()
+        and out is None
+        and workers is ONE
+    ):
+        try:
+            return named(PredictedCovariance, _predicted_covariance_of_numbers(sample_number))
+        except (ArithmeticError, ValueError):
+            pass  # arrays say what is wrong
     return PredictedCovariance(*evaluate(_PREDICTED_COVARIANCE, (sample_number,), out, workers))
+
+
+def _predicted_covariance_of_numbers(
+    sample_number: float,
+    _form: Form = Double,
+) -> tuple[float, ...]:
+    t2 = 1.0 / sample_number
+    return (t2,)
 
 
 def _predicted_covariance_block(
@@ -201,4 +254,5 @@ _PREDICTED_COVARIANCE = Signature(
     ("predicted_11",),
     0,
     _predicted_covariance_block,
+    numbers=_predicted_covariance_of_numbers,
 )

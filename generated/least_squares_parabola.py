@@ -8,15 +8,15 @@ from typing import TYPE_CHECKING
 
 from numpy import add, divide, multiply
 
+from gainproof.generated._numbers import ONE, Double, named
 from gainproof.generated._runtime import evaluate
 from gainproof.generated._signature import Domain, Signature
 
 if TYPE_CHECKING:
     from typing import NamedTuple
 
-    from numpy.typing import ArrayLike
-
-    from gainproof.generated._signature import Arrays, Real
+    from gainproof.generated._numbers import Form
+    from gainproof.generated._signature import ArrayLike, Arrays, Real
 else:
     from gainproof.generated._result import NamedTuple
 
@@ -90,7 +90,29 @@ def gains(
 
     Source: derivation least-squares-parabola
     """
+    if (
+        type(sample_number) is float
+        and 2.0 <= sample_number <= 9007199254740992.0
+        and sample_number.is_integer()
+        and out is None
+        and workers is ONE
+    ):
+        try:
+            return named(Gains, _gains_of_numbers(sample_number))
+        except (ArithmeticError, ValueError):
+            pass  # arrays say what is wrong
     return Gains(*evaluate(_GAINS, (sample_number,), out, workers))
+
+
+def _gains_of_numbers(sample_number: float, _form: Form = Double) -> tuple[float, ...]:
+    t4 = ((sample_number * 3.0) + 3.0) * sample_number
+    t10 = sample_number + 3.0
+    t12 = (sample_number + 1.0) * (sample_number + 2.0)
+    t19 = (((sample_number * 2.0) + 1.0) * 18.0) / t12
+    t14 = (((t4 + 2.0) * 3.0) / t12) / t10
+    t20 = t19 / t10
+    t23 = (60.0 / t12) / t10
+    return (t14, t20, t23)
 
 
 def _gains_block(
@@ -133,6 +155,7 @@ _GAINS = Signature(
     ("alpha", "beta", "gamma"),
     4,
     _gains_block,
+    numbers=_gains_of_numbers,
 )
 
 
@@ -197,7 +220,37 @@ def updated_covariance(
 
     Source: derivation least-squares-parabola
     """
+    if (
+        type(sample_number) is float
+        and 2.0 <= sample_number <= 9007199254740992.0
+        and sample_number.is_integer()
+        and out is None
+        and workers is ONE
+    ):
+        try:
+            return named(UpdatedCovariance, _updated_covariance_of_numbers(sample_number))
+        except (ArithmeticError, ValueError):
+            pass  # arrays say what is wrong
     return UpdatedCovariance(*evaluate(_UPDATED_COVARIANCE, (sample_number,), out, workers))
+
+
+def _updated_covariance_of_numbers(sample_number: float, _form: Form = Double) -> tuple[float, ...]:
+    t4 = ((sample_number * 3.0) + 3.0) * sample_number
+    t8 = sample_number + 1.0
+    t9 = sample_number + 2.0
+    t10 = sample_number + 3.0
+    t12 = t8 * t9
+    t16 = (sample_number * 2.0) + 1.0
+    t29 = sample_number + -1.0
+    t32 = (t16 * ((sample_number * 8.0) + -3.0)) * 12.0
+    t33 = t29 * sample_number
+    t14 = (((t4 + 2.0) * 3.0) / t12) / t10
+    t20 = ((t16 * 18.0) / t12) / t10
+    t23 = (60.0 / t12) / t10
+    t36 = ((t32 / t33) / t12) / t10
+    t41 = (360.0 / (t29 * t8)) / (t9 * t10)
+    t45 = ((720.0 / t33) / t12) / t10
+    return (t14, t20, t23, t36, t41, t45)
 
 
 def _updated_covariance_block(
@@ -262,6 +315,7 @@ _UPDATED_COVARIANCE = Signature(
     ("updated_11", "updated_12", "updated_13", "updated_22", "updated_23", "updated_33"),
     7,
     _updated_covariance_block,
+    numbers=_updated_covariance_of_numbers,
 )
 
 
@@ -328,7 +382,37 @@ def predicted_covariance(
 
     Source: derivation least-squares-parabola
     """
+    if (
+        type(sample_number) is float
+        and 3.0 <= sample_number <= 9007199254740992.0
+        and sample_number.is_integer()
+        and out is None
+        and workers is ONE
+    ):
+        try:
+            return named(PredictedCovariance, _predicted_covariance_of_numbers(sample_number))
+        except (ArithmeticError, ValueError):
+            pass  # arrays say what is wrong
     return PredictedCovariance(*evaluate(_PREDICTED_COVARIANCE, (sample_number,), out, workers))
+
+
+def _predicted_covariance_of_numbers(
+    sample_number: float,
+    _form: Form = Double,
+) -> tuple[float, ...]:
+    t4 = ((sample_number * 3.0) + 3.0) * sample_number
+    t13 = (sample_number + -2.0) * (sample_number + -1.0)
+    t17 = (sample_number * 2.0) + 1.0
+    t30 = sample_number + 2.0
+    t33 = (t17 * ((sample_number * 8.0) + 11.0)) * 12.0
+    t35 = sample_number * (sample_number + 1.0)
+    t15 = (((t4 + 2.0) * 3.0) / t13) / sample_number
+    t21 = ((t17 * 18.0) / t13) / sample_number
+    t24 = (60.0 / t13) / sample_number
+    t37 = ((t33 / t13) / t35) / t30
+    t41 = (360.0 / t13) / (sample_number * t30)
+    t45 = ((720.0 / t13) / t35) / t30
+    return (t15, t21, t24, t37, t41, t45)
 
 
 def _predicted_covariance_block(
@@ -400,4 +484,5 @@ _PREDICTED_COVARIANCE = Signature(
     ),
     5,
     _predicted_covariance_block,
+    numbers=_predicted_covariance_of_numbers,
 )

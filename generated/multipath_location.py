@@ -8,15 +8,15 @@ from typing import TYPE_CHECKING
 
 from numpy import add, divide, sqrt
 
+from gainproof.generated._numbers import ONE, Double, named
 from gainproof.generated._runtime import evaluate
 from gainproof.generated._signature import Domain, Signature
 
 if TYPE_CHECKING:
     from typing import NamedTuple
 
-    from numpy.typing import ArrayLike
-
-    from gainproof.generated._signature import Arrays, Real
+    from gainproof.generated._numbers import Form
+    from gainproof.generated._signature import ArrayLike, Arrays, Real
 else:
     from gainproof.generated._result import NamedTuple
 
@@ -69,7 +69,24 @@ def bias_deviation(
 
     Source: derivation multipath-location
     """
+    if (
+        type(variance_ratio) is float
+        and 1e-300 <= variance_ratio <= 1e300
+        and out is None
+        and workers is ONE
+    ):
+        try:
+            return named(BiasDeviation, _bias_deviation_of_numbers(variance_ratio))
+        except (ArithmeticError, ValueError):
+            pass  # arrays say what is wrong
     return BiasDeviation(*evaluate(_BIAS_DEVIATION, (variance_ratio,), out, workers))
+
+
+def _bias_deviation_of_numbers(variance_ratio: float, form: Form = Double) -> tuple[float, ...]:
+    t2 = 1.0 + variance_ratio
+    t3 = form.sqrt(t2)
+    t4 = 1.0 / t2
+    return (t3, t4)
 
 
 def _bias_deviation_block(
@@ -89,4 +106,5 @@ _BIAS_DEVIATION = Signature(
     ("deviation", "share"),
     1,
     _bias_deviation_block,
+    numbers=_bias_deviation_of_numbers,
 )

@@ -11,6 +11,7 @@ from numpy import (
     arctan2,
     cos,
     divide,
+    errstate,
     exp,
     expm1,
     multiply,
@@ -21,15 +22,15 @@ from numpy import (
     subtract,
 )
 
+from gainproof.generated._numbers import ONE, Double, named
 from gainproof.generated._runtime import evaluate
 from gainproof.generated._signature import Domain, Required, Signature
 
 if TYPE_CHECKING:
     from typing import NamedTuple
 
-    from numpy.typing import ArrayLike
-
-    from gainproof.generated._signature import Arrays, Real
+    from gainproof.generated._numbers import Form
+    from gainproof.generated._signature import ArrayLike, Arrays, Real
 else:
     from gainproof.generated._result import NamedTuple
 
@@ -230,7 +231,37 @@ def to_cartesian(
 
     Source: derivation polar-coordinates
     """
+    if (
+        type(slant_range) is float
+        and type(elevation) is float
+        and type(bearing) is float
+        and 1e-20 <= slant_range <= 1e60
+        and -1.5707963267948966 <= elevation <= 1.5707963267948966
+        and (abs(elevation) >= 1e-20 or elevation == 0)
+        and -6.2832 <= bearing <= 6.2832
+        and (abs(bearing) >= 1e-20 or bearing == 0)
+        and out is None
+        and workers is ONE
+    ):
+        try:
+            return named(ToCartesian, _to_cartesian_of_numbers(slant_range, elevation, bearing))
+        except (ArithmeticError, ValueError):
+            pass  # arrays say what is wrong
     return ToCartesian(*evaluate(_TO_CARTESIAN, (slant_range, elevation, bearing), out, workers))
+
+
+@errstate(all="ignore")
+def _to_cartesian_of_numbers(
+    slant_range: float,
+    elevation: float,
+    bearing: float,
+    form: Form = Double,
+) -> tuple[float, ...]:
+    t7 = slant_range * form.cos(elevation)
+    t8 = t7 * form.sin(bearing)
+    t9 = t7 * form.cos(bearing)
+    t10 = slant_range * form.sin(elevation)
+    return (t8, t9, t10)
 
 
 def _to_cartesian_block(given: Arrays, out: Arrays, work: Arrays, _single: bool) -> None:
@@ -253,6 +284,7 @@ _TO_CARTESIAN = Signature(
     ("x", "y", "z"),
     4,
     _to_cartesian_block,
+    numbers=_to_cartesian_of_numbers,
 )
 
 
@@ -304,7 +336,33 @@ def to_polar(
 
     Source: derivation polar-coordinates
     """
+    if (
+        type(x) is float
+        and type(y) is float
+        and type(z) is float
+        and -1e150 <= x <= 1e150
+        and (abs(x) >= 1e-150 or x == 0)
+        and -1e150 <= y <= 1e150
+        and (abs(y) >= 1e-150 or y == 0)
+        and -1e150 <= z <= 1e150
+        and (abs(z) >= 1e-150 or z == 0)
+        and out is None
+        and workers is ONE
+    ):
+        try:
+            return named(ToPolar, _to_polar_of_numbers(x, y, z))
+        except (ArithmeticError, ValueError):
+            pass  # arrays say what is wrong
     return ToPolar(*evaluate(_TO_POLAR, (x, y, z), out, workers))
+
+
+@errstate(all="ignore")
+def _to_polar_of_numbers(x: float, y: float, z: float, form: Form = Double) -> tuple[float, ...]:
+    t5 = (x * x) + (y * y)
+    t9 = form.sqrt(t5 + (z * z))
+    t10 = form.atan2(z, form.sqrt(t5))
+    t11 = form.atan2(x, y)
+    return (t9, t10, t11)
 
 
 def _to_polar_block(given: Arrays, out: Arrays, work: Arrays, _single: bool) -> None:
@@ -328,6 +386,7 @@ _TO_POLAR = Signature(
     ("slant_range", "elevation", "bearing"),
     2,
     _to_polar_block,
+    numbers=_to_polar_of_numbers,
 )
 
 
@@ -408,9 +467,50 @@ def cartesian_derivatives(
 
     Source: derivation polar-coordinates
     """
+    if (
+        type(slant_range) is float
+        and type(elevation) is float
+        and type(bearing) is float
+        and 1e-20 <= slant_range <= 1e60
+        and -1.5707963267948966 <= elevation <= 1.5707963267948966
+        and (abs(elevation) >= 1e-20 or elevation == 0)
+        and -6.2832 <= bearing <= 6.2832
+        and (abs(bearing) >= 1e-20 or bearing == 0)
+        and out is None
+        and workers is ONE
+    ):
+        try:
+            return named(
+                CartesianDerivatives,
+                _cartesian_derivatives_of_numbers(slant_range, elevation, bearing),
+            )
+        except (ArithmeticError, ValueError):
+            pass  # arrays say what is wrong
     return CartesianDerivatives(
         *evaluate(_CARTESIAN_DERIVATIVES, (slant_range, elevation, bearing), out, workers)
     )
+
+
+@errstate(all="ignore")
+def _cartesian_derivatives_of_numbers(
+    slant_range: float,
+    elevation: float,
+    bearing: float,
+    form: Form = Double,
+) -> tuple[float, ...]:
+    t2 = form.cos(elevation)
+    t3 = form.sin(elevation)
+    t5 = form.cos(bearing)
+    t6 = form.sin(bearing)
+    t7 = slant_range * t2
+    t8 = slant_range * t3
+    t9 = t2 * t6
+    t10 = t2 * t5
+    t12 = -(t8 * t6)
+    t13 = t7 * t5
+    t15 = -(t8 * t5)
+    t17 = -(t7 * t6)
+    return (t9, t12, t13, t10, t15, t17, t3, t7)
 
 
 def _cartesian_derivatives_block(given: Arrays, out: Arrays, work: Arrays, _single: bool) -> None:
@@ -458,6 +558,7 @@ _CARTESIAN_DERIVATIVES = Signature(
     ),
     6,
     _cartesian_derivatives_block,
+    numbers=_cartesian_derivatives_of_numbers,
 )
 
 
@@ -532,7 +633,48 @@ def polar_derivatives(
 
     Source: derivation polar-coordinates
     """
+    if (
+        type(x) is float
+        and type(y) is float
+        and type(z) is float
+        and -1e30 <= x <= 1e30
+        and (abs(x) >= 1e-20 or x == 0)
+        and -1e30 <= y <= 1e30
+        and (abs(y) >= 1e-20 or y == 0)
+        and -1e30 <= z <= 1e30
+        and (abs(z) >= 1e-20 or z == 0)
+        and out is None
+        and workers is ONE
+    ):
+        try:
+            return named(PolarDerivatives, _polar_derivatives_of_numbers(x, y, z))
+        except (ArithmeticError, ValueError):
+            pass  # arrays say what is wrong
     return PolarDerivatives(*evaluate(_POLAR_DERIVATIVES, (x, y, z), out, workers))
+
+
+def _polar_derivatives_of_numbers(
+    x: float,
+    y: float,
+    z: float,
+    form: Form = Double,
+) -> tuple[float, ...]:
+    t6 = form.sqrt((x * x) + (y * y))
+    t10 = form.sqrt((t6 * t6) + (z * z))
+    t12 = z / t10
+    t13 = y / t6
+    t14 = x / t6
+    t15 = t12 / t10
+    t16 = x / t10
+    t17 = y / t10
+    t19 = -(t15 * t14)
+    t21 = -(t15 * t13)
+    t22 = (t6 / t10) / t10
+    t23 = t13 / t6
+    t25 = -(t14 / t6)
+    if not t6 >= (0.0010000000474974513 if form.single else 1e-20):
+        raise ValueError
+    return (t16, t17, t12, t19, t21, t22, t23, t25)
 
 
 def _polar_derivatives_block(given: Arrays, out: Arrays, work: Arrays, _single: bool) -> None:
@@ -610,6 +752,7 @@ _POLAR_DERIVATIVES = Signature(
             _polar_derivatives_horizontal_distance_block,
         ),
     ),
+    numbers=_polar_derivatives_of_numbers,
 )
 
 
@@ -701,6 +844,38 @@ def noise_covariance(
 
     Source: derivation polar-coordinates
     """
+    if (
+        type(slant_range) is float
+        and type(elevation) is float
+        and type(bearing) is float
+        and type(range_deviation) is float
+        and type(elevation_deviation) is float
+        and type(bearing_deviation) is float
+        and 1e-20 <= slant_range <= 1e60
+        and -1.5707963267948966 <= elevation <= 1.5707963267948966
+        and (abs(elevation) >= 1e-20 or elevation == 0)
+        and -6.2832 <= bearing <= 6.2832
+        and (abs(bearing) >= 1e-20 or bearing == 0)
+        and (1e-20 <= range_deviation <= 1e60 or range_deviation == 0)
+        and (1e-20 <= elevation_deviation <= 2.0 or elevation_deviation == 0)
+        and (1e-20 <= bearing_deviation <= 2.0 or bearing_deviation == 0)
+        and out is None
+        and workers is ONE
+    ):
+        try:
+            return named(
+                NoiseCovariance,
+                _noise_covariance_of_numbers(
+                    slant_range,
+                    elevation,
+                    bearing,
+                    range_deviation,
+                    elevation_deviation,
+                    bearing_deviation,
+                ),
+            )
+        except (ArithmeticError, ValueError):
+            pass  # arrays say what is wrong
     return NoiseCovariance(
         *evaluate(
             _NOISE_COVARIANCE,
@@ -716,6 +891,41 @@ def noise_covariance(
             workers,
         )
     )
+
+
+@errstate(all="ignore")
+def _noise_covariance_of_numbers(
+    slant_range: float,
+    elevation: float,
+    bearing: float,
+    range_deviation: float,
+    elevation_deviation: float,
+    bearing_deviation: float,
+    form: Form = Double,
+) -> tuple[float, ...]:
+    t5 = form.cos(elevation)
+    t6 = form.sin(elevation)
+    t8 = form.cos(bearing)
+    t9 = form.sin(bearing)
+    t10 = slant_range * elevation_deviation
+    t12 = (slant_range * t5) * bearing_deviation
+    t13 = t5 * range_deviation
+    t14 = t6 * t10
+    t17 = (t13 * t13) + (t14 * t14)
+    t18 = t12 * t12
+    t19 = t6 * range_deviation
+    t20 = t5 * t10
+    t24 = (range_deviation * range_deviation) - (t10 * t10)
+    t25 = (t5 * t6) * t24
+    t26 = t9 * t9
+    t27 = t8 * t8
+    t30 = (t26 * t17) + (t27 * t18)
+    t33 = (t9 * t8) * (t17 - t18)
+    t34 = t9 * t25
+    t37 = (t27 * t17) + (t26 * t18)
+    t38 = t8 * t25
+    t41 = (t19 * t19) + (t20 * t20)
+    return (t30, t33, t34, t37, t38, t41)
 
 
 def _noise_covariance_block(given: Arrays, out: Arrays, work: Arrays, _single: bool) -> None:
@@ -780,6 +990,7 @@ _NOISE_COVARIANCE = Signature(
     ),
     13,
     _noise_covariance_block,
+    numbers=_noise_covariance_of_numbers,
 )
 
 
@@ -858,6 +1069,31 @@ def mean_of_converted(
 
     Source: derivation polar-coordinates
     """
+    if (
+        type(slant_range) is float
+        and type(elevation) is float
+        and type(bearing) is float
+        and type(elevation_deviation) is float
+        and type(bearing_deviation) is float
+        and 1e-20 <= slant_range <= 1e60
+        and -1.5707963267948966 <= elevation <= 1.5707963267948966
+        and (abs(elevation) >= 1e-20 or elevation == 0)
+        and -6.2832 <= bearing <= 6.2832
+        and (abs(bearing) >= 1e-20 or bearing == 0)
+        and (1e-20 <= elevation_deviation <= 2.0 or elevation_deviation == 0)
+        and (1e-20 <= bearing_deviation <= 2.0 or bearing_deviation == 0)
+        and out is None
+        and workers is ONE
+    ):
+        try:
+            return named(
+                MeanOfConverted,
+                _mean_of_converted_of_numbers(
+                    slant_range, elevation, bearing, elevation_deviation, bearing_deviation
+                ),
+            )
+        except (ArithmeticError, ValueError):
+            pass  # arrays say what is wrong
     return MeanOfConverted(
         *evaluate(
             _MEAN_OF_CONVERTED,
@@ -866,6 +1102,34 @@ def mean_of_converted(
             workers,
         )
     )
+
+
+@errstate(all="ignore")
+def _mean_of_converted_of_numbers(
+    slant_range: float,
+    elevation: float,
+    bearing: float,
+    elevation_deviation: float,
+    bearing_deviation: float,
+    form: Form = Double,
+) -> tuple[float, ...]:
+    t9 = slant_range * form.cos(elevation)
+    t10 = t9 * form.sin(bearing)
+    t11 = t9 * form.cos(bearing)
+    t12 = slant_range * form.sin(elevation)
+    t13 = elevation_deviation * elevation_deviation
+    t16 = -t13 * 0.5
+    t17 = bearing_deviation * bearing_deviation
+    t20 = -(t13 + t17) * 0.5
+    t22 = form.exp(t20)
+    t24 = form.expm1(t20)
+    t25 = t10 * t22
+    t26 = t11 * t22
+    t27 = t12 * form.exp(t16)
+    t28 = t10 * t24
+    t29 = t11 * t24
+    t30 = t12 * form.expm1(t16)
+    return (t25, t26, t27, t28, t29, t30)
 
 
 def _mean_of_converted_block(
@@ -913,6 +1177,7 @@ _MEAN_OF_CONVERTED = Signature(
     ("mean_x", "mean_y", "mean_z", "bias_x", "bias_y", "bias_z"),
     7,
     _mean_of_converted_block,
+    numbers=_mean_of_converted_of_numbers,
 )
 
 
@@ -1015,6 +1280,35 @@ def straight_course_rates(
 
     Source: derivation polar-coordinates
     """
+    if (
+        type(x) is float
+        and type(y) is float
+        and type(z) is float
+        and type(velocity_x) is float
+        and type(velocity_y) is float
+        and type(velocity_z) is float
+        and -1e30 <= x <= 1e30
+        and (abs(x) >= 1e-20 or x == 0)
+        and -1e30 <= y <= 1e30
+        and (abs(y) >= 1e-20 or y == 0)
+        and -1e30 <= z <= 1e30
+        and (abs(z) >= 1e-20 or z == 0)
+        and -1e30 <= velocity_x <= 1e30
+        and (abs(velocity_x) >= 1e-20 or velocity_x == 0)
+        and -1e30 <= velocity_y <= 1e30
+        and (abs(velocity_y) >= 1e-20 or velocity_y == 0)
+        and -1e30 <= velocity_z <= 1e30
+        and (abs(velocity_z) >= 1e-20 or velocity_z == 0)
+        and out is None
+        and workers is ONE
+    ):
+        try:
+            return named(
+                StraightCourseRates,
+                _straight_course_rates_of_numbers(x, y, z, velocity_x, velocity_y, velocity_z),
+            )
+        except (ArithmeticError, ValueError):
+            pass  # arrays say what is wrong
     return StraightCourseRates(
         *evaluate(
             _STRAIGHT_COURSE_RATES,
@@ -1023,6 +1317,36 @@ def straight_course_rates(
             workers,
         )
     )
+
+
+def _straight_course_rates_of_numbers(
+    x: float,
+    y: float,
+    z: float,
+    velocity_x: float,
+    velocity_y: float,
+    velocity_z: float,
+    form: Form = Double,
+) -> tuple[float, ...]:
+    t6 = form.sqrt((x * x) + (y * y))
+    t10 = form.sqrt((t6 * t6) + (z * z))
+    t15 = z / t10
+    t16 = y / t6
+    t17 = x / t6
+    t20 = (t17 * velocity_x) + (t16 * velocity_y)
+    t25 = ((x / t10) * velocity_x) + ((y / t10) * velocity_y)
+    t27 = t25 + (t15 * velocity_z)
+    t30 = ((t6 / t10) * velocity_z) - (t15 * t20)
+    t33 = (t16 * velocity_x) - (t17 * velocity_y)
+    t34 = t30 / t10
+    t35 = t33 / t6
+    t47 = (((t27 / t10) * 2.0) * t34) + (t15 * (t35 * (t33 / t10)))
+    t40 = ((t30 * t30) + (t33 * t33)) / t10
+    t48 = -t47
+    t52 = -((t35 * 2.0) * (t20 / t6))
+    if not t6 >= (0.0010000000474974513 if form.single else 1e-20):
+        raise ValueError
+    return (t27, t34, t35, t40, t48, t52)
 
 
 def _straight_course_rates_block(
@@ -1128,6 +1452,7 @@ _STRAIGHT_COURSE_RATES = Signature(
             _straight_course_rates_horizontal_distance_block,
         ),
     ),
+    numbers=_straight_course_rates_of_numbers,
 )
 
 
@@ -1173,9 +1498,35 @@ def to_cartesian_in_plane(
 
     Source: derivation polar-coordinates
     """
+    if (
+        type(slant_range) is float
+        and type(bearing) is float
+        and 1e-20 <= slant_range <= 1e60
+        and -6.2832 <= bearing <= 6.2832
+        and (abs(bearing) >= 1e-20 or bearing == 0)
+        and out is None
+        and workers is ONE
+    ):
+        try:
+            return named(
+                ToCartesianInPlane, _to_cartesian_in_plane_of_numbers(slant_range, bearing)
+            )
+        except (ArithmeticError, ValueError):
+            pass  # arrays say what is wrong
     return ToCartesianInPlane(
         *evaluate(_TO_CARTESIAN_IN_PLANE, (slant_range, bearing), out, workers)
     )
+
+
+@errstate(all="ignore")
+def _to_cartesian_in_plane_of_numbers(
+    slant_range: float,
+    bearing: float,
+    form: Form = Double,
+) -> tuple[float, ...]:
+    t4 = slant_range * form.sin(bearing)
+    t5 = slant_range * form.cos(bearing)
+    return (t4, t5)
 
 
 def _to_cartesian_in_plane_block(given: Arrays, out: Arrays, work: Arrays, _single: bool) -> None:
@@ -1194,6 +1545,7 @@ _TO_CARTESIAN_IN_PLANE = Signature(
     ("x", "y"),
     2,
     _to_cartesian_in_plane_block,
+    numbers=_to_cartesian_in_plane_of_numbers,
 )
 
 
@@ -1233,7 +1585,28 @@ def to_polar_in_plane(
 
     Source: derivation polar-coordinates
     """
+    if (
+        type(x) is float
+        and type(y) is float
+        and -1e150 <= x <= 1e150
+        and (abs(x) >= 1e-150 or x == 0)
+        and -1e150 <= y <= 1e150
+        and (abs(y) >= 1e-150 or y == 0)
+        and out is None
+        and workers is ONE
+    ):
+        try:
+            return named(ToPolarInPlane, _to_polar_in_plane_of_numbers(x, y))
+        except (ArithmeticError, ValueError):
+            pass  # arrays say what is wrong
     return ToPolarInPlane(*evaluate(_TO_POLAR_IN_PLANE, (x, y), out, workers))
+
+
+@errstate(all="ignore")
+def _to_polar_in_plane_of_numbers(x: float, y: float, form: Form = Double) -> tuple[float, ...]:
+    t5 = form.sqrt((x * x) + (y * y))
+    t6 = form.atan2(x, y)
+    return (t5, t6)
 
 
 def _to_polar_in_plane_block(given: Arrays, out: Arrays, work: Arrays, _single: bool) -> None:
@@ -1253,6 +1626,7 @@ _TO_POLAR_IN_PLANE = Signature(
     ("slant_range", "bearing"),
     2,
     _to_polar_in_plane_block,
+    numbers=_to_polar_in_plane_of_numbers,
 )
 
 
@@ -1308,9 +1682,38 @@ def cartesian_derivatives_in_plane(
 
     Source: derivation polar-coordinates
     """
+    if (
+        type(slant_range) is float
+        and type(bearing) is float
+        and 1e-20 <= slant_range <= 1e60
+        and -6.2832 <= bearing <= 6.2832
+        and (abs(bearing) >= 1e-20 or bearing == 0)
+        and out is None
+        and workers is ONE
+    ):
+        try:
+            return named(
+                CartesianDerivativesInPlane,
+                _cartesian_derivatives_in_plane_of_numbers(slant_range, bearing),
+            )
+        except (ArithmeticError, ValueError):
+            pass  # arrays say what is wrong
     return CartesianDerivativesInPlane(
         *evaluate(_CARTESIAN_DERIVATIVES_IN_PLANE, (slant_range, bearing), out, workers)
     )
+
+
+@errstate(all="ignore")
+def _cartesian_derivatives_in_plane_of_numbers(
+    slant_range: float,
+    bearing: float,
+    form: Form = Double,
+) -> tuple[float, ...]:
+    t2 = form.cos(bearing)
+    t3 = form.sin(bearing)
+    t4 = slant_range * t2
+    t6 = -(slant_range * t3)
+    return (t3, t4, t2, t6)
 
 
 def _cartesian_derivatives_in_plane_block(
@@ -1331,6 +1734,7 @@ _CARTESIAN_DERIVATIVES_IN_PLANE = Signature(
     ("x_D_slant_range", "x_D_bearing", "y_D_slant_range", "y_D_bearing"),
     0,
     _cartesian_derivatives_in_plane_block,
+    numbers=_cartesian_derivatives_in_plane_of_numbers,
 )
 
 
@@ -1382,7 +1786,36 @@ def polar_derivatives_in_plane(
 
     Source: derivation polar-coordinates
     """
+    if (
+        type(x) is float
+        and type(y) is float
+        and -1e30 <= x <= 1e30
+        and (abs(x) >= 1e-20 or x == 0)
+        and -1e30 <= y <= 1e30
+        and (abs(y) >= 1e-20 or y == 0)
+        and out is None
+        and workers is ONE
+    ):
+        try:
+            return named(PolarDerivativesInPlane, _polar_derivatives_in_plane_of_numbers(x, y))
+        except (ArithmeticError, ValueError):
+            pass  # arrays say what is wrong
     return PolarDerivativesInPlane(*evaluate(_POLAR_DERIVATIVES_IN_PLANE, (x, y), out, workers))
+
+
+def _polar_derivatives_in_plane_of_numbers(
+    x: float,
+    y: float,
+    form: Form = Double,
+) -> tuple[float, ...]:
+    t5 = form.sqrt((x * x) + (y * y))
+    t6 = x / t5
+    t7 = y / t5
+    t8 = t7 / t5
+    t10 = -(t6 / t5)
+    if not t5 >= (0.0010000000474974513 if form.single else 1e-20):
+        raise ValueError
+    return (t6, t7, t8, t10)
 
 
 def _polar_derivatives_in_plane_block(
@@ -1430,6 +1863,7 @@ _POLAR_DERIVATIVES_IN_PLANE = Signature(
             _polar_derivatives_in_plane_slant_range_block,
         ),
     ),
+    numbers=_polar_derivatives_in_plane_of_numbers,
 )
 
 
@@ -1491,6 +1925,28 @@ def noise_covariance_in_plane(
 
     Source: derivation polar-coordinates
     """
+    if (
+        type(slant_range) is float
+        and type(bearing) is float
+        and type(range_deviation) is float
+        and type(bearing_deviation) is float
+        and 1e-20 <= slant_range <= 1e60
+        and -6.2832 <= bearing <= 6.2832
+        and (abs(bearing) >= 1e-20 or bearing == 0)
+        and (1e-20 <= range_deviation <= 1e60 or range_deviation == 0)
+        and (1e-20 <= bearing_deviation <= 2.0 or bearing_deviation == 0)
+        and out is None
+        and workers is ONE
+    ):
+        try:
+            return named(
+                NoiseCovarianceInPlane,
+                _noise_covariance_in_plane_of_numbers(
+                    slant_range, bearing, range_deviation, bearing_deviation
+                ),
+            )
+        except (ArithmeticError, ValueError):
+            pass  # arrays say what is wrong
     return NoiseCovarianceInPlane(
         *evaluate(
             _NOISE_COVARIANCE_IN_PLANE,
@@ -1499,6 +1955,27 @@ def noise_covariance_in_plane(
             workers,
         )
     )
+
+
+@errstate(all="ignore")
+def _noise_covariance_in_plane_of_numbers(
+    slant_range: float,
+    bearing: float,
+    range_deviation: float,
+    bearing_deviation: float,
+    form: Form = Double,
+) -> tuple[float, ...]:
+    t4 = form.cos(bearing)
+    t5 = form.sin(bearing)
+    t6 = slant_range * bearing_deviation
+    t7 = range_deviation * range_deviation
+    t8 = t6 * t6
+    t9 = t5 * t5
+    t10 = t4 * t4
+    t13 = (t9 * t7) + (t10 * t8)
+    t16 = (t5 * t4) * (t7 - t8)
+    t19 = (t10 * t7) + (t9 * t8)
+    return (t13, t16, t19)
 
 
 def _noise_covariance_in_plane_block(
@@ -1531,6 +2008,7 @@ _NOISE_COVARIANCE_IN_PLANE = Signature(
     ("covariance_xx", "covariance_xy", "covariance_yy"),
     8,
     _noise_covariance_in_plane_block,
+    numbers=_noise_covariance_in_plane_of_numbers,
 )
 
 
@@ -1591,6 +2069,24 @@ def mean_of_converted_in_plane(
 
     Source: derivation polar-coordinates
     """
+    if (
+        type(slant_range) is float
+        and type(bearing) is float
+        and type(bearing_deviation) is float
+        and 1e-20 <= slant_range <= 1e60
+        and -6.2832 <= bearing <= 6.2832
+        and (abs(bearing) >= 1e-20 or bearing == 0)
+        and (1e-20 <= bearing_deviation <= 2.0 or bearing_deviation == 0)
+        and out is None
+        and workers is ONE
+    ):
+        try:
+            return named(
+                MeanOfConvertedInPlane,
+                _mean_of_converted_in_plane_of_numbers(slant_range, bearing, bearing_deviation),
+            )
+        except (ArithmeticError, ValueError):
+            pass  # arrays say what is wrong
     return MeanOfConvertedInPlane(
         *evaluate(
             _MEAN_OF_CONVERTED_IN_PLANE,
@@ -1599,6 +2095,26 @@ def mean_of_converted_in_plane(
             workers,
         )
     )
+
+
+@errstate(all="ignore")
+def _mean_of_converted_in_plane_of_numbers(
+    slant_range: float,
+    bearing: float,
+    bearing_deviation: float,
+    form: Form = Double,
+) -> tuple[float, ...]:
+    t5 = slant_range * form.sin(bearing)
+    t6 = slant_range * form.cos(bearing)
+    t7 = bearing_deviation * bearing_deviation
+    t10 = -t7 * 0.5
+    t11 = form.exp(t10)
+    t12 = form.expm1(t10)
+    t13 = t5 * t11
+    t14 = t6 * t11
+    t15 = t5 * t12
+    t16 = t6 * t12
+    return (t13, t14, t15, t16)
 
 
 def _mean_of_converted_in_plane_block(
@@ -1628,6 +2144,7 @@ _MEAN_OF_CONVERTED_IN_PLANE = Signature(
     ("mean_x", "mean_y", "bias_x", "bias_y"),
     4,
     _mean_of_converted_in_plane_block,
+    numbers=_mean_of_converted_in_plane_of_numbers,
 )
 
 
@@ -1702,9 +2219,52 @@ def straight_course_rates_in_plane(
 
     Source: derivation polar-coordinates
     """
+    if (
+        type(x) is float
+        and type(y) is float
+        and type(velocity_x) is float
+        and type(velocity_y) is float
+        and -1e30 <= x <= 1e30
+        and (abs(x) >= 1e-20 or x == 0)
+        and -1e30 <= y <= 1e30
+        and (abs(y) >= 1e-20 or y == 0)
+        and -1e30 <= velocity_x <= 1e30
+        and (abs(velocity_x) >= 1e-20 or velocity_x == 0)
+        and -1e30 <= velocity_y <= 1e30
+        and (abs(velocity_y) >= 1e-20 or velocity_y == 0)
+        and out is None
+        and workers is ONE
+    ):
+        try:
+            return named(
+                StraightCourseRatesInPlane,
+                _straight_course_rates_in_plane_of_numbers(x, y, velocity_x, velocity_y),
+            )
+        except (ArithmeticError, ValueError):
+            pass  # arrays say what is wrong
     return StraightCourseRatesInPlane(
         *evaluate(_STRAIGHT_COURSE_RATES_IN_PLANE, (x, y, velocity_x, velocity_y), out, workers)
     )
+
+
+def _straight_course_rates_in_plane_of_numbers(
+    x: float,
+    y: float,
+    velocity_x: float,
+    velocity_y: float,
+    form: Form = Double,
+) -> tuple[float, ...]:
+    t7 = form.sqrt((x * x) + (y * y))
+    t8 = x / t7
+    t9 = y / t7
+    t12 = (t8 * velocity_x) + (t9 * velocity_y)
+    t15 = (t9 * velocity_x) - (t8 * velocity_y)
+    t16 = t15 / t7
+    t18 = (t15 * t15) / t7
+    t23 = -((t16 * 2.0) * (t12 / t7))
+    if not t7 >= (0.0010000000474974513 if form.single else 1e-20):
+        raise ValueError
+    return (t12, t16, t18, t23)
 
 
 def _straight_course_rates_in_plane_block(
@@ -1762,4 +2322,5 @@ _STRAIGHT_COURSE_RATES_IN_PLANE = Signature(
             _straight_course_rates_in_plane_slant_range_block,
         ),
     ),
+    numbers=_straight_course_rates_in_plane_of_numbers,
 )

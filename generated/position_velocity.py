@@ -8,15 +8,15 @@ from typing import TYPE_CHECKING
 
 from numpy import add, divide, multiply, negative, sqrt, square, subtract
 
+from gainproof.generated._numbers import ONE, Double, named
 from gainproof.generated._runtime import evaluate
 from gainproof.generated._signature import Domain, Signature
 
 if TYPE_CHECKING:
     from typing import NamedTuple
 
-    from numpy.typing import ArrayLike
-
-    from gainproof.generated._signature import Arrays, Real
+    from gainproof.generated._numbers import Form
+    from gainproof.generated._signature import ArrayLike, Arrays, Real
 else:
     from gainproof.generated._result import NamedTuple
 
@@ -153,7 +153,45 @@ def gains(
 
     Source: derivation position-velocity
     """
+    if (
+        type(tracking_index) is float
+        and type(velocity_ratio) is float
+        and 1e-12 <= tracking_index <= 1000000000000.0
+        and 1e-12 <= velocity_ratio <= 1000000000000.0
+        and out is None
+        and workers is ONE
+    ):
+        try:
+            return named(Gains, _gains_of_numbers(tracking_index, velocity_ratio))
+        except (ArithmeticError, ValueError):
+            pass  # arrays say what is wrong
     return Gains(*evaluate(_GAINS, (tracking_index, velocity_ratio), out, workers))
+
+
+def _gains_of_numbers(
+    tracking_index: float,
+    velocity_ratio: float,
+    form: Form = Double,
+) -> tuple[float, ...]:
+    t2 = velocity_ratio * velocity_ratio
+    t3 = tracking_index * tracking_index
+    t5 = t3 / 12.0
+    t7 = form.sqrt(t2 + t5)
+    t13 = t2 * 4.0
+    t16 = ((t3 / 3.0) + 16.0) * ((t13 + t3) * 0.25)
+    t17 = form.sqrt(t16)
+    t23 = (t2 / 3.0) + ((t3 * 0.041666666666666664) + 1.0)
+    t25 = tracking_index * t7
+    t30 = form.sqrt((t3 * t23) + (t25 * (t17 * 0.5)))
+    t34 = (((t25 + t17) * 0.5) + t30) * 0.5
+    t37 = (tracking_index * t17) / (t3 + t13)
+    t39 = tracking_index / (t37 + t7)
+    t42 = t39 * (t5 + (t7 * t37))
+    t43 = t39 / t34
+    t44 = t43 * t2
+    t47 = (t42 + (t3 / t34)) / t30
+    t51 = ((t42 / t34) + (t44 * t43)) / t47
+    return (t51, t43, t44, t47)
 
 
 def _gains_block(
@@ -224,6 +262,7 @@ _GAINS = Signature(
     ("gain_11", "gain_12", "gain_21", "gain_22"),
     5,
     _gains_block,
+    numbers=_gains_of_numbers,
 )
 
 
@@ -280,9 +319,50 @@ def predicted_covariance(
 
     Source: derivation position-velocity
     """
+    if (
+        type(tracking_index) is float
+        and type(velocity_ratio) is float
+        and 1e-12 <= tracking_index <= 1000000000000.0
+        and 1e-12 <= velocity_ratio <= 1000000000000.0
+        and out is None
+        and workers is ONE
+    ):
+        try:
+            return named(
+                PredictedCovariance,
+                _predicted_covariance_of_numbers(tracking_index, velocity_ratio),
+            )
+        except (ArithmeticError, ValueError):
+            pass  # arrays say what is wrong
     return PredictedCovariance(
         *evaluate(_PREDICTED_COVARIANCE, (tracking_index, velocity_ratio), out, workers)
     )
+
+
+def _predicted_covariance_of_numbers(
+    tracking_index: float,
+    velocity_ratio: float,
+    form: Form = Double,
+) -> tuple[float, ...]:
+    t2 = velocity_ratio * velocity_ratio
+    t3 = tracking_index * tracking_index
+    t5 = t3 / 12.0
+    t7 = form.sqrt(t2 + t5)
+    t9 = t3 / 3.0
+    t13 = t2 * 4.0
+    t17 = form.sqrt((t9 + 16.0) * ((t13 + t3) * 0.25))
+    t23 = (t2 / 3.0) + ((t3 * 0.041666666666666664) + 1.0)
+    t25 = tracking_index * t7
+    t30 = form.sqrt((t3 * t23) + (t25 * (t17 * 0.5)))
+    t34 = (((t25 + t17) * 0.5) + t30) * 0.5
+    t37 = (tracking_index * t17) / (t3 + t13)
+    t39 = tracking_index / (t37 + t7)
+    t42 = t39 * (t5 + (t7 * t37))
+    t50 = (((t39 / t34) * t2) * 2.0) + (t2 * ((t42 + (t3 / t34)) / t30))
+    t54 = (t42 + (t34 * (t50 + t9))) / t30
+    t55 = t39 * t34
+    t58 = (t30 * t39) + (t3 * 0.5)
+    return (t54, t55, t58)
 
 
 def _predicted_covariance_block(
@@ -361,6 +441,7 @@ _PREDICTED_COVARIANCE = Signature(
     ("predicted_11", "predicted_12", "predicted_22"),
     7,
     _predicted_covariance_block,
+    numbers=_predicted_covariance_of_numbers,
 )
 
 
@@ -416,9 +497,49 @@ def updated_covariance(
 
     Source: derivation position-velocity
     """
+    if (
+        type(tracking_index) is float
+        and type(velocity_ratio) is float
+        and 1e-12 <= tracking_index <= 1000000000000.0
+        and 1e-12 <= velocity_ratio <= 1000000000000.0
+        and out is None
+        and workers is ONE
+    ):
+        try:
+            return named(
+                UpdatedCovariance, _updated_covariance_of_numbers(tracking_index, velocity_ratio)
+            )
+        except (ArithmeticError, ValueError):
+            pass  # arrays say what is wrong
     return UpdatedCovariance(
         *evaluate(_UPDATED_COVARIANCE, (tracking_index, velocity_ratio), out, workers)
     )
+
+
+def _updated_covariance_of_numbers(
+    tracking_index: float,
+    velocity_ratio: float,
+    form: Form = Double,
+) -> tuple[float, ...]:
+    t2 = velocity_ratio * velocity_ratio
+    t3 = tracking_index * tracking_index
+    t5 = t3 / 12.0
+    t7 = form.sqrt(t2 + t5)
+    t9 = t3 / 3.0
+    t13 = t2 * 4.0
+    t17 = form.sqrt((t9 + 16.0) * ((t13 + t3) * 0.25))
+    t23 = (t2 / 3.0) + ((t3 * 0.041666666666666664) + 1.0)
+    t25 = tracking_index * t7
+    t30 = form.sqrt((t3 * t23) + (t25 * (t17 * 0.5)))
+    t34 = (((t25 + t17) * 0.5) + t30) * 0.5
+    t37 = (tracking_index * t17) / (t3 + t13)
+    t39 = tracking_index / (t37 + t7)
+    t42 = t39 * (t5 + (t7 * t37))
+    t44 = (t39 / t34) * t2
+    t49 = t2 * ((t42 + (t3 / t34)) / t30)
+    t53 = t2 * ((((t44 * 2.0) + t49) + t9) / t34)
+    t55 = (t42 + t53) / t30
+    return (t55, t44, t49)
 
 
 def _updated_covariance_block(
@@ -494,6 +615,7 @@ _UPDATED_COVARIANCE = Signature(
     ("updated_11", "updated_12", "updated_22"),
     7,
     _updated_covariance_block,
+    numbers=_updated_covariance_of_numbers,
 )
 
 
@@ -569,9 +691,77 @@ def gains_by_tracking_index(
 
     Source: derivation position-velocity
     """
+    if (
+        type(tracking_index) is float
+        and type(velocity_ratio) is float
+        and 1e-30 <= tracking_index <= 1e30
+        and 1e-30 <= velocity_ratio <= 1e30
+        and out is None
+        and workers is ONE
+    ):
+        try:
+            return named(
+                GainsByTrackingIndex,
+                _gains_by_tracking_index_of_numbers(tracking_index, velocity_ratio),
+            )
+        except (ArithmeticError, ValueError):
+            pass  # arrays say what is wrong
     return GainsByTrackingIndex(
         *evaluate(_GAINS_BY_TRACKING_INDEX, (tracking_index, velocity_ratio), out, workers)
     )
+
+
+def _gains_by_tracking_index_of_numbers(
+    tracking_index: float,
+    velocity_ratio: float,
+    form: Form = Double,
+) -> tuple[float, ...]:
+    t2 = velocity_ratio * velocity_ratio
+    t3 = tracking_index * tracking_index
+    t7 = form.sqrt(t2 + (t3 / 12.0))
+    t9 = t3 / 3.0
+    t11 = t9 + 16.0
+    t13 = t2 * 4.0
+    t17 = form.sqrt(t11 * ((t13 + t3) * 0.25))
+    t23 = (t2 / 3.0) + ((t3 * 0.041666666666666664) + 1.0)
+    t25 = tracking_index * t7
+    t30 = form.sqrt((t3 * t23) + (t25 * (t17 * 0.5)))
+    t32 = (t25 + t17) * 0.5
+    t34 = (t32 + t30) * 0.5
+    t37 = (tracking_index * t17) / (t3 + t13)
+    t38 = t37 + t7
+    t39 = tracking_index / t38
+    t41 = t34 / velocity_ratio
+    t42 = (t7 / t38) / t41
+    t47 = (t25 + (t30 * 2.0)) + (t17 * (t9 / t11))
+    t54 = (t2 * (t7 * 2.0)) + (tracking_index * t32)
+    t56 = ((t7 * ((t17 * 0.25) * t47)) / t54) / t41
+    t59 = tracking_index * (t7 / velocity_ratio)
+    t62 = (t37 / t38) / t41
+    t66 = (((t34 * t7) + tracking_index) * t17) / t54
+    t67 = t66 / t41
+    t69 = t17 / velocity_ratio
+    t71 = t39 * velocity_ratio
+    t75 = ((t30 * t39) + (t3 * 0.5)) / velocity_ratio
+    t76 = t75 / velocity_ratio
+    t77 = t76 / t41
+    t80 = (t76 + 2.0) / t41
+    t83 = tracking_index / (t30 / velocity_ratio)
+    t84 = t83 * ((t42 * t56) / t59)
+    t87 = ((t71 * t77) / t59) + ((t71 * t80) / t69)
+    t90 = t83 * (((t62 * t67) / t69) + (t87 / 12.0))
+    t92 = (t84 / velocity_ratio) / velocity_ratio
+    t94 = (t90 / velocity_ratio) / velocity_ratio
+    t95 = t71 * t71
+    t100 = ((t56 * t56) / t59) + ((t67 * t67) / t69)
+    t105 = t100 + (((t95 / t59) + (t95 / t69)) / 12.0)
+    t113 = ((t42 * t42) / t59) + ((t62 * t62) / t69)
+    t118 = ((t77 * t77) / t59) + ((t80 * t80) / t69)
+    t108 = ((t83 * t105) / velocity_ratio) / velocity_ratio
+    t121 = t83 * (t113 + (t118 / 12.0))
+    t122 = t92 - t94
+    t124 = t84 - t90
+    return (t121, t122, t124, t108)
 
 
 def _gains_by_tracking_index_block(
@@ -715,6 +905,7 @@ _GAINS_BY_TRACKING_INDEX = Signature(
     ("gain_11", "gain_12", "gain_21", "gain_22"),
     12,
     _gains_by_tracking_index_block,
+    numbers=_gains_by_tracking_index_of_numbers,
 )
 
 
@@ -786,9 +977,76 @@ def gains_by_velocity_ratio(
 
     Source: derivation position-velocity
     """
+    if (
+        type(tracking_index) is float
+        and type(velocity_ratio) is float
+        and 1e-30 <= tracking_index <= 1e30
+        and 1e-30 <= velocity_ratio <= 1e30
+        and out is None
+        and workers is ONE
+    ):
+        try:
+            return named(
+                GainsByVelocityRatio,
+                _gains_by_velocity_ratio_of_numbers(tracking_index, velocity_ratio),
+            )
+        except (ArithmeticError, ValueError):
+            pass  # arrays say what is wrong
     return GainsByVelocityRatio(
         *evaluate(_GAINS_BY_VELOCITY_RATIO, (tracking_index, velocity_ratio), out, workers)
     )
+
+
+def _gains_by_velocity_ratio_of_numbers(
+    tracking_index: float,
+    velocity_ratio: float,
+    form: Form = Double,
+) -> tuple[float, ...]:
+    t2 = velocity_ratio * velocity_ratio
+    t3 = tracking_index * tracking_index
+    t5 = t3 / 12.0
+    t7 = form.sqrt(t2 + t5)
+    t9 = t3 / 3.0
+    t11 = t9 + 16.0
+    t13 = t2 * 4.0
+    t17 = form.sqrt(t11 * ((t13 + t3) * 0.25))
+    t23 = (t2 / 3.0) + ((t3 * 0.041666666666666664) + 1.0)
+    t25 = tracking_index * t7
+    t30 = form.sqrt((t3 * t23) + (t25 * (t17 * 0.5)))
+    t32 = (t25 + t17) * 0.5
+    t34 = (t32 + t30) * 0.5
+    t37 = (tracking_index * t17) / (t3 + t13)
+    t38 = t37 + t7
+    t39 = tracking_index / t38
+    t47 = ((t30 * t39) + (t3 * 0.5)) / velocity_ratio
+    t49 = t34 / velocity_ratio
+    t50 = (t47 / velocity_ratio) / t49
+    t53 = ((t37 / t38) / t49) * 2.0
+    t57 = tracking_index * (t7 / velocity_ratio)
+    t59 = t17 / velocity_ratio
+    t61 = ((t50 * t50) / t57) + ((t53 * t53) / t59)
+    t62 = t30 / velocity_ratio
+    t63 = velocity_ratio / t62
+    t65 = (t39 * (t5 + (t7 * t37))) / velocity_ratio
+    t72 = ((t50 * t65) / t57) + ((t53 * (t65 + (t50 * 2.0))) / t59)
+    t73 = t63 * t72
+    t75 = t39 * velocity_ratio
+    t76 = t75 * t75
+    t81 = (t25 + (t30 * 2.0)) + (t17 * (t9 / t11))
+    t88 = (t2 * (t7 * 2.0)) + (tracking_index * t32)
+    t90 = ((t7 * ((t17 * 0.25) * t81)) / t88) / t49
+    t94 = (((t34 * t7) + tracking_index) * t17) / t88
+    t95 = t94 / t49
+    t100 = ((t90 * t90) / t57) + ((t95 * t95) / t59)
+    t105 = t100 + (((t76 / t57) + (t76 / t59)) / 12.0)
+    t107 = ((tracking_index / t62) * t105) * 0.5
+    t113 = ((t75 * 2.0) * (t75 / (t62 * t59))) + (tracking_index * t107)
+    t115 = (2.0 / velocity_ratio) / velocity_ratio
+    t120 = (t73 / velocity_ratio) / velocity_ratio
+    t64 = t63 * t61
+    t118 = -(t115 * (t113 / velocity_ratio))
+    t123 = t120 - (((t39 / t34) / velocity_ratio) * 2.0)
+    return (t64, t123, t73, t118)
 
 
 def _gains_by_velocity_ratio_block(
@@ -932,6 +1190,7 @@ _GAINS_BY_VELOCITY_RATIO = Signature(
     ("gain_11", "gain_12", "gain_21", "gain_22"),
     17,
     _gains_by_velocity_ratio_block,
+    numbers=_gains_by_velocity_ratio_of_numbers,
 )
 
 
@@ -997,6 +1256,21 @@ def predicted_covariance_by_tracking_index(
 
     Source: derivation position-velocity
     """
+    if (
+        type(tracking_index) is float
+        and type(velocity_ratio) is float
+        and 1e-30 <= tracking_index <= 1e30
+        and 1e-30 <= velocity_ratio <= 1e30
+        and out is None
+        and workers is ONE
+    ):
+        try:
+            return named(
+                PredictedCovarianceByTrackingIndex,
+                _predicted_covariance_by_tracking_index_of_numbers(tracking_index, velocity_ratio),
+            )
+        except (ArithmeticError, ValueError):
+            pass  # arrays say what is wrong
     return PredictedCovarianceByTrackingIndex(
         *evaluate(
             _PREDICTED_COVARIANCE_BY_TRACKING_INDEX,
@@ -1005,6 +1279,61 @@ def predicted_covariance_by_tracking_index(
             workers,
         )
     )
+
+
+def _predicted_covariance_by_tracking_index_of_numbers(
+    tracking_index: float,
+    velocity_ratio: float,
+    form: Form = Double,
+) -> tuple[float, ...]:
+    t2 = velocity_ratio * velocity_ratio
+    t3 = tracking_index * tracking_index
+    t5 = t3 / 12.0
+    t7 = form.sqrt(t2 + t5)
+    t9 = t3 / 3.0
+    t11 = t9 + 16.0
+    t13 = t2 * 4.0
+    t17 = form.sqrt(t11 * ((t13 + t3) * 0.25))
+    t23 = (t2 / 3.0) + ((t3 * 0.041666666666666664) + 1.0)
+    t25 = tracking_index * t7
+    t30 = form.sqrt((t3 * t23) + (t25 * (t17 * 0.5)))
+    t32 = (t25 + t17) * 0.5
+    t34 = (t32 + t30) * 0.5
+    t37 = (tracking_index * t17) / (t3 + t13)
+    t38 = t37 + t7
+    t39 = tracking_index / t38
+    t42 = t39 * (t5 + (t7 * t37))
+    t43 = t37 / t38
+    t44 = t34 / velocity_ratio
+    t45 = t7 / t38
+    t46 = t44 * t45
+    t47 = t44 * t43
+    t51 = tracking_index * (t7 / velocity_ratio)
+    t53 = t17 / velocity_ratio
+    t55 = ((t46 * t46) / t51) + ((t47 * t47) / t53)
+    t65 = ((t30 * t39) + (t3 * 0.5)) / velocity_ratio
+    t68 = (t42 / velocity_ratio) + ((t65 / velocity_ratio) / t44)
+    t70 = ((t39 / t34) + t45) * 2.0
+    t71 = t44 * t70
+    t76 = ((t68 * t68) / t51) + ((t71 * t71) / t53)
+    t80 = tracking_index / (t30 / velocity_ratio)
+    t82 = t39 * velocity_ratio
+    t84 = (t2 * ((t42 + (t3 / t34)) / t30)) / t51
+    t87 = (t82 / tracking_index) * ((t51 + t84) / tracking_index)
+    t94 = (t2 * (t7 * 2.0)) + (tracking_index * t32)
+    t95 = ((t2 * t7) + (tracking_index * t34)) / t94
+    t101 = (t87 + (t43 * t95)) + (((t82 * t70) / t53) / 12.0)
+    t104 = t82 * t82
+    t109 = (t25 + (t30 * 2.0)) + (t17 * (t9 / t11))
+    t114 = ((t7 * ((t17 * 0.25) * t109)) / t94) / t44
+    t118 = (((t34 * t7) + tracking_index) * t17) / t94
+    t119 = t118 / t44
+    t124 = ((t114 * t114) / t51) + ((t119 * t119) / t53)
+    t129 = t124 + (((t104 / t51) + (t104 / t53)) / 12.0)
+    t81 = t80 * (t55 + (t76 / 12.0))
+    t103 = t80 * (t44 * t101)
+    t132 = (t80 * t129) + (tracking_index * 2.0)
+    return (t81, t103, t132)
 
 
 def _predicted_covariance_by_tracking_index_block(
@@ -1157,6 +1486,7 @@ _PREDICTED_COVARIANCE_BY_TRACKING_INDEX = Signature(
     ("predicted_11", "predicted_12", "predicted_22"),
     18,
     _predicted_covariance_by_tracking_index_block,
+    numbers=_predicted_covariance_by_tracking_index_of_numbers,
 )
 
 
@@ -1220,6 +1550,21 @@ def predicted_covariance_by_velocity_ratio(
 
     Source: derivation position-velocity
     """
+    if (
+        type(tracking_index) is float
+        and type(velocity_ratio) is float
+        and 1e-30 <= tracking_index <= 1e30
+        and 1e-30 <= velocity_ratio <= 1e30
+        and out is None
+        and workers is ONE
+    ):
+        try:
+            return named(
+                PredictedCovarianceByVelocityRatio,
+                _predicted_covariance_by_velocity_ratio_of_numbers(tracking_index, velocity_ratio),
+            )
+        except (ArithmeticError, ValueError):
+            pass  # arrays say what is wrong
     return PredictedCovarianceByVelocityRatio(
         *evaluate(
             _PREDICTED_COVARIANCE_BY_VELOCITY_RATIO,
@@ -1228,6 +1573,43 @@ def predicted_covariance_by_velocity_ratio(
             workers,
         )
     )
+
+
+def _predicted_covariance_by_velocity_ratio_of_numbers(
+    tracking_index: float,
+    velocity_ratio: float,
+    form: Form = Double,
+) -> tuple[float, ...]:
+    t2 = velocity_ratio * velocity_ratio
+    t3 = tracking_index * tracking_index
+    t5 = t3 / 12.0
+    t7 = form.sqrt(t2 + t5)
+    t13 = t2 * 4.0
+    t16 = ((t3 / 3.0) + 16.0) * ((t13 + t3) * 0.25)
+    t17 = form.sqrt(t16)
+    t23 = (t2 / 3.0) + ((t3 * 0.041666666666666664) + 1.0)
+    t25 = tracking_index * t7
+    t30 = form.sqrt((t3 * t23) + (t25 * (t17 * 0.5)))
+    t37 = (tracking_index * t17) / (t3 + t13)
+    t38 = t37 + t7
+    t39 = tracking_index / t38
+    t43 = (t39 * (t5 + (t7 * t37))) / velocity_ratio
+    t47 = ((t30 * t39) + (t3 * 0.5)) / velocity_ratio
+    t49 = ((((t25 + t17) * 0.5) + t30) * 0.5) / velocity_ratio
+    t50 = (t47 / velocity_ratio) / t49
+    t51 = t43 + t50
+    t54 = (t49 * (t37 / t38)) * 2.0
+    t56 = t43 + (t50 * 2.0)
+    t60 = tracking_index * (t7 / velocity_ratio)
+    t62 = t17 / velocity_ratio
+    t64 = ((t51 * t51) / t60) + ((t54 * t54) / t62)
+    t66 = velocity_ratio / (t30 / velocity_ratio)
+    t72 = ((t51 * t43) / t60) + ((t54 * t56) / t62)
+    t78 = ((t43 * t43) / t60) + ((t56 * t56) / t62)
+    t67 = t66 * t64
+    t73 = t66 * t72
+    t79 = t66 * t78
+    return (t67, t73, t79)
 
 
 def _predicted_covariance_by_velocity_ratio_block(
@@ -1327,6 +1709,7 @@ _PREDICTED_COVARIANCE_BY_VELOCITY_RATIO = Signature(
     ("predicted_11", "predicted_12", "predicted_22"),
     7,
     _predicted_covariance_by_velocity_ratio_block,
+    numbers=_predicted_covariance_by_velocity_ratio_of_numbers,
 )
 
 
@@ -1395,6 +1778,21 @@ def updated_covariance_by_tracking_index(
 
     Source: derivation position-velocity
     """
+    if (
+        type(tracking_index) is float
+        and type(velocity_ratio) is float
+        and 1e-30 <= tracking_index <= 1e30
+        and 1e-30 <= velocity_ratio <= 1e30
+        and out is None
+        and workers is ONE
+    ):
+        try:
+            return named(
+                UpdatedCovarianceByTrackingIndex,
+                _updated_covariance_by_tracking_index_of_numbers(tracking_index, velocity_ratio),
+            )
+        except (ArithmeticError, ValueError):
+            pass  # arrays say what is wrong
     return UpdatedCovarianceByTrackingIndex(
         *evaluate(
             _UPDATED_COVARIANCE_BY_TRACKING_INDEX,
@@ -1403,6 +1801,55 @@ def updated_covariance_by_tracking_index(
             workers,
         )
     )
+
+
+def _updated_covariance_by_tracking_index_of_numbers(
+    tracking_index: float,
+    velocity_ratio: float,
+    form: Form = Double,
+) -> tuple[float, ...]:
+    t2 = velocity_ratio * velocity_ratio
+    t3 = tracking_index * tracking_index
+    t7 = form.sqrt(t2 + (t3 / 12.0))
+    t9 = t3 / 3.0
+    t11 = t9 + 16.0
+    t13 = t2 * 4.0
+    t17 = form.sqrt(t11 * ((t13 + t3) * 0.25))
+    t23 = (t2 / 3.0) + ((t3 * 0.041666666666666664) + 1.0)
+    t25 = tracking_index * t7
+    t30 = form.sqrt((t3 * t23) + (t25 * (t17 * 0.5)))
+    t32 = (t25 + t17) * 0.5
+    t34 = (t32 + t30) * 0.5
+    t37 = (tracking_index * t17) / (t3 + t13)
+    t38 = t37 + t7
+    t39 = tracking_index / t38
+    t41 = t34 / velocity_ratio
+    t42 = (t7 / t38) / t41
+    t44 = (t37 / t38) / t41
+    t48 = tracking_index * (t7 / velocity_ratio)
+    t50 = t17 / velocity_ratio
+    t52 = ((t42 * t42) / t48) + ((t44 * t44) / t50)
+    t56 = ((t30 * t39) + (t3 * 0.5)) / velocity_ratio
+    t57 = t56 / velocity_ratio
+    t58 = t57 / t41
+    t60 = (t57 + 2.0) / t41
+    t65 = ((t58 * t58) / t48) + ((t60 * t60) / t50)
+    t69 = tracking_index / (t30 / velocity_ratio)
+    t71 = t39 * velocity_ratio
+    t72 = t71 * t71
+    t77 = (t25 + (t30 * 2.0)) + (t17 * (t9 / t11))
+    t84 = (t2 * (t7 * 2.0)) + (tracking_index * t32)
+    t86 = ((t7 * ((t17 * 0.25) * t77)) / t84) / t41
+    t90 = (((t34 * t7) + tracking_index) * t17) / t84
+    t91 = t90 / t41
+    t96 = ((t86 * t86) / t48) + ((t91 * t91) / t50)
+    t101 = t96 + (((t72 / t48) + (t72 / t50)) / 12.0)
+    t112 = ((t71 * t58) / t48) + ((t71 * t60) / t50)
+    t115 = t69 * (((t44 * t91) / t50) + (t112 / 12.0))
+    t70 = t69 * (t52 + (t65 / 12.0))
+    t102 = t69 * t101
+    t116 = (t69 * ((t42 * t86) / t48)) - t115
+    return (t70, t116, t102)
 
 
 def _updated_covariance_by_tracking_index_block(
@@ -1539,6 +1986,7 @@ _UPDATED_COVARIANCE_BY_TRACKING_INDEX = Signature(
     ("updated_11", "updated_12", "updated_22"),
     17,
     _updated_covariance_by_tracking_index_block,
+    numbers=_updated_covariance_by_tracking_index_of_numbers,
 )
 
 
@@ -1601,6 +2049,21 @@ def updated_covariance_by_velocity_ratio(
 
     Source: derivation position-velocity
     """
+    if (
+        type(tracking_index) is float
+        and type(velocity_ratio) is float
+        and 1e-30 <= tracking_index <= 1e30
+        and 1e-30 <= velocity_ratio <= 1e30
+        and out is None
+        and workers is ONE
+    ):
+        try:
+            return named(
+                UpdatedCovarianceByVelocityRatio,
+                _updated_covariance_by_velocity_ratio_of_numbers(tracking_index, velocity_ratio),
+            )
+        except (ArithmeticError, ValueError):
+            pass  # arrays say what is wrong
     return UpdatedCovarianceByVelocityRatio(
         *evaluate(
             _UPDATED_COVARIANCE_BY_VELOCITY_RATIO,
@@ -1609,6 +2072,42 @@ def updated_covariance_by_velocity_ratio(
             workers,
         )
     )
+
+
+def _updated_covariance_by_velocity_ratio_of_numbers(
+    tracking_index: float,
+    velocity_ratio: float,
+    form: Form = Double,
+) -> tuple[float, ...]:
+    t2 = velocity_ratio * velocity_ratio
+    t3 = tracking_index * tracking_index
+    t5 = t3 / 12.0
+    t7 = form.sqrt(t2 + t5)
+    t13 = t2 * 4.0
+    t16 = ((t3 / 3.0) + 16.0) * ((t13 + t3) * 0.25)
+    t17 = form.sqrt(t16)
+    t23 = (t2 / 3.0) + ((t3 * 0.041666666666666664) + 1.0)
+    t25 = tracking_index * t7
+    t30 = form.sqrt((t3 * t23) + (t25 * (t17 * 0.5)))
+    t37 = (tracking_index * t17) / (t3 + t13)
+    t38 = t37 + t7
+    t39 = tracking_index / t38
+    t46 = ((t30 * t39) + (t3 * 0.5)) / velocity_ratio
+    t48 = ((((t25 + t17) * 0.5) + t30) * 0.5) / velocity_ratio
+    t49 = (t46 / velocity_ratio) / t48
+    t52 = ((t37 / t38) / t48) * 2.0
+    t56 = tracking_index * (t7 / velocity_ratio)
+    t58 = t17 / velocity_ratio
+    t60 = ((t49 * t49) / t56) + ((t52 * t52) / t58)
+    t62 = velocity_ratio / (t30 / velocity_ratio)
+    t64 = (t39 * (t5 + (t7 * t37))) / velocity_ratio
+    t67 = t64 + (t49 * 2.0)
+    t71 = ((t49 * t64) / t56) + ((t52 * t67) / t58)
+    t77 = ((t64 * t64) / t56) + ((t67 * t67) / t58)
+    t63 = t62 * t60
+    t72 = t62 * t71
+    t78 = t62 * t77
+    return (t63, t72, t78)
 
 
 def _updated_covariance_by_velocity_ratio_block(
@@ -1707,6 +2206,7 @@ _UPDATED_COVARIANCE_BY_VELOCITY_RATIO = Signature(
     ("updated_11", "updated_12", "updated_22"),
     7,
     _updated_covariance_by_velocity_ratio_block,
+    numbers=_updated_covariance_by_velocity_ratio_of_numbers,
 )
 
 
@@ -1750,7 +2250,25 @@ def known_velocity(
 
     Source: derivation position-velocity
     """
+    if (
+        type(tracking_index) is float
+        and 1e-12 <= tracking_index <= 1000000000000.0
+        and out is None
+        and workers is ONE
+    ):
+        try:
+            return named(KnownVelocity, _known_velocity_of_numbers(tracking_index))
+        except (ArithmeticError, ValueError):
+            pass  # arrays say what is wrong
     return KnownVelocity(*evaluate(_KNOWN_VELOCITY, (tracking_index,), out, workers))
+
+
+def _known_velocity_of_numbers(tracking_index: float, form: Form = Double) -> tuple[float, ...]:
+    t1 = tracking_index * tracking_index
+    t7 = tracking_index + form.sqrt(t1 + 48.0)
+    t8 = (tracking_index * 2.0) / t7
+    t11 = t8 + (t1 / 3.0)
+    return (t11, t8)
 
 
 def _known_velocity_block(
@@ -1781,6 +2299,7 @@ _KNOWN_VELOCITY = Signature(
     ("predicted_11", "updated_11"),
     2,
     _known_velocity_block,
+    numbers=_known_velocity_of_numbers,
 )
 
 
@@ -1843,9 +2362,56 @@ def closed_loop_poles(
 
     Source: derivation position-velocity
     """
+    if (
+        type(tracking_index) is float
+        and type(velocity_ratio) is float
+        and 1e-12 <= tracking_index <= 1000000000000.0
+        and 1e-12 <= velocity_ratio <= 1000000000000.0
+        and out is None
+        and workers is ONE
+    ):
+        try:
+            return named(
+                ClosedLoopPoles, _closed_loop_poles_of_numbers(tracking_index, velocity_ratio)
+            )
+        except (ArithmeticError, ValueError):
+            pass  # arrays say what is wrong
     return ClosedLoopPoles(
         *evaluate(_CLOSED_LOOP_POLES, (tracking_index, velocity_ratio), out, workers)
     )
+
+
+def _closed_loop_poles_of_numbers(
+    tracking_index: float,
+    velocity_ratio: float,
+    form: Form = Double,
+) -> tuple[float, ...]:
+    t2 = velocity_ratio * velocity_ratio
+    t3 = tracking_index * tracking_index
+    t16 = ((t3 / 3.0) + 16.0) * (((t2 * 4.0) + t3) * 0.25)
+    t17 = form.sqrt(t16)
+    t23 = (t2 / 3.0) + ((t3 * 0.041666666666666664) + 1.0)
+    t25 = tracking_index * form.sqrt(t2 + (t3 / 12.0))
+    t30 = form.sqrt((t3 * t23) + (t25 * (t17 * 0.5)))
+    t31 = t25 + t17
+    t34 = ((t31 * 0.5) + t30) * 0.5
+    t38 = (velocity_ratio / t31) * velocity_ratio
+    t43 = (tracking_index / t31) * (tracking_index / t34)
+    t45 = (velocity_ratio + -2.449489742783178) + (
+        8.914125970704845e-08 if form.single else -2.168616518103246e-16
+    )
+    t47 = t45 * (velocity_ratio + 2.449489742783178)
+    t57 = tracking_index / ((t30 * t34) * 2.0)
+    t60 = (velocity_ratio + -1.7320508075688772) + (
+        -3.1087250107475484e-08 if form.single else -1.0035084221806903e-16
+    )
+    t62 = t60 * (velocity_ratio + 1.7320508075688772)
+    t64 = (tracking_index * t57) * (t62 / 3.0)
+    t67 = (velocity_ratio * t57) * (velocity_ratio * 2.0)
+    t50 = (t38 * (4.0 / t34)) - (t43 * (t47 / 6.0))
+    t53 = velocity_ratio / t34
+    t74 = (t64 * t64) - ((t67 * ((t3 / 48.0) + 1.0)) * t67)
+    return (t50, t53, t74)
 
 
 def _closed_loop_poles_block(
@@ -1946,6 +2512,7 @@ _CLOSED_LOOP_POLES = Signature(
     ("half_sum", "modulus", "quarter_discriminant"),
     5,
     _closed_loop_poles_block,
+    numbers=_closed_loop_poles_of_numbers,
 )
 
 
@@ -1991,7 +2558,27 @@ def real_poles(
 
     Source: derivation position-velocity
     """
+    if (
+        type(tracking_index) is float
+        and 1e-12 <= tracking_index <= 1000000000000.0
+        and out is None
+        and workers is ONE
+    ):
+        try:
+            return named(RealPoles, _real_poles_of_numbers(tracking_index))
+        except (ArithmeticError, ValueError):
+            pass  # arrays say what is wrong
     return RealPoles(*evaluate(_REAL_POLES, (tracking_index,), out, workers))
+
+
+def _real_poles_of_numbers(tracking_index: float, form: Form = Double) -> tuple[float, ...]:
+    t3 = (tracking_index * tracking_index) / 48.0
+    t9 = (form.sqrt(t3 + 1.0) * 2.0) / tracking_index
+    t11 = 0.3333333333333333 + t9
+    t14 = (tracking_index + 12.0) / tracking_index
+    t17 = (tracking_index + -12.0) / tracking_index
+    t21 = ((t14 * t17) / 36.0) / t11
+    return (t11, t21)
 
 
 def _real_poles_block(
@@ -2032,4 +2619,5 @@ _REAL_POLES = Signature(
     ("positive_from", "negative_up_to"),
     1,
     _real_poles_block,
+    numbers=_real_poles_of_numbers,
 )

@@ -8,15 +8,15 @@ from typing import TYPE_CHECKING
 
 from numpy import add, divide, multiply, negative, sqrt, square, subtract
 
+from gainproof.generated._numbers import ONE, Double, named
 from gainproof.generated._runtime import evaluate
 from gainproof.generated._signature import Domain, Signature
 
 if TYPE_CHECKING:
     from typing import NamedTuple
 
-    from numpy.typing import ArrayLike
-
-    from gainproof.generated._signature import Arrays, Real
+    from gainproof.generated._numbers import Form
+    from gainproof.generated._signature import ArrayLike, Arrays, Real
 else:
     from gainproof.generated._result import NamedTuple
 
@@ -153,7 +153,42 @@ def gains(
 
     Source: derivation position-velocity-random-acceleration
     """
+    if (
+        type(tracking_index) is float
+        and type(velocity_ratio) is float
+        and 1e-12 <= tracking_index <= 1000000000000.0
+        and 1e-12 <= velocity_ratio <= 1000000000000.0
+        and out is None
+        and workers is ONE
+    ):
+        try:
+            return named(Gains, _gains_of_numbers(tracking_index, velocity_ratio))
+        except (ArithmeticError, ValueError):
+            pass  # arrays say what is wrong
     return Gains(*evaluate(_GAINS, (tracking_index, velocity_ratio), out, workers))
+
+
+def _gains_of_numbers(
+    tracking_index: float,
+    velocity_ratio: float,
+    form: Form = Double,
+) -> tuple[float, ...]:
+    t2 = tracking_index * tracking_index
+    t3 = velocity_ratio * velocity_ratio
+    t5 = t3 * 4.0
+    t8 = form.sqrt((t5 + t2) * 4.0)
+    t13 = tracking_index * velocity_ratio
+    t17 = (t2 * ((t3 * 0.25) + 1.0)) + (t13 * (t8 * 0.5))
+    t18 = form.sqrt(t17)
+    t22 = (((t13 + t8) * 0.5) + t18) * 0.5
+    t25 = (tracking_index * t8) / (t2 + t5)
+    t27 = tracking_index / (t25 + velocity_ratio)
+    t29 = t27 * (velocity_ratio * t25)
+    t30 = t27 / t22
+    t31 = t30 * t3
+    t34 = (t29 + (t2 / t22)) / t18
+    t38 = ((t29 / t22) + (t31 * t30)) / t34
+    return (t38, t30, t31, t34)
 
 
 def _gains_block(
@@ -211,6 +246,7 @@ _GAINS = Signature(
     ("gain_11", "gain_12", "gain_21", "gain_22"),
     6,
     _gains_block,
+    numbers=_gains_of_numbers,
 )
 
 
@@ -267,9 +303,47 @@ def predicted_covariance(
 
     Source: derivation position-velocity-random-acceleration
     """
+    if (
+        type(tracking_index) is float
+        and type(velocity_ratio) is float
+        and 1e-12 <= tracking_index <= 1000000000000.0
+        and 1e-12 <= velocity_ratio <= 1000000000000.0
+        and out is None
+        and workers is ONE
+    ):
+        try:
+            return named(
+                PredictedCovariance,
+                _predicted_covariance_of_numbers(tracking_index, velocity_ratio),
+            )
+        except (ArithmeticError, ValueError):
+            pass  # arrays say what is wrong
     return PredictedCovariance(
         *evaluate(_PREDICTED_COVARIANCE, (tracking_index, velocity_ratio), out, workers)
     )
+
+
+def _predicted_covariance_of_numbers(
+    tracking_index: float,
+    velocity_ratio: float,
+    form: Form = Double,
+) -> tuple[float, ...]:
+    t2 = tracking_index * tracking_index
+    t3 = velocity_ratio * velocity_ratio
+    t5 = t3 * 4.0
+    t8 = form.sqrt((t5 + t2) * 4.0)
+    t13 = tracking_index * velocity_ratio
+    t17 = (t2 * ((t3 * 0.25) + 1.0)) + (t13 * (t8 * 0.5))
+    t18 = form.sqrt(t17)
+    t22 = (((t13 + t8) * 0.5) + t18) * 0.5
+    t25 = (tracking_index * t8) / (t2 + t5)
+    t27 = tracking_index / (t25 + velocity_ratio)
+    t29 = t27 * (velocity_ratio * t25)
+    t38 = (((t27 / t22) * t3) * 2.0) + (t3 * ((t29 + (t2 / t22)) / t18))
+    t42 = (t29 + (t22 * (t38 + (t2 * 0.25)))) / t18
+    t43 = t27 * t22
+    t46 = (t18 * t27) + (t2 * 0.5)
+    return (t42, t43, t46)
 
 
 def _predicted_covariance_block(
@@ -336,6 +410,7 @@ _PREDICTED_COVARIANCE = Signature(
     ("predicted_11", "predicted_12", "predicted_22"),
     6,
     _predicted_covariance_block,
+    numbers=_predicted_covariance_of_numbers,
 )
 
 
@@ -391,9 +466,46 @@ def updated_covariance(
 
     Source: derivation position-velocity-random-acceleration
     """
+    if (
+        type(tracking_index) is float
+        and type(velocity_ratio) is float
+        and 1e-12 <= tracking_index <= 1000000000000.0
+        and 1e-12 <= velocity_ratio <= 1000000000000.0
+        and out is None
+        and workers is ONE
+    ):
+        try:
+            return named(
+                UpdatedCovariance, _updated_covariance_of_numbers(tracking_index, velocity_ratio)
+            )
+        except (ArithmeticError, ValueError):
+            pass  # arrays say what is wrong
     return UpdatedCovariance(
         *evaluate(_UPDATED_COVARIANCE, (tracking_index, velocity_ratio), out, workers)
     )
+
+
+def _updated_covariance_of_numbers(
+    tracking_index: float,
+    velocity_ratio: float,
+    form: Form = Double,
+) -> tuple[float, ...]:
+    t2 = tracking_index * tracking_index
+    t3 = velocity_ratio * velocity_ratio
+    t5 = t3 * 4.0
+    t8 = form.sqrt((t5 + t2) * 4.0)
+    t13 = tracking_index * velocity_ratio
+    t17 = (t2 * ((t3 * 0.25) + 1.0)) + (t13 * (t8 * 0.5))
+    t18 = form.sqrt(t17)
+    t22 = (((t13 + t8) * 0.5) + t18) * 0.5
+    t25 = (tracking_index * t8) / (t2 + t5)
+    t27 = tracking_index / (t25 + velocity_ratio)
+    t29 = t27 * (velocity_ratio * t25)
+    t32 = (t27 / t22) * t3
+    t37 = t3 * ((t29 + (t2 / t22)) / t18)
+    t40 = (((t32 * 2.0) + t37) + (t2 * 0.25)) / t22
+    t43 = (t29 + (t3 * t40)) / t18
+    return (t43, t32, t37)
 
 
 def _updated_covariance_block(
@@ -457,6 +569,7 @@ _UPDATED_COVARIANCE = Signature(
     ("updated_11", "updated_12", "updated_22"),
     6,
     _updated_covariance_block,
+    numbers=_updated_covariance_of_numbers,
 )
 
 
@@ -532,9 +645,63 @@ def gains_by_tracking_index(
 
     Source: derivation position-velocity-random-acceleration
     """
+    if (
+        type(tracking_index) is float
+        and type(velocity_ratio) is float
+        and 1e-30 <= tracking_index <= 1e30
+        and 1e-30 <= velocity_ratio <= 1e30
+        and out is None
+        and workers is ONE
+    ):
+        try:
+            return named(
+                GainsByTrackingIndex,
+                _gains_by_tracking_index_of_numbers(tracking_index, velocity_ratio),
+            )
+        except (ArithmeticError, ValueError):
+            pass  # arrays say what is wrong
     return GainsByTrackingIndex(
         *evaluate(_GAINS_BY_TRACKING_INDEX, (tracking_index, velocity_ratio), out, workers)
     )
+
+
+def _gains_by_tracking_index_of_numbers(
+    tracking_index: float,
+    velocity_ratio: float,
+    form: Form = Double,
+) -> tuple[float, ...]:
+    t2 = tracking_index * tracking_index
+    t3 = velocity_ratio * velocity_ratio
+    t5 = t3 * 4.0
+    t8 = form.sqrt((t5 + t2) * 4.0)
+    t13 = tracking_index * velocity_ratio
+    t17 = (t2 * ((t3 * 0.25) + 1.0)) + (t13 * (t8 * 0.5))
+    t18 = form.sqrt(t17)
+    t20 = (t13 + t8) * 0.5
+    t22 = (t20 + t18) * 0.5
+    t25 = (tracking_index * t8) / (t2 + t5)
+    t26 = t25 + velocity_ratio
+    t28 = t22 / velocity_ratio
+    t29 = (velocity_ratio / t26) / t28
+    t34 = velocity_ratio * ((t8 * 0.25) * (t13 + (t18 * 2.0)))
+    t38 = (t3 * (velocity_ratio * 2.0)) + (tracking_index * t20)
+    t40 = (t34 / t38) / t28
+    t44 = (t25 / t26) / t28
+    t46 = (t22 * velocity_ratio) + tracking_index
+    t49 = ((t46 * t8) / t38) / t28
+    t51 = t8 / velocity_ratio
+    t54 = tracking_index / (t18 / velocity_ratio)
+    t55 = t54 * ((t29 * t40) / tracking_index)
+    t56 = t54 * ((t44 * t49) / t51)
+    t58 = (t55 / velocity_ratio) / velocity_ratio
+    t60 = (t56 / velocity_ratio) / velocity_ratio
+    t65 = ((t40 * t40) / tracking_index) + ((t49 * t49) / t51)
+    t73 = ((t29 * t29) / tracking_index) + ((t44 * t44) / t51)
+    t68 = ((t54 * t65) / velocity_ratio) / velocity_ratio
+    t74 = t54 * t73
+    t75 = t58 - t60
+    t77 = t55 - t56
+    return (t74, t75, t77, t68)
 
 
 def _gains_by_tracking_index_block(
@@ -631,6 +798,7 @@ _GAINS_BY_TRACKING_INDEX = Signature(
     ("gain_11", "gain_12", "gain_21", "gain_22"),
     7,
     _gains_by_tracking_index_block,
+    numbers=_gains_by_tracking_index_of_numbers,
 )
 
 
@@ -702,9 +870,69 @@ def gains_by_velocity_ratio(
 
     Source: derivation position-velocity-random-acceleration
     """
+    if (
+        type(tracking_index) is float
+        and type(velocity_ratio) is float
+        and 1e-30 <= tracking_index <= 1e30
+        and 1e-30 <= velocity_ratio <= 1e30
+        and out is None
+        and workers is ONE
+    ):
+        try:
+            return named(
+                GainsByVelocityRatio,
+                _gains_by_velocity_ratio_of_numbers(tracking_index, velocity_ratio),
+            )
+        except (ArithmeticError, ValueError):
+            pass  # arrays say what is wrong
     return GainsByVelocityRatio(
         *evaluate(_GAINS_BY_VELOCITY_RATIO, (tracking_index, velocity_ratio), out, workers)
     )
+
+
+def _gains_by_velocity_ratio_of_numbers(
+    tracking_index: float,
+    velocity_ratio: float,
+    form: Form = Double,
+) -> tuple[float, ...]:
+    t2 = tracking_index * tracking_index
+    t3 = velocity_ratio * velocity_ratio
+    t5 = t3 * 4.0
+    t8 = form.sqrt((t5 + t2) * 4.0)
+    t13 = tracking_index * velocity_ratio
+    t17 = (t2 * ((t3 * 0.25) + 1.0)) + (t13 * (t8 * 0.5))
+    t18 = form.sqrt(t17)
+    t20 = (t13 + t8) * 0.5
+    t22 = (t20 + t18) * 0.5
+    t25 = (tracking_index * t8) / (t2 + t5)
+    t26 = t25 + velocity_ratio
+    t27 = tracking_index / t26
+    t34 = ((t18 * t27) + (t2 * 0.5)) / velocity_ratio
+    t36 = t22 / velocity_ratio
+    t37 = (t34 / velocity_ratio) / t36
+    t40 = ((t25 / t26) / t36) * 2.0
+    t44 = t8 / velocity_ratio
+    t46 = ((t37 * t37) / tracking_index) + ((t40 * t40) / t44)
+    t47 = t18 / velocity_ratio
+    t48 = velocity_ratio / t47
+    t50 = (t27 * (velocity_ratio * t25)) / velocity_ratio
+    t57 = ((t37 * t50) / tracking_index) + ((t40 * (t50 + (t37 * 2.0))) / t44)
+    t58 = t48 * t57
+    t60 = t27 * velocity_ratio
+    t65 = velocity_ratio * ((t8 * 0.25) * (t13 + (t18 * 2.0)))
+    t69 = (t3 * (velocity_ratio * 2.0)) + (tracking_index * t20)
+    t71 = (t65 / t69) / t36
+    t73 = (t22 * velocity_ratio) + tracking_index
+    t76 = ((t73 * t8) / t69) / t36
+    t81 = ((t71 * t71) / tracking_index) + ((t76 * t76) / t44)
+    t84 = tracking_index * (((tracking_index / t47) * t81) * 0.5)
+    t89 = ((t60 * 2.0) * (t60 / (t47 * t44))) + t84
+    t91 = (2.0 / velocity_ratio) / velocity_ratio
+    t96 = (t58 / velocity_ratio) / velocity_ratio
+    t49 = t48 * t46
+    t94 = -(t91 * (t89 / velocity_ratio))
+    t99 = t96 - (((t27 / t22) / velocity_ratio) * 2.0)
+    return (t49, t99, t58, t94)
 
 
 def _gains_by_velocity_ratio_block(
@@ -824,6 +1052,7 @@ _GAINS_BY_VELOCITY_RATIO = Signature(
     ("gain_11", "gain_12", "gain_21", "gain_22"),
     13,
     _gains_by_velocity_ratio_block,
+    numbers=_gains_by_velocity_ratio_of_numbers,
 )
 
 
@@ -889,6 +1118,21 @@ def predicted_covariance_by_tracking_index(
 
     Source: derivation position-velocity-random-acceleration
     """
+    if (
+        type(tracking_index) is float
+        and type(velocity_ratio) is float
+        and 1e-30 <= tracking_index <= 1e30
+        and 1e-30 <= velocity_ratio <= 1e30
+        and out is None
+        and workers is ONE
+    ):
+        try:
+            return named(
+                PredictedCovarianceByTrackingIndex,
+                _predicted_covariance_by_tracking_index_of_numbers(tracking_index, velocity_ratio),
+            )
+        except (ArithmeticError, ValueError):
+            pass  # arrays say what is wrong
     return PredictedCovarianceByTrackingIndex(
         *evaluate(
             _PREDICTED_COVARIANCE_BY_TRACKING_INDEX,
@@ -897,6 +1141,47 @@ def predicted_covariance_by_tracking_index(
             workers,
         )
     )
+
+
+def _predicted_covariance_by_tracking_index_of_numbers(
+    tracking_index: float,
+    velocity_ratio: float,
+    form: Form = Double,
+) -> tuple[float, ...]:
+    t2 = tracking_index * tracking_index
+    t3 = velocity_ratio * velocity_ratio
+    t5 = t3 * 4.0
+    t8 = form.sqrt((t5 + t2) * 4.0)
+    t13 = tracking_index * velocity_ratio
+    t17 = (t2 * ((t3 * 0.25) + 1.0)) + (t13 * (t8 * 0.5))
+    t18 = form.sqrt(t17)
+    t20 = (t13 + t8) * 0.5
+    t22 = (t20 + t18) * 0.5
+    t25 = (tracking_index * t8) / (t2 + t5)
+    t26 = t25 + velocity_ratio
+    t27 = tracking_index / t26
+    t30 = t25 / t26
+    t31 = t22 / velocity_ratio
+    t33 = t31 * (velocity_ratio / t26)
+    t34 = t31 * t30
+    t38 = t8 / velocity_ratio
+    t40 = ((t33 * t33) / tracking_index) + ((t34 * t34) / t38)
+    t42 = (t27 * (velocity_ratio * t25)) + (t2 / t22)
+    t46 = tracking_index / (t18 / velocity_ratio)
+    t49 = (t27 * velocity_ratio) / tracking_index
+    t51 = tracking_index + ((t3 * (t42 / t18)) / tracking_index)
+    t56 = (t3 * velocity_ratio) + (tracking_index * t22)
+    t60 = (t3 * (velocity_ratio * 2.0)) + (tracking_index * t20)
+    t63 = (t49 * (t51 / tracking_index)) + (t30 * (t56 / t60))
+    t70 = velocity_ratio * ((t8 * 0.25) * (t13 + (t18 * 2.0)))
+    t72 = (t70 / t60) / t31
+    t74 = (t22 * velocity_ratio) + tracking_index
+    t77 = ((t74 * t8) / t60) / t31
+    t82 = ((t72 * t72) / tracking_index) + ((t77 * t77) / t38)
+    t47 = t46 * t40
+    t65 = t46 * (t31 * t63)
+    t85 = (t46 * t82) + (tracking_index * 2.0)
+    return (t47, t65, t85)
 
 
 def _predicted_covariance_by_tracking_index_block(
@@ -1002,6 +1287,7 @@ _PREDICTED_COVARIANCE_BY_TRACKING_INDEX = Signature(
     ("predicted_11", "predicted_12", "predicted_22"),
     11,
     _predicted_covariance_by_tracking_index_block,
+    numbers=_predicted_covariance_by_tracking_index_of_numbers,
 )
 
 
@@ -1065,6 +1351,21 @@ def predicted_covariance_by_velocity_ratio(
 
     Source: derivation position-velocity-random-acceleration
     """
+    if (
+        type(tracking_index) is float
+        and type(velocity_ratio) is float
+        and 1e-30 <= tracking_index <= 1e30
+        and 1e-30 <= velocity_ratio <= 1e30
+        and out is None
+        and workers is ONE
+    ):
+        try:
+            return named(
+                PredictedCovarianceByVelocityRatio,
+                _predicted_covariance_by_velocity_ratio_of_numbers(tracking_index, velocity_ratio),
+            )
+        except (ArithmeticError, ValueError):
+            pass  # arrays say what is wrong
     return PredictedCovarianceByVelocityRatio(
         *evaluate(
             _PREDICTED_COVARIANCE_BY_VELOCITY_RATIO,
@@ -1073,6 +1374,39 @@ def predicted_covariance_by_velocity_ratio(
             workers,
         )
     )
+
+
+def _predicted_covariance_by_velocity_ratio_of_numbers(
+    tracking_index: float,
+    velocity_ratio: float,
+    form: Form = Double,
+) -> tuple[float, ...]:
+    t2 = tracking_index * tracking_index
+    t3 = velocity_ratio * velocity_ratio
+    t5 = t3 * 4.0
+    t8 = form.sqrt((t5 + t2) * 4.0)
+    t13 = tracking_index * velocity_ratio
+    t17 = (t2 * ((t3 * 0.25) + 1.0)) + (t13 * (t8 * 0.5))
+    t18 = form.sqrt(t17)
+    t25 = (tracking_index * t8) / (t2 + t5)
+    t26 = t25 + velocity_ratio
+    t27 = tracking_index / t26
+    t30 = (t27 * (velocity_ratio * t25)) / velocity_ratio
+    t34 = ((t18 * t27) + (t2 * 0.5)) / velocity_ratio
+    t36 = ((((t13 + t8) * 0.5) + t18) * 0.5) / velocity_ratio
+    t37 = (t34 / velocity_ratio) / t36
+    t38 = t30 + t37
+    t41 = (t36 * (t25 / t26)) * 2.0
+    t43 = t30 + (t37 * 2.0)
+    t47 = t8 / velocity_ratio
+    t49 = ((t38 * t38) / tracking_index) + ((t41 * t41) / t47)
+    t51 = velocity_ratio / (t18 / velocity_ratio)
+    t57 = ((t38 * t30) / tracking_index) + ((t41 * t43) / t47)
+    t63 = ((t30 * t30) / tracking_index) + ((t43 * t43) / t47)
+    t52 = t51 * t49
+    t58 = t51 * t57
+    t64 = t51 * t63
+    return (t52, t58, t64)
 
 
 def _predicted_covariance_by_velocity_ratio_block(
@@ -1157,6 +1491,7 @@ _PREDICTED_COVARIANCE_BY_VELOCITY_RATIO = Signature(
     ("predicted_11", "predicted_12", "predicted_22"),
     5,
     _predicted_covariance_by_velocity_ratio_block,
+    numbers=_predicted_covariance_by_velocity_ratio_of_numbers,
 )
 
 
@@ -1225,6 +1560,21 @@ def updated_covariance_by_tracking_index(
 
     Source: derivation position-velocity-random-acceleration
     """
+    if (
+        type(tracking_index) is float
+        and type(velocity_ratio) is float
+        and 1e-30 <= tracking_index <= 1e30
+        and 1e-30 <= velocity_ratio <= 1e30
+        and out is None
+        and workers is ONE
+    ):
+        try:
+            return named(
+                UpdatedCovarianceByTrackingIndex,
+                _updated_covariance_by_tracking_index_of_numbers(tracking_index, velocity_ratio),
+            )
+        except (ArithmeticError, ValueError):
+            pass  # arrays say what is wrong
     return UpdatedCovarianceByTrackingIndex(
         *evaluate(
             _UPDATED_COVARIANCE_BY_TRACKING_INDEX,
@@ -1233,6 +1583,40 @@ def updated_covariance_by_tracking_index(
             workers,
         )
     )
+
+
+def _updated_covariance_by_tracking_index_of_numbers(
+    tracking_index: float,
+    velocity_ratio: float,
+    form: Form = Double,
+) -> tuple[float, ...]:
+    t2 = tracking_index * tracking_index
+    t3 = velocity_ratio * velocity_ratio
+    t5 = t3 * 4.0
+    t8 = form.sqrt((t5 + t2) * 4.0)
+    t13 = tracking_index * velocity_ratio
+    t17 = (t2 * ((t3 * 0.25) + 1.0)) + (t13 * (t8 * 0.5))
+    t18 = form.sqrt(t17)
+    t20 = (t13 + t8) * 0.5
+    t22 = (t20 + t18) * 0.5
+    t25 = (tracking_index * t8) / (t2 + t5)
+    t26 = t25 + velocity_ratio
+    t28 = t22 / velocity_ratio
+    t29 = (velocity_ratio / t26) / t28
+    t31 = (t25 / t26) / t28
+    t35 = t8 / velocity_ratio
+    t37 = ((t29 * t29) / tracking_index) + ((t31 * t31) / t35)
+    t39 = tracking_index / (t18 / velocity_ratio)
+    t45 = velocity_ratio * ((t8 * 0.25) * (t13 + (t18 * 2.0)))
+    t49 = (t3 * (velocity_ratio * 2.0)) + (tracking_index * t20)
+    t51 = (t45 / t49) / t28
+    t53 = (t22 * velocity_ratio) + tracking_index
+    t56 = ((t53 * t8) / t49) / t28
+    t61 = ((t51 * t51) / tracking_index) + ((t56 * t56) / t35)
+    t40 = t39 * t37
+    t62 = t39 * t61
+    t69 = (t39 * ((t29 * t51) / tracking_index)) - (t39 * ((t31 * t56) / t35))
+    return (t40, t69, t62)
 
 
 def _updated_covariance_by_tracking_index_block(
@@ -1322,6 +1706,7 @@ _UPDATED_COVARIANCE_BY_TRACKING_INDEX = Signature(
     ("updated_11", "updated_12", "updated_22"),
     9,
     _updated_covariance_by_tracking_index_block,
+    numbers=_updated_covariance_by_tracking_index_of_numbers,
 )
 
 
@@ -1384,6 +1769,21 @@ def updated_covariance_by_velocity_ratio(
 
     Source: derivation position-velocity-random-acceleration
     """
+    if (
+        type(tracking_index) is float
+        and type(velocity_ratio) is float
+        and 1e-30 <= tracking_index <= 1e30
+        and 1e-30 <= velocity_ratio <= 1e30
+        and out is None
+        and workers is ONE
+    ):
+        try:
+            return named(
+                UpdatedCovarianceByVelocityRatio,
+                _updated_covariance_by_velocity_ratio_of_numbers(tracking_index, velocity_ratio),
+            )
+        except (ArithmeticError, ValueError):
+            pass  # arrays say what is wrong
     return UpdatedCovarianceByVelocityRatio(
         *evaluate(
             _UPDATED_COVARIANCE_BY_VELOCITY_RATIO,
@@ -1392,6 +1792,38 @@ def updated_covariance_by_velocity_ratio(
             workers,
         )
     )
+
+
+def _updated_covariance_by_velocity_ratio_of_numbers(
+    tracking_index: float,
+    velocity_ratio: float,
+    form: Form = Double,
+) -> tuple[float, ...]:
+    t2 = tracking_index * tracking_index
+    t3 = velocity_ratio * velocity_ratio
+    t5 = t3 * 4.0
+    t8 = form.sqrt((t5 + t2) * 4.0)
+    t13 = tracking_index * velocity_ratio
+    t17 = (t2 * ((t3 * 0.25) + 1.0)) + (t13 * (t8 * 0.5))
+    t18 = form.sqrt(t17)
+    t25 = (tracking_index * t8) / (t2 + t5)
+    t26 = t25 + velocity_ratio
+    t27 = tracking_index / t26
+    t33 = ((t18 * t27) + (t2 * 0.5)) / velocity_ratio
+    t35 = ((((t13 + t8) * 0.5) + t18) * 0.5) / velocity_ratio
+    t36 = (t33 / velocity_ratio) / t35
+    t39 = ((t25 / t26) / t35) * 2.0
+    t43 = t8 / velocity_ratio
+    t45 = ((t36 * t36) / tracking_index) + ((t39 * t39) / t43)
+    t47 = velocity_ratio / (t18 / velocity_ratio)
+    t49 = (t27 * (velocity_ratio * t25)) / velocity_ratio
+    t52 = t49 + (t36 * 2.0)
+    t56 = ((t36 * t49) / tracking_index) + ((t39 * t52) / t43)
+    t62 = ((t49 * t49) / tracking_index) + ((t52 * t52) / t43)
+    t48 = t47 * t45
+    t57 = t47 * t56
+    t63 = t47 * t62
+    return (t48, t57, t63)
 
 
 def _updated_covariance_by_velocity_ratio_block(
@@ -1475,6 +1907,7 @@ _UPDATED_COVARIANCE_BY_VELOCITY_RATIO = Signature(
     ("updated_11", "updated_12", "updated_22"),
     5,
     _updated_covariance_by_velocity_ratio_block,
+    numbers=_updated_covariance_by_velocity_ratio_of_numbers,
 )
 
 
@@ -1512,7 +1945,22 @@ def known_velocity(
 
     Source: derivation position-velocity-random-acceleration
     """
+    if (
+        type(tracking_index) is float
+        and 1e-12 <= tracking_index <= 1000000000000.0
+        and out is None
+        and workers is ONE
+    ):
+        try:
+            return named(KnownVelocity, _known_velocity_of_numbers(tracking_index))
+        except (ArithmeticError, ValueError):
+            pass  # arrays say what is wrong
     return KnownVelocity(*evaluate(_KNOWN_VELOCITY, (tracking_index,), out, workers))
+
+
+def _known_velocity_of_numbers(tracking_index: float, _form: Form = Double) -> tuple[float, ...]:
+    t3 = (tracking_index * tracking_index) * 0.25
+    return (t3,)
 
 
 def _known_velocity_block(
@@ -1531,6 +1979,7 @@ _KNOWN_VELOCITY = Signature(
     ("predicted_11",),
     1,
     _known_velocity_block,
+    numbers=_known_velocity_of_numbers,
 )
 
 
@@ -1593,9 +2042,49 @@ def closed_loop_poles(
 
     Source: derivation position-velocity-random-acceleration
     """
+    if (
+        type(tracking_index) is float
+        and type(velocity_ratio) is float
+        and 1e-12 <= tracking_index <= 1000000000000.0
+        and 1e-12 <= velocity_ratio <= 1000000000000.0
+        and out is None
+        and workers is ONE
+    ):
+        try:
+            return named(
+                ClosedLoopPoles, _closed_loop_poles_of_numbers(tracking_index, velocity_ratio)
+            )
+        except (ArithmeticError, ValueError):
+            pass  # arrays say what is wrong
     return ClosedLoopPoles(
         *evaluate(_CLOSED_LOOP_POLES, (tracking_index, velocity_ratio), out, workers)
     )
+
+
+def _closed_loop_poles_of_numbers(
+    tracking_index: float,
+    velocity_ratio: float,
+    form: Form = Double,
+) -> tuple[float, ...]:
+    t2 = tracking_index * tracking_index
+    t3 = velocity_ratio * velocity_ratio
+    t8 = form.sqrt(((t3 * 4.0) + t2) * 4.0)
+    t13 = tracking_index * velocity_ratio
+    t17 = (t2 * ((t3 * 0.25) + 1.0)) + (t13 * (t8 * 0.5))
+    t18 = form.sqrt(t17)
+    t19 = t13 + t8
+    t22 = ((t19 * 0.5) + t18) * 0.5
+    t24 = (velocity_ratio / t19) * velocity_ratio
+    t29 = (tracking_index / t19) * (tracking_index / t22)
+    t33 = (velocity_ratio + -2.0) * (velocity_ratio + 2.0)
+    t34 = t33 * 0.25
+    t42 = tracking_index / ((t18 * t22) * 2.0)
+    t44 = (tracking_index * t42) * t34
+    t47 = (velocity_ratio * t42) * (velocity_ratio * 2.0)
+    t36 = (t24 * (4.0 / t22)) - (t29 * t34)
+    t39 = velocity_ratio / t22
+    t50 = (t44 * t44) - (t47 * t47)
+    return (t36, t39, t50)
 
 
 def _closed_loop_poles_block(
@@ -1664,6 +2153,7 @@ _CLOSED_LOOP_POLES = Signature(
     ("half_sum", "modulus", "quarter_discriminant"),
     4,
     _closed_loop_poles_block,
+    numbers=_closed_loop_poles_of_numbers,
 )
 
 
@@ -1709,7 +2199,25 @@ def real_poles(
 
     Source: derivation position-velocity-random-acceleration
     """
+    if (
+        type(tracking_index) is float
+        and 1e-12 <= tracking_index <= 1000000000000.0
+        and out is None
+        and workers is ONE
+    ):
+        try:
+            return named(RealPoles, _real_poles_of_numbers(tracking_index))
+        except (ArithmeticError, ValueError):
+            pass  # arrays say what is wrong
     return RealPoles(*evaluate(_REAL_POLES, (tracking_index,), out, workers))
+
+
+def _real_poles_of_numbers(tracking_index: float, _form: Form = Double) -> tuple[float, ...]:
+    t4 = 0.25 + (2.0 / tracking_index)
+    t7 = (tracking_index + 8.0) / tracking_index
+    t10 = (tracking_index + -8.0) / tracking_index
+    t14 = ((t7 * t10) * 0.0625) / t4
+    return (t4, t14)
 
 
 def _real_poles_block(
@@ -1743,4 +2251,5 @@ _REAL_POLES = Signature(
     ("positive_from", "negative_up_to"),
     1,
     _real_poles_block,
+    numbers=_real_poles_of_numbers,
 )

@@ -8,15 +8,15 @@ from typing import TYPE_CHECKING
 
 from numpy import add, divide, multiply, negative, sqrt, square, subtract
 
+from gainproof.generated._numbers import ONE, Double, named
 from gainproof.generated._runtime import evaluate
 from gainproof.generated._signature import Domain, Signature
 
 if TYPE_CHECKING:
     from typing import NamedTuple
 
-    from numpy.typing import ArrayLike
-
-    from gainproof.generated._signature import Arrays, Real
+    from gainproof.generated._numbers import Form
+    from gainproof.generated._signature import ArrayLike, Arrays, Real
 else:
     from gainproof.generated._result import NamedTuple
 
@@ -157,7 +157,42 @@ def gains(
 
     Source: derivation position-velocity-random-velocity
     """
+    if (
+        type(tracking_index) is float
+        and type(velocity_ratio) is float
+        and 1e-12 <= tracking_index <= 1000000000000.0
+        and 1e-12 <= velocity_ratio <= 1000000000000.0
+        and out is None
+        and workers is ONE
+    ):
+        try:
+            return named(Gains, _gains_of_numbers(tracking_index, velocity_ratio))
+        except (ArithmeticError, ValueError):
+            pass  # arrays say what is wrong
     return Gains(*evaluate(_GAINS, (tracking_index, velocity_ratio), out, workers))
+
+
+def _gains_of_numbers(
+    tracking_index: float,
+    velocity_ratio: float,
+    form: Form = Double,
+) -> tuple[float, ...]:
+    t2 = tracking_index * tracking_index
+    t3 = velocity_ratio * velocity_ratio
+    t10 = form.sqrt(((t2 + 16.0) * t3) + (t2 * 4.0))
+    t11 = tracking_index * velocity_ratio
+    t14 = (t11 + t10) * 0.5
+    t17 = form.sqrt(t2 + (t11 * t14))
+    t19 = (t14 + t17) * 0.5
+    t21 = (tracking_index * t19) / velocity_ratio
+    t22 = t21 / velocity_ratio
+    t24 = tracking_index / (t22 + velocity_ratio)
+    t27 = t24 / t19
+    t28 = t27 * t3
+    t31 = ((t17 * t24) / velocity_ratio) / velocity_ratio
+    t34 = ((t24 * (velocity_ratio * t22)) / t19) + (t28 * t27)
+    t35 = t34 / t31
+    return (t35, t27, t28, t31)
 
 
 def _gains_block(
@@ -211,6 +246,7 @@ _GAINS = Signature(
     ("gain_11", "gain_12", "gain_21", "gain_22"),
     4,
     _gains_block,
+    numbers=_gains_of_numbers,
 )
 
 
@@ -267,9 +303,47 @@ def predicted_covariance(
 
     Source: derivation position-velocity-random-velocity
     """
+    if (
+        type(tracking_index) is float
+        and type(velocity_ratio) is float
+        and 1e-12 <= tracking_index <= 1000000000000.0
+        and 1e-12 <= velocity_ratio <= 1000000000000.0
+        and out is None
+        and workers is ONE
+    ):
+        try:
+            return named(
+                PredictedCovariance,
+                _predicted_covariance_of_numbers(tracking_index, velocity_ratio),
+            )
+        except (ArithmeticError, ValueError):
+            pass  # arrays say what is wrong
     return PredictedCovariance(
         *evaluate(_PREDICTED_COVARIANCE, (tracking_index, velocity_ratio), out, workers)
     )
+
+
+def _predicted_covariance_of_numbers(
+    tracking_index: float,
+    velocity_ratio: float,
+    form: Form = Double,
+) -> tuple[float, ...]:
+    t2 = tracking_index * tracking_index
+    t3 = velocity_ratio * velocity_ratio
+    t10 = form.sqrt(((t2 + 16.0) * t3) + (t2 * 4.0))
+    t11 = tracking_index * velocity_ratio
+    t14 = (t11 + t10) * 0.5
+    t17 = form.sqrt(t2 + (t11 * t14))
+    t19 = (t14 + t17) * 0.5
+    t21 = (tracking_index * t19) / velocity_ratio
+    t22 = t21 / velocity_ratio
+    t24 = tracking_index / (t22 + velocity_ratio)
+    t30 = t17 * t24
+    t32 = t19 * ((((t24 / t19) * t3) * 2.0) + t30)
+    t34 = ((t24 * (velocity_ratio * t22)) + t32) / t17
+    t35 = t24 * t19
+    t36 = t30 + t2
+    return (t34, t35, t36)
 
 
 def _predicted_covariance_block(
@@ -325,6 +399,7 @@ _PREDICTED_COVARIANCE = Signature(
     ("predicted_11", "predicted_12", "predicted_22"),
     4,
     _predicted_covariance_block,
+    numbers=_predicted_covariance_of_numbers,
 )
 
 
@@ -380,9 +455,45 @@ def updated_covariance(
 
     Source: derivation position-velocity-random-velocity
     """
+    if (
+        type(tracking_index) is float
+        and type(velocity_ratio) is float
+        and 1e-12 <= tracking_index <= 1000000000000.0
+        and 1e-12 <= velocity_ratio <= 1000000000000.0
+        and out is None
+        and workers is ONE
+    ):
+        try:
+            return named(
+                UpdatedCovariance, _updated_covariance_of_numbers(tracking_index, velocity_ratio)
+            )
+        except (ArithmeticError, ValueError):
+            pass  # arrays say what is wrong
     return UpdatedCovariance(
         *evaluate(_UPDATED_COVARIANCE, (tracking_index, velocity_ratio), out, workers)
     )
+
+
+def _updated_covariance_of_numbers(
+    tracking_index: float,
+    velocity_ratio: float,
+    form: Form = Double,
+) -> tuple[float, ...]:
+    t2 = tracking_index * tracking_index
+    t3 = velocity_ratio * velocity_ratio
+    t10 = form.sqrt(((t2 + 16.0) * t3) + (t2 * 4.0))
+    t11 = tracking_index * velocity_ratio
+    t14 = (t11 + t10) * 0.5
+    t17 = form.sqrt(t2 + (t11 * t14))
+    t19 = (t14 + t17) * 0.5
+    t21 = (tracking_index * t19) / velocity_ratio
+    t22 = t21 / velocity_ratio
+    t24 = tracking_index / (t22 + velocity_ratio)
+    t28 = (t24 / t19) * t3
+    t30 = t17 * t24
+    t34 = (t24 * (velocity_ratio * t22)) + (t3 * (((t28 * 2.0) + t30) / t19))
+    t35 = t34 / t17
+    return (t35, t28, t30)
 
 
 def _updated_covariance_block(
@@ -437,6 +548,7 @@ _UPDATED_COVARIANCE = Signature(
     ("updated_11", "updated_12", "updated_22"),
     5,
     _updated_covariance_block,
+    numbers=_updated_covariance_of_numbers,
 )
 
 
@@ -512,9 +624,62 @@ def gains_by_tracking_index(
 
     Source: derivation position-velocity-random-velocity
     """
+    if (
+        type(tracking_index) is float
+        and type(velocity_ratio) is float
+        and 1e-30 <= tracking_index <= 1e30
+        and 1e-30 <= velocity_ratio <= 1e30
+        and out is None
+        and workers is ONE
+    ):
+        try:
+            return named(
+                GainsByTrackingIndex,
+                _gains_by_tracking_index_of_numbers(tracking_index, velocity_ratio),
+            )
+        except (ArithmeticError, ValueError):
+            pass  # arrays say what is wrong
     return GainsByTrackingIndex(
         *evaluate(_GAINS_BY_TRACKING_INDEX, (tracking_index, velocity_ratio), out, workers)
     )
+
+
+def _gains_by_tracking_index_of_numbers(
+    tracking_index: float,
+    velocity_ratio: float,
+    form: Form = Double,
+) -> tuple[float, ...]:
+    t2 = tracking_index * tracking_index
+    t6 = (t2 + 16.0) * (velocity_ratio * velocity_ratio)
+    t10 = form.sqrt(t6 + (t2 * 4.0))
+    t11 = tracking_index * velocity_ratio
+    t14 = (t11 + t10) * 0.5
+    t17 = form.sqrt(t2 + (t11 * t14))
+    t19 = (t14 + t17) * 0.5
+    t21 = (tracking_index * t19) / velocity_ratio
+    t22 = t21 / velocity_ratio
+    t23 = t22 + velocity_ratio
+    t26 = t19 / velocity_ratio
+    t27 = (velocity_ratio / t23) / t26
+    t28 = t17 / velocity_ratio
+    t30 = (tracking_index / t23) * velocity_ratio
+    t32 = (t26 * t28) * (t30 / tracking_index)
+    t33 = t32 / t26
+    t39 = ((t22 / t23) + 1.0) / t26
+    t41 = (t32 + 2.0) / t26
+    t43 = t10 / velocity_ratio
+    t45 = tracking_index / t28
+    t46 = t45 * ((t27 * t33) / tracking_index)
+    t47 = t45 * ((t39 * t41) / t43)
+    t49 = (t46 / velocity_ratio) / velocity_ratio
+    t51 = (t47 / velocity_ratio) / velocity_ratio
+    t56 = ((t33 * t33) / tracking_index) + ((t41 * t41) / t43)
+    t64 = ((t27 * t27) / tracking_index) + ((t39 * t39) / t43)
+    t59 = ((t45 * t56) / velocity_ratio) / velocity_ratio
+    t65 = t45 * t64
+    t66 = t49 - t51
+    t68 = t46 - t47
+    return (t65, t66, t68, t59)
 
 
 def _gains_by_tracking_index_block(
@@ -601,6 +766,7 @@ _GAINS_BY_TRACKING_INDEX = Signature(
     ("gain_11", "gain_12", "gain_21", "gain_22"),
     6,
     _gains_by_tracking_index_block,
+    numbers=_gains_by_tracking_index_of_numbers,
 )
 
 
@@ -672,9 +838,78 @@ def gains_by_velocity_ratio(
 
     Source: derivation position-velocity-random-velocity
     """
+    if (
+        type(tracking_index) is float
+        and type(velocity_ratio) is float
+        and 1e-30 <= tracking_index <= 1e30
+        and 1e-30 <= velocity_ratio <= 1e30
+        and out is None
+        and workers is ONE
+    ):
+        try:
+            return named(
+                GainsByVelocityRatio,
+                _gains_by_velocity_ratio_of_numbers(tracking_index, velocity_ratio),
+            )
+        except (ArithmeticError, ValueError):
+            pass  # arrays say what is wrong
     return GainsByVelocityRatio(
         *evaluate(_GAINS_BY_VELOCITY_RATIO, (tracking_index, velocity_ratio), out, workers)
     )
+
+
+def _gains_by_velocity_ratio_of_numbers(
+    tracking_index: float,
+    velocity_ratio: float,
+    form: Form = Double,
+) -> tuple[float, ...]:
+    t2 = tracking_index * tracking_index
+    t3 = velocity_ratio * velocity_ratio
+    t10 = form.sqrt(((t2 + 16.0) * t3) + (t2 * 4.0))
+    t11 = tracking_index * velocity_ratio
+    t14 = (t11 + t10) * 0.5
+    t17 = form.sqrt(t2 + (t11 * t14))
+    t19 = (t14 + t17) * 0.5
+    t21 = (tracking_index * t19) / velocity_ratio
+    t23 = (t21 / velocity_ratio) + velocity_ratio
+    t24 = tracking_index / t23
+    t25 = t24 / t19
+    t28 = (t25 * t3) / t2
+    t29 = (t17 * t24) / t2
+    t30 = t28 * t28
+    t40 = (((t30 * t30) * 8.0) + 2.0) / (((t30 * 2.0) + (t28 * 2.0)) + 1.0)
+    t45 = t40 + (((t28 * 4.0) + (t29 * 2.0)) * t29)
+    t46 = tracking_index / velocity_ratio
+    t47 = t46 * t46
+    t50 = t10 / velocity_ratio
+    t53 = (8.0 + (t47 * 2.0)) / ((tracking_index + t50) * 0.5)
+    t55 = t29 + 1.0
+    t58 = t45 + ((t53 / tracking_index) * (t55 * t55))
+    t61 = t19 / velocity_ratio
+    t63 = ((t2 / velocity_ratio) / t61) / velocity_ratio
+    t65 = t17 / velocity_ratio
+    t69 = t65 * t65
+    t70 = t65 * t50
+    t77 = (t69 + ((t70 * 3.0) * 0.5)) + ((tracking_index * t50) * 0.5)
+    t83 = ((t50 * t69) * (t65 + tracking_index)) * 0.5
+    t88 = (t47 * 4.0) * ((t46 / velocity_ratio) * t65)
+    t90 = (t83 + t2) + (t47 * (t77 + (t2 * 0.5)))
+    t92 = t3 + t69
+    t96 = ((tracking_index / t61) * 2.0) * (velocity_ratio / t92)
+    t100 = t96 * (((t90 + t88) / t92) / (t50 * t65))
+    t102 = t24 * velocity_ratio
+    t105 = (t61 * t65) * (t102 / tracking_index)
+    t106 = t105 / t61
+    t108 = (t105 + 2.0) / t61
+    t113 = ((t106 * t106) / tracking_index) + ((t108 * t108) / t50)
+    t115 = ((tracking_index / t65) * t113) * 0.5
+    t120 = ((t102 * 2.0) * (t102 / t70)) + (tracking_index * t115)
+    t122 = (2.0 / velocity_ratio) / velocity_ratio
+    t127 = (t100 / velocity_ratio) / velocity_ratio
+    t68 = ((t63 * t63) * (velocity_ratio / t65)) * (t58 / t50)
+    t125 = -(t122 * (t120 / velocity_ratio))
+    t130 = t127 - ((t25 / velocity_ratio) * 2.0)
+    return (t68, t130, t100, t125)
 
 
 def _gains_by_velocity_ratio_block(
@@ -824,6 +1059,7 @@ _GAINS_BY_VELOCITY_RATIO = Signature(
     ("gain_11", "gain_12", "gain_21", "gain_22"),
     12,
     _gains_by_velocity_ratio_block,
+    numbers=_gains_by_velocity_ratio_of_numbers,
 )
 
 
@@ -889,6 +1125,21 @@ def predicted_covariance_by_tracking_index(
 
     Source: derivation position-velocity-random-velocity
     """
+    if (
+        type(tracking_index) is float
+        and type(velocity_ratio) is float
+        and 1e-30 <= tracking_index <= 1e30
+        and 1e-30 <= velocity_ratio <= 1e30
+        and out is None
+        and workers is ONE
+    ):
+        try:
+            return named(
+                PredictedCovarianceByTrackingIndex,
+                _predicted_covariance_by_tracking_index_of_numbers(tracking_index, velocity_ratio),
+            )
+        except (ArithmeticError, ValueError):
+            pass  # arrays say what is wrong
     return PredictedCovarianceByTrackingIndex(
         *evaluate(
             _PREDICTED_COVARIANCE_BY_TRACKING_INDEX,
@@ -897,6 +1148,43 @@ def predicted_covariance_by_tracking_index(
             workers,
         )
     )
+
+
+def _predicted_covariance_by_tracking_index_of_numbers(
+    tracking_index: float,
+    velocity_ratio: float,
+    form: Form = Double,
+) -> tuple[float, ...]:
+    t2 = tracking_index * tracking_index
+    t3 = velocity_ratio * velocity_ratio
+    t10 = form.sqrt(((t2 + 16.0) * t3) + (t2 * 4.0))
+    t11 = tracking_index * velocity_ratio
+    t14 = (t11 + t10) * 0.5
+    t17 = form.sqrt(t2 + (t11 * t14))
+    t19 = (t14 + t17) * 0.5
+    t21 = (tracking_index * t19) / velocity_ratio
+    t22 = t21 / velocity_ratio
+    t23 = t22 + velocity_ratio
+    t24 = tracking_index / t23
+    t26 = t24 * (velocity_ratio * t22)
+    t28 = t19 / velocity_ratio
+    t29 = t28 * (velocity_ratio / t23)
+    t30 = t29 * t29
+    t32 = t10 / velocity_ratio
+    t36 = (t24 / t19) * t3
+    t38 = t17 / velocity_ratio
+    t39 = tracking_index / t38
+    t42 = (t36 * 2.0) + (t17 * t24)
+    t50 = ((t26 + (t19 * t42)) / t17) + ((t26 + (t3 * (t42 / t19))) / t17)
+    t53 = (t24 * velocity_ratio) / tracking_index
+    t60 = (t28 * t38) * t53
+    t61 = t60 / t28
+    t63 = (t60 + 2.0) / t28
+    t68 = ((t61 * t61) / tracking_index) + ((t63 * t63) / t32)
+    t40 = t39 * ((t30 / tracking_index) + (t30 / t32))
+    t58 = (t53 * ((t28 * 2.0) * (t50 + t36))) / (t32 * t38)
+    t71 = (t39 * t68) + (tracking_index * 2.0)
+    return (t40, t58, t71)
 
 
 def _predicted_covariance_by_tracking_index_block(
@@ -987,6 +1275,7 @@ _PREDICTED_COVARIANCE_BY_TRACKING_INDEX = Signature(
     ("predicted_11", "predicted_12", "predicted_22"),
     10,
     _predicted_covariance_by_tracking_index_block,
+    numbers=_predicted_covariance_by_tracking_index_of_numbers,
 )
 
 
@@ -1050,6 +1339,21 @@ def predicted_covariance_by_velocity_ratio(
 
     Source: derivation position-velocity-random-velocity
     """
+    if (
+        type(tracking_index) is float
+        and type(velocity_ratio) is float
+        and 1e-30 <= tracking_index <= 1e30
+        and 1e-30 <= velocity_ratio <= 1e30
+        and out is None
+        and workers is ONE
+    ):
+        try:
+            return named(
+                PredictedCovarianceByVelocityRatio,
+                _predicted_covariance_by_velocity_ratio_of_numbers(tracking_index, velocity_ratio),
+            )
+        except (ArithmeticError, ValueError):
+            pass  # arrays say what is wrong
     return PredictedCovarianceByVelocityRatio(
         *evaluate(
             _PREDICTED_COVARIANCE_BY_VELOCITY_RATIO,
@@ -1058,6 +1362,41 @@ def predicted_covariance_by_velocity_ratio(
             workers,
         )
     )
+
+
+def _predicted_covariance_by_velocity_ratio_of_numbers(
+    tracking_index: float,
+    velocity_ratio: float,
+    form: Form = Double,
+) -> tuple[float, ...]:
+    t2 = tracking_index * tracking_index
+    t6 = (t2 + 16.0) * (velocity_ratio * velocity_ratio)
+    t10 = form.sqrt(t6 + (t2 * 4.0))
+    t11 = tracking_index * velocity_ratio
+    t14 = (t11 + t10) * 0.5
+    t17 = form.sqrt(t2 + (t11 * t14))
+    t19 = (t14 + t17) * 0.5
+    t21 = (tracking_index * t19) / velocity_ratio
+    t22 = t21 / velocity_ratio
+    t24 = tracking_index / (t22 + velocity_ratio)
+    t27 = t19 / velocity_ratio
+    t28 = t17 * t24
+    t30 = (t28 / velocity_ratio) / velocity_ratio
+    t31 = t27 * t30
+    t33 = (t24 * velocity_ratio) / velocity_ratio
+    t36 = ((t33 / velocity_ratio) * 2.0) + t31
+    t37 = (t24 * (velocity_ratio * t22)) / velocity_ratio
+    t40 = ((t28 + t2) / velocity_ratio) / velocity_ratio
+    t43 = t37 + ((t40 / t27) * 2.0)
+    t47 = t10 / velocity_ratio
+    t49 = ((t31 * t31) / tracking_index) + ((t36 * t36) / t47)
+    t51 = velocity_ratio / (t17 / velocity_ratio)
+    t57 = ((t31 * t37) / tracking_index) + ((t36 * t43) / t47)
+    t63 = ((t37 * t37) / tracking_index) + ((t43 * t43) / t47)
+    t52 = t51 * t49
+    t58 = t51 * t57
+    t64 = t51 * t63
+    return (t52, t58, t64)
 
 
 def _predicted_covariance_by_velocity_ratio_block(
@@ -1141,6 +1480,7 @@ _PREDICTED_COVARIANCE_BY_VELOCITY_RATIO = Signature(
     ("predicted_11", "predicted_12", "predicted_22"),
     5,
     _predicted_covariance_by_velocity_ratio_block,
+    numbers=_predicted_covariance_by_velocity_ratio_of_numbers,
 )
 
 
@@ -1209,6 +1549,21 @@ def updated_covariance_by_tracking_index(
 
     Source: derivation position-velocity-random-velocity
     """
+    if (
+        type(tracking_index) is float
+        and type(velocity_ratio) is float
+        and 1e-30 <= tracking_index <= 1e30
+        and 1e-30 <= velocity_ratio <= 1e30
+        and out is None
+        and workers is ONE
+    ):
+        try:
+            return named(
+                UpdatedCovarianceByTrackingIndex,
+                _updated_covariance_by_tracking_index_of_numbers(tracking_index, velocity_ratio),
+            )
+        except (ArithmeticError, ValueError):
+            pass  # arrays say what is wrong
     return UpdatedCovarianceByTrackingIndex(
         *evaluate(
             _UPDATED_COVARIANCE_BY_TRACKING_INDEX,
@@ -1217,6 +1572,39 @@ def updated_covariance_by_tracking_index(
             workers,
         )
     )
+
+
+def _updated_covariance_by_tracking_index_of_numbers(
+    tracking_index: float,
+    velocity_ratio: float,
+    form: Form = Double,
+) -> tuple[float, ...]:
+    t2 = tracking_index * tracking_index
+    t6 = (t2 + 16.0) * (velocity_ratio * velocity_ratio)
+    t10 = form.sqrt(t6 + (t2 * 4.0))
+    t11 = tracking_index * velocity_ratio
+    t14 = (t11 + t10) * 0.5
+    t17 = form.sqrt(t2 + (t11 * t14))
+    t19 = (t14 + t17) * 0.5
+    t21 = (tracking_index * t19) / velocity_ratio
+    t22 = t21 / velocity_ratio
+    t23 = t22 + velocity_ratio
+    t26 = t19 / velocity_ratio
+    t27 = (velocity_ratio / t23) / t26
+    t31 = ((t22 / t23) + 1.0) / t26
+    t35 = t10 / velocity_ratio
+    t37 = ((t27 * t27) / tracking_index) + ((t31 * t31) / t35)
+    t38 = t17 / velocity_ratio
+    t39 = tracking_index / t38
+    t41 = (tracking_index / t23) * velocity_ratio
+    t44 = (t26 * t38) * (t41 / tracking_index)
+    t45 = t44 / t26
+    t47 = (t44 + 2.0) / t26
+    t52 = ((t45 * t45) / tracking_index) + ((t47 * t47) / t35)
+    t40 = t39 * t37
+    t53 = t39 * t52
+    t60 = (t39 * ((t27 * t45) / tracking_index)) - (t39 * ((t31 * t47) / t35))
+    return (t40, t60, t53)
 
 
 def _updated_covariance_by_tracking_index_block(
@@ -1296,6 +1684,7 @@ _UPDATED_COVARIANCE_BY_TRACKING_INDEX = Signature(
     ("updated_11", "updated_12", "updated_22"),
     6,
     _updated_covariance_by_tracking_index_block,
+    numbers=_updated_covariance_by_tracking_index_of_numbers,
 )
 
 
@@ -1358,6 +1747,21 @@ def updated_covariance_by_velocity_ratio(
 
     Source: derivation position-velocity-random-velocity
     """
+    if (
+        type(tracking_index) is float
+        and type(velocity_ratio) is float
+        and 1e-30 <= tracking_index <= 1e30
+        and 1e-30 <= velocity_ratio <= 1e30
+        and out is None
+        and workers is ONE
+    ):
+        try:
+            return named(
+                UpdatedCovarianceByVelocityRatio,
+                _updated_covariance_by_velocity_ratio_of_numbers(tracking_index, velocity_ratio),
+            )
+        except (ArithmeticError, ValueError):
+            pass  # arrays say what is wrong
     return UpdatedCovarianceByVelocityRatio(
         *evaluate(
             _UPDATED_COVARIANCE_BY_VELOCITY_RATIO,
@@ -1366,6 +1770,54 @@ def updated_covariance_by_velocity_ratio(
             workers,
         )
     )
+
+
+def _updated_covariance_by_velocity_ratio_of_numbers(
+    tracking_index: float,
+    velocity_ratio: float,
+    form: Form = Double,
+) -> tuple[float, ...]:
+    t2 = tracking_index * tracking_index
+    t3 = velocity_ratio * velocity_ratio
+    t10 = form.sqrt(((t2 + 16.0) * t3) + (t2 * 4.0))
+    t11 = tracking_index * velocity_ratio
+    t14 = (t11 + t10) * 0.5
+    t17 = form.sqrt(t2 + (t11 * t14))
+    t19 = (t14 + t17) * 0.5
+    t21 = (tracking_index * t19) / velocity_ratio
+    t22 = t21 / velocity_ratio
+    t24 = tracking_index / (t22 + velocity_ratio)
+    t29 = t17 * t24
+    t30 = ((t24 / t19) * t3) / t2
+    t31 = t29 / t2
+    t32 = t30 * t30
+    t42 = (((t32 * t32) * 8.0) + 2.0) / (((t32 * 2.0) + (t30 * 2.0)) + 1.0)
+    t47 = t42 + (((t30 * 4.0) + (t31 * 2.0)) * t31)
+    t48 = tracking_index / velocity_ratio
+    t49 = t48 * t48
+    t52 = t10 / velocity_ratio
+    t55 = (8.0 + (t49 * 2.0)) / ((tracking_index + t52) * 0.5)
+    t57 = t31 + 1.0
+    t60 = t47 + ((t55 / tracking_index) * (t57 * t57))
+    t63 = t19 / velocity_ratio
+    t65 = ((t2 / velocity_ratio) / t63) / velocity_ratio
+    t67 = t17 / velocity_ratio
+    t68 = velocity_ratio / t67
+    t71 = t67 * t67
+    t79 = (t71 + (((t67 * t52) * 3.0) * 0.5)) + ((tracking_index * t52) * 0.5)
+    t85 = ((t52 * t71) * (t67 + tracking_index)) * 0.5
+    t90 = (t49 * 4.0) * ((t48 / velocity_ratio) * t67)
+    t92 = (t85 + t2) + (t49 * (t79 + (t2 * 0.5)))
+    t94 = t3 + t71
+    t98 = ((tracking_index / t63) * 2.0) * (velocity_ratio / t94)
+    t103 = (t24 * (velocity_ratio * t22)) / velocity_ratio
+    t106 = ((t29 + t2) / velocity_ratio) / velocity_ratio
+    t109 = t103 + ((t106 / t63) * 2.0)
+    t114 = ((t103 * t103) / tracking_index) + ((t109 * t109) / t52)
+    t70 = ((t65 * t65) * t68) * (t60 / t52)
+    t102 = t98 * (((t92 + t90) / t94) / (t52 * t67))
+    t115 = t68 * t114
+    return (t70, t102, t115)
 
 
 def _updated_covariance_by_velocity_ratio_block(
@@ -1500,6 +1952,7 @@ _UPDATED_COVARIANCE_BY_VELOCITY_RATIO = Signature(
     ("updated_11", "updated_12", "updated_22"),
     13,
     _updated_covariance_by_velocity_ratio_block,
+    numbers=_updated_covariance_by_velocity_ratio_of_numbers,
 )
 
 
@@ -1558,9 +2011,46 @@ def closed_loop_poles(
 
     Source: derivation position-velocity-random-velocity
     """
+    if (
+        type(tracking_index) is float
+        and type(velocity_ratio) is float
+        and 1e-12 <= tracking_index <= 1000000000000.0
+        and 1e-12 <= velocity_ratio <= 1000000000000.0
+        and out is None
+        and workers is ONE
+    ):
+        try:
+            return named(
+                ClosedLoopPoles, _closed_loop_poles_of_numbers(tracking_index, velocity_ratio)
+            )
+        except (ArithmeticError, ValueError):
+            pass  # arrays say what is wrong
     return ClosedLoopPoles(
         *evaluate(_CLOSED_LOOP_POLES, (tracking_index, velocity_ratio), out, workers)
     )
+
+
+def _closed_loop_poles_of_numbers(
+    tracking_index: float,
+    velocity_ratio: float,
+    form: Form = Double,
+) -> tuple[float, ...]:
+    t2 = tracking_index * tracking_index
+    t6 = (t2 + 16.0) * (velocity_ratio * velocity_ratio)
+    t11 = tracking_index * velocity_ratio
+    t12 = t11 + form.sqrt(t6 + (t2 * 4.0))
+    t14 = t12 * 0.5
+    t17 = form.sqrt(t2 + (t11 * t14))
+    t19 = (t14 + t17) * 0.5
+    t21 = (velocity_ratio / t12) * velocity_ratio
+    t26 = (tracking_index / t12) * (tracking_index / t19)
+    t31 = tracking_index / ((t17 * t19) * 2.0)
+    t32 = tracking_index * t31
+    t35 = (velocity_ratio * t31) * (velocity_ratio * 2.0)
+    t27 = (t21 * (4.0 / t19)) + t26
+    t28 = velocity_ratio / t19
+    t38 = (t32 * t32) - (t35 * t35)
+    return (t27, t28, t38)
 
 
 def _closed_loop_poles_block(
@@ -1618,6 +2108,7 @@ _CLOSED_LOOP_POLES = Signature(
     ("half_sum", "modulus", "quarter_discriminant"),
     3,
     _closed_loop_poles_block,
+    numbers=_closed_loop_poles_of_numbers,
 )
 
 
@@ -1655,7 +2146,22 @@ def real_poles(
 
     Source: derivation position-velocity-random-velocity
     """
+    if (
+        type(tracking_index) is float
+        and 1e-12 <= tracking_index <= 1000000000000.0
+        and out is None
+        and workers is ONE
+    ):
+        try:
+            return named(RealPoles, _real_poles_of_numbers(tracking_index))
+        except (ArithmeticError, ValueError):
+            pass  # arrays say what is wrong
     return RealPoles(*evaluate(_REAL_POLES, (tracking_index,), out, workers))
+
+
+def _real_poles_of_numbers(tracking_index: float, _form: Form = Double) -> tuple[float, ...]:
+    t2 = 2.0 / tracking_index
+    return (t2,)
 
 
 def _real_poles_block(
@@ -1672,4 +2178,5 @@ _REAL_POLES = Signature(
     ("positive_from",),
     0,
     _real_poles_block,
+    numbers=_real_poles_of_numbers,
 )

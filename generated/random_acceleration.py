@@ -6,10 +6,10 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-import numpy as np
 from numpy import absolute, add, divide, less, multiply, negative, sqrt, square, subtract
 
 from gainproof.generated._bits import choose, mask_of
+from gainproof.generated._numbers import ONE, Double, filled_by, named
 from gainproof.generated._runtime import evaluate
 from gainproof.generated._signature import Domain, Signature
 from gainproof.generated._two_state_results import (
@@ -34,9 +34,9 @@ from gainproof.generated._two_state_results import (
 )
 
 if TYPE_CHECKING:
-    from numpy.typing import ArrayLike
-
-    from gainproof.generated._signature import Arrays, Real
+    from gainproof.generated._double_word import Part
+    from gainproof.generated._numbers import Form
+    from gainproof.generated._signature import ArrayLike, Arrays, Real
 
 __all__ = [
     "AlphaFromBeta",
@@ -144,8 +144,31 @@ def gains(
 
     Source: derivation random-acceleration
     """
+    if (
+        type(tracking_index) is float
+        and 5e-324 <= tracking_index <= 1.7976931348623157e308
+        and out is None
+        and workers is ONE
+        and not accurate
+    ):
+        try:
+            return named(Gains, _gains_of_numbers(tracking_index))
+        except (ArithmeticError, ValueError):
+            pass  # arrays say what is wrong
     kernel = _ACCURATE_GAINS if accurate else _GAINS
     return Gains(*evaluate(kernel, (tracking_index,), out, workers))
+
+
+def _gains_of_numbers(tracking_index: float, form: Form = Double) -> tuple[float, ...]:
+    t2 = 1.1102230246251565e-16 / tracking_index
+    t4 = t2 + 1.3877787807814457e-17
+    t7 = form.sqrt(t4) * 1.4901161193847656e-08
+    t9 = 2.7755575615628914e-17 / t7
+    t16 = ((t9 * (t9 + 2.0)) + 1.5) * 5.551115123125783e-17
+    t26 = (t2 * 2.0) + (t7 + 5.551115123125783e-17)
+    t23 = form.sqrt(16.0 / (t4 + (t7 + t16))) * 3.725290298461914e-09
+    t28 = 2.220446049250313e-16 / t26
+    return (t23, t28)
 
 
 def _gains_block(
@@ -193,20 +216,18 @@ _GAINS = Signature(
     ("alpha", "beta"),
     3,
     _gains_block,
+    numbers=_gains_of_numbers,
 )
 
 
-def _gains_in_double_words(given: Arrays, out: Arrays, _work: Arrays, single: bool) -> None:
-    if single:
-        # float64 keeps 29 bits more than come out
-        found = evaluate(_GAINS, (given[0].astype(np.float64),), None, 1)
-        for result, value in zip(out, found, strict=True):
-            result[...] = value
-        return
+def _gains_in_double_words(given: Part, form: Form = Double) -> tuple[Part, ...]:
     # loaded when it is asked for
     from gainproof.generated._double_word import add, divide, exact, multiply, root, scale
 
-    tracking_index = exact(given[0])
+    if form.single:
+        # float64 keeps 29 bits more than come out
+        return evaluate(_GAINS, exact(given)[:1], None, 1)
+    tracking_index = exact(given)
     kappa = divide((1.1102230246251565e-16, 0.0), tracking_index)
     t4 = add(kappa, (1.3877787807814457e-17, 0.0))
     rho_scaled = root(t4)
@@ -216,8 +237,7 @@ def _gains_in_double_words(given: Arrays, out: Arrays, _work: Arrays, single: bo
     t12 = divide((2.220446049250313e-16, 0.0), t10)
     t13 = multiply(t12, twice_rho)
     t14 = scale(t12, 1.1102230246251565e-16)
-    out[0][...] = t13[0]
-    out[1][...] = t14[0]
+    return (t13[0], t14[0])
 
 
 _ACCURATE_GAINS = Signature(
@@ -225,7 +245,8 @@ _ACCURATE_GAINS = Signature(
     (_ACCURATE_TRACKING_INDEX_DOMAIN,),
     ("alpha", "beta"),
     0,
-    _gains_in_double_words,
+    filled_by(_gains_in_double_words),
+    numbers=_gains_in_double_words,
 )
 
 
@@ -262,7 +283,29 @@ def gain_derivatives(
 
     Source: derivation random-acceleration
     """
+    if (
+        type(tracking_index) is float
+        and 5e-324 <= tracking_index <= 1.7976931348623157e308
+        and out is None
+        and workers is ONE
+    ):
+        try:
+            return named(GainDerivatives, _gain_derivatives_of_numbers(tracking_index))
+        except (ArithmeticError, ValueError):
+            pass  # arrays say what is wrong
     return GainDerivatives(*evaluate(_GAIN_DERIVATIVES, (tracking_index,), out, workers))
+
+
+def _gain_derivatives_of_numbers(tracking_index: float, form: Form = Double) -> tuple[float, ...]:
+    t2 = 1.1102230246251565e-16 / tracking_index
+    t5 = form.sqrt(t2 + 1.3877787807814457e-17)
+    t7 = t5 * 1.4901161193847656e-08
+    t9 = t7 + 5.551115123125783e-17
+    t13 = 2.465190328815662e-32 / (tracking_index * (t9 * t9))
+    t15 = (t13 * t13) / t7
+    t16 = t15 * t2
+    t17 = t15 * t9
+    return (t16, t17)
 
 
 def _gain_derivatives_block(
@@ -299,6 +342,7 @@ _GAIN_DERIVATIVES = Signature(
     ("alpha", "beta"),
     2,
     _gain_derivatives_block,
+    numbers=_gain_derivatives_of_numbers,
 )
 
 
@@ -342,7 +386,34 @@ def gains_with_derivatives(
 
     Source: derivation random-acceleration
     """
+    if (
+        type(tracking_index) is float
+        and 5e-324 <= tracking_index <= 1.7976931348623157e308
+        and out is None
+        and workers is ONE
+    ):
+        try:
+            return named(GainsWithDerivatives, _gains_with_derivatives_of_numbers(tracking_index))
+        except (ArithmeticError, ValueError):
+            pass  # arrays say what is wrong
     return GainsWithDerivatives(*evaluate(_GAINS_WITH_DERIVATIVES, (tracking_index,), out, workers))
+
+
+def _gains_with_derivatives_of_numbers(
+    tracking_index: float,
+    form: Form = Double,
+) -> tuple[float, ...]:
+    t1 = form.sqrt(tracking_index)
+    t3 = t1 * 0.5
+    t8 = form.sqrt((tracking_index * 0.25) + 2.0)
+    t12 = ((t3 + (2.0 / t1)) + t8) * 0.5
+    t13 = t1 * t12
+    t16 = 1.0 / (t13 * t13)
+    t18 = t16 / (t1 * t8)
+    t21 = t16 * ((t3 / t8) + 1.0)
+    t22 = t8 / t12
+    t23 = t1 / t12
+    return (t22, t23, t18, t21)
 
 
 def _gains_with_derivatives_block(
@@ -385,6 +456,7 @@ _GAINS_WITH_DERIVATIVES = Signature(
     ("alpha", "beta", "d_alpha", "d_beta"),
     2,
     _gains_with_derivatives_block,
+    numbers=_gains_with_derivatives_of_numbers,
 )
 
 
@@ -420,7 +492,30 @@ def predictor_gains(
 
     Source: derivation random-acceleration
     """
+    if (
+        type(tracking_index) is float
+        and 5e-324 <= tracking_index <= 1.7976931348623157e308
+        and out is None
+        and workers is ONE
+    ):
+        try:
+            return named(PredictorGains, _predictor_gains_of_numbers(tracking_index))
+        except (ArithmeticError, ValueError):
+            pass  # arrays say what is wrong
     return PredictorGains(*evaluate(_PREDICTOR_GAINS, (tracking_index,), out, workers))
+
+
+def _predictor_gains_of_numbers(tracking_index: float, form: Form = Double) -> tuple[float, ...]:
+    t2 = 1.1102230246251565e-16 / tracking_index
+    t4 = t2 + 1.3877787807814457e-17
+    t7 = form.sqrt(t4) * 1.4901161193847656e-08
+    t9 = 2.7755575615628914e-17 / t7
+    t16 = ((t9 * (t9 + 2.0)) + 1.5) * 5.551115123125783e-17
+    t23 = form.sqrt(16.0 / (t4 + (t7 + t16))) * 3.725290298461914e-09
+    t26 = (t2 * 2.0) + (t7 + 5.551115123125783e-17)
+    t28 = 2.220446049250313e-16 / t26
+    t29 = t23 + t28
+    return (t29, t28)
 
 
 def _predictor_gains_block(
@@ -469,6 +564,7 @@ _PREDICTOR_GAINS = Signature(
     ("position", "velocity"),
     3,
     _predictor_gains_block,
+    numbers=_predictor_gains_of_numbers,
 )
 
 
@@ -504,9 +600,36 @@ def predictor_gain_derivatives(
 
     Source: derivation random-acceleration
     """
+    if (
+        type(tracking_index) is float
+        and 5e-324 <= tracking_index <= 1.7976931348623157e308
+        and out is None
+        and workers is ONE
+    ):
+        try:
+            return named(
+                PredictorGainDerivatives, _predictor_gain_derivatives_of_numbers(tracking_index)
+            )
+        except (ArithmeticError, ValueError):
+            pass  # arrays say what is wrong
     return PredictorGainDerivatives(
         *evaluate(_PREDICTOR_GAIN_DERIVATIVES, (tracking_index,), out, workers)
     )
+
+
+def _predictor_gain_derivatives_of_numbers(
+    tracking_index: float,
+    form: Form = Double,
+) -> tuple[float, ...]:
+    t2 = 1.1102230246251565e-16 / tracking_index
+    t5 = form.sqrt(t2 + 1.3877787807814457e-17)
+    t7 = t5 * 1.4901161193847656e-08
+    t9 = t7 + 5.551115123125783e-17
+    t13 = 2.465190328815662e-32 / (tracking_index * (t9 * t9))
+    t15 = (t13 * t13) / t7
+    t17 = t15 * t9
+    t18 = (t15 * t2) + t17
+    return (t18, t17)
 
 
 def _predictor_gain_derivatives_block(
@@ -544,6 +667,7 @@ _PREDICTOR_GAIN_DERIVATIVES = Signature(
     ("position", "velocity"),
     2,
     _predictor_gain_derivatives_block,
+    numbers=_predictor_gain_derivatives_of_numbers,
 )
 
 
@@ -585,7 +709,34 @@ def predicted_covariance(
 
     Source: derivation random-acceleration
     """
+    if (
+        type(tracking_index) is float
+        and 5e-324 <= tracking_index <= 1.7976931348623157e308
+        and out is None
+        and workers is ONE
+    ):
+        try:
+            return named(PredictedCovariance, _predicted_covariance_of_numbers(tracking_index))
+        except (ArithmeticError, ValueError):
+            pass  # arrays say what is wrong
     return PredictedCovariance(*evaluate(_PREDICTED_COVARIANCE, (tracking_index,), out, workers))
+
+
+def _predicted_covariance_of_numbers(
+    tracking_index: float,
+    form: Form = Double,
+) -> tuple[float, ...]:
+    t2 = 1.1102230246251565e-16 / tracking_index
+    t5 = form.sqrt(t2 + 1.3877787807814457e-17)
+    t7 = t5 * 1.4901161193847656e-08
+    t9 = t7 + 5.551115123125783e-17
+    t12 = tracking_index * (2.220446049250313e-16 / t9)
+    t16 = (tracking_index * (t9 * t9)) * 4.056481920730334e31
+    t19 = (tracking_index * t7) * 9007199254740992.0
+    t20 = t16 * t19
+    t21 = tracking_index * t16
+    t23 = t12 + (tracking_index * tracking_index)
+    return (t20, t21, t23)
 
 
 def _predicted_covariance_block(
@@ -628,6 +779,7 @@ _PREDICTED_COVARIANCE = Signature(
     ("predicted_11", "predicted_12", "predicted_22"),
     2,
     _predicted_covariance_block,
+    numbers=_predicted_covariance_of_numbers,
 )
 
 
@@ -668,9 +820,39 @@ def predicted_covariance_derivatives(
 
     Source: derivation random-acceleration
     """
+    if (
+        type(tracking_index) is float
+        and 5e-324 <= tracking_index <= 1.7976931348623157e308
+        and out is None
+        and workers is ONE
+    ):
+        try:
+            return named(
+                PredictedCovarianceDerivatives,
+                _predicted_covariance_derivatives_of_numbers(tracking_index),
+            )
+        except (ArithmeticError, ValueError):
+            pass  # arrays say what is wrong
     return PredictedCovarianceDerivatives(
         *evaluate(_PREDICTED_COVARIANCE_DERIVATIVES, (tracking_index,), out, workers)
     )
+
+
+def _predicted_covariance_derivatives_of_numbers(
+    tracking_index: float,
+    form: Form = Double,
+) -> tuple[float, ...]:
+    t2 = 1.1102230246251565e-16 / tracking_index
+    t5 = form.sqrt(t2 + 1.3877787807814457e-17)
+    t7 = t5 * 1.4901161193847656e-08
+    t9 = t7 + 5.551115123125783e-17
+    t14 = (t2 / t9) * (1.1102230246251565e-16 / t7)
+    t17 = (2.220446049250313e-16 / t9) * (1.0 + t14)
+    t21 = (tracking_index * (t9 * t9)) * 4.056481920730334e31
+    t23 = t21 * (t9 / t7)
+    t26 = t23 * (t9 * 4503599627370496.0)
+    t29 = t17 + (tracking_index * 2.0)
+    return (t26, t23, t29)
 
 
 def _predicted_covariance_derivatives_block(
@@ -719,6 +901,7 @@ _PREDICTED_COVARIANCE_DERIVATIVES = Signature(
     ("predicted_11", "predicted_12", "predicted_22"),
     2,
     _predicted_covariance_derivatives_block,
+    numbers=_predicted_covariance_derivatives_of_numbers,
 )
 
 
@@ -760,7 +943,29 @@ def updated_covariance(
 
     Source: derivation random-acceleration
     """
+    if (
+        type(tracking_index) is float
+        and 5e-324 <= tracking_index <= 1.7976931348623157e308
+        and out is None
+        and workers is ONE
+    ):
+        try:
+            return named(UpdatedCovariance, _updated_covariance_of_numbers(tracking_index))
+        except (ArithmeticError, ValueError):
+            pass  # arrays say what is wrong
     return UpdatedCovariance(*evaluate(_UPDATED_COVARIANCE, (tracking_index,), out, workers))
+
+
+def _updated_covariance_of_numbers(tracking_index: float, form: Form = Double) -> tuple[float, ...]:
+    t2 = 1.1102230246251565e-16 / tracking_index
+    t5 = form.sqrt(t2 + 1.3877787807814457e-17)
+    t7 = t5 * 1.4901161193847656e-08
+    t9 = t7 + 5.551115123125783e-17
+    t12 = 2.220446049250313e-16 / (t9 * t9)
+    t13 = t12 * t7
+    t14 = t12 * 1.1102230246251565e-16
+    t16 = tracking_index * (2.220446049250313e-16 / t9)
+    return (t13, t14, t16)
 
 
 def _updated_covariance_block(
@@ -796,6 +1001,7 @@ _UPDATED_COVARIANCE = Signature(
     ("updated_11", "updated_12", "updated_22"),
     1,
     _updated_covariance_block,
+    numbers=_updated_covariance_of_numbers,
 )
 
 
@@ -835,9 +1041,39 @@ def updated_covariance_derivatives(
 
     Source: derivation random-acceleration
     """
+    if (
+        type(tracking_index) is float
+        and 5e-324 <= tracking_index <= 1.7976931348623157e308
+        and out is None
+        and workers is ONE
+    ):
+        try:
+            return named(
+                UpdatedCovarianceDerivatives,
+                _updated_covariance_derivatives_of_numbers(tracking_index),
+            )
+        except (ArithmeticError, ValueError):
+            pass  # arrays say what is wrong
     return UpdatedCovarianceDerivatives(
         *evaluate(_UPDATED_COVARIANCE_DERIVATIVES, (tracking_index,), out, workers)
     )
+
+
+def _updated_covariance_derivatives_of_numbers(
+    tracking_index: float,
+    form: Form = Double,
+) -> tuple[float, ...]:
+    t2 = 1.1102230246251565e-16 / tracking_index
+    t5 = form.sqrt(t2 + 1.3877787807814457e-17)
+    t7 = t5 * 1.4901161193847656e-08
+    t9 = t7 + 5.551115123125783e-17
+    t13 = 2.465190328815662e-32 / (tracking_index * (t9 * t9))
+    t15 = (t13 * t13) / t7
+    t22 = (t2 / t9) * (1.1102230246251565e-16 / t7)
+    t16 = t15 * t2
+    t17 = t15 * t9
+    t25 = (2.220446049250313e-16 / t9) * (1.0 + t22)
+    return (t16, t17, t25)
 
 
 def _updated_covariance_derivatives_block(
@@ -882,6 +1118,7 @@ _UPDATED_COVARIANCE_DERIVATIVES = Signature(
     ("updated_11", "updated_12", "updated_22"),
     3,
     _updated_covariance_derivatives_block,
+    numbers=_updated_covariance_derivatives_of_numbers,
 )
 
 
@@ -921,9 +1158,37 @@ def gain_second_derivatives(
 
     Source: derivation random-acceleration
     """
+    if (
+        type(tracking_index) is float
+        and 5e-324 <= tracking_index <= 1.7976931348623157e308
+        and out is None
+        and workers is ONE
+    ):
+        try:
+            return named(GainSecondDerivatives, _gain_second_derivatives_of_numbers(tracking_index))
+        except (ArithmeticError, ValueError):
+            pass  # arrays say what is wrong
     return GainSecondDerivatives(
         *evaluate(_GAIN_SECOND_DERIVATIVES, (tracking_index,), out, workers)
     )
+
+
+def _gain_second_derivatives_of_numbers(
+    tracking_index: float,
+    form: Form = Double,
+) -> tuple[float, ...]:
+    t2 = 1.1102230246251565e-16 / tracking_index
+    t4 = t2 + 1.3877787807814457e-17
+    t7 = form.sqrt(t4) * 1.4901161193847656e-08
+    t9 = t7 + 5.551115123125783e-17
+    t13 = 2.465190328815662e-32 / (tracking_index * (t9 * t9))
+    t14 = t13 / tracking_index
+    t17 = 1.1102230246251565e-16 / t7
+    t25 = t13 * (((2.0 + t17) * (6.0 + t17)) * 0.0625)
+    t31 = ((t2 + 2.7755575615628914e-17) / t4) * 0.5
+    t35 = -((t17 * t14) * ((t17 + t31) * t14))
+    t36 = -((t13 * (t2 / t7)) * t25)
+    return (t35, t36)
 
 
 def _gain_second_derivatives_block(
@@ -980,6 +1245,7 @@ _GAIN_SECOND_DERIVATIVES = Signature(
     ("alpha", "beta"),
     6,
     _gain_second_derivatives_block,
+    numbers=_gain_second_derivatives_of_numbers,
 )
 
 
@@ -1017,9 +1283,42 @@ def predictor_gain_second_derivatives(
 
     Source: derivation random-acceleration
     """
+    if (
+        type(tracking_index) is float
+        and 5e-324 <= tracking_index <= 1.7976931348623157e308
+        and out is None
+        and workers is ONE
+    ):
+        try:
+            return named(
+                PredictorGainSecondDerivatives,
+                _predictor_gain_second_derivatives_of_numbers(tracking_index),
+            )
+        except (ArithmeticError, ValueError):
+            pass  # arrays say what is wrong
     return PredictorGainSecondDerivatives(
         *evaluate(_PREDICTOR_GAIN_SECOND_DERIVATIVES, (tracking_index,), out, workers)
     )
+
+
+def _predictor_gain_second_derivatives_of_numbers(
+    tracking_index: float,
+    form: Form = Double,
+) -> tuple[float, ...]:
+    t2 = 1.1102230246251565e-16 / tracking_index
+    t4 = t2 + 1.3877787807814457e-17
+    t7 = form.sqrt(t4) * 1.4901161193847656e-08
+    t9 = t7 + 5.551115123125783e-17
+    t13 = 2.465190328815662e-32 / (tracking_index * (t9 * t9))
+    t14 = t13 / tracking_index
+    t17 = 1.1102230246251565e-16 / t7
+    t25 = t13 * (((2.0 + t17) * (6.0 + t17)) * 0.0625)
+    t26 = (t13 * (t2 / t7)) * t25
+    t31 = ((t2 + 2.7755575615628914e-17) / t4) * 0.5
+    t35 = ((t17 * t14) * ((t17 + t31) * t14)) + t26
+    t36 = -t35
+    t37 = -t26
+    return (t36, t37)
 
 
 def _predictor_gain_second_derivatives_block(
@@ -1077,6 +1376,7 @@ _PREDICTOR_GAIN_SECOND_DERIVATIVES = Signature(
     ("position", "velocity"),
     6,
     _predictor_gain_second_derivatives_block,
+    numbers=_predictor_gain_second_derivatives_of_numbers,
 )
 
 
@@ -1122,9 +1422,49 @@ def predicted_covariance_second_derivatives(
 
     Source: derivation random-acceleration
     """
+    if (
+        type(tracking_index) is float
+        and 5e-324 <= tracking_index <= 1.7976931348623157e308
+        and out is None
+        and workers is ONE
+    ):
+        try:
+            return named(
+                PredictedCovarianceSecondDerivatives,
+                _predicted_covariance_second_derivatives_of_numbers(tracking_index),
+            )
+        except (ArithmeticError, ValueError):
+            pass  # arrays say what is wrong
     return PredictedCovarianceSecondDerivatives(
         *evaluate(_PREDICTED_COVARIANCE_SECOND_DERIVATIVES, (tracking_index,), out, workers)
     )
+
+
+def _predicted_covariance_second_derivatives_of_numbers(
+    tracking_index: float,
+    form: Form = Double,
+) -> tuple[float, ...]:
+    t2 = 1.1102230246251565e-16 / tracking_index
+    t4 = t2 + 1.3877787807814457e-17
+    t5 = form.sqrt(t4)
+    t7 = t5 * 7.450580596923828e-09
+    t9 = t5 * 1.4901161193847656e-08
+    t15 = (t2 + 0.0) / (t7 + 2.7755575615628914e-17)
+    t16 = 1.1102230246251565e-16 / t9
+    t20 = (tracking_index + -0.6188021535170061) + (
+        -2.329468529183032e-08 if form.single else -4.555764098981943e-17
+    )
+    t23 = (t20 * 0.20200317547305482) / tracking_index
+    t24 = 2.0 + t16
+    t34 = (t15 + 0.36602540378443865) / (t15 + 2.366025403784439)
+    t36 = t9 + 5.551115123125783e-17
+    t46 = (1.0 + (t16 * 0.5)) + ((t2 / t4) * 0.5)
+    t53 = t2 / (t4 + (t7 * 0.5))
+    t59 = (t53 * t53) * (t53 * (((t15 * 3.0) + 2.0) * 0.25))
+    t41 = (t23 * (t36 * 1.8014398509481984e16)) * (((t24 * t24) * (t24 * 0.125)) * t34)
+    t50 = (t24 * (t36 * 1125899906842624.0)) * t46
+    t60 = t59 + 2.0
+    return (t41, t50, t60)
 
 
 def _predicted_covariance_second_derivatives_block(
@@ -1209,6 +1549,7 @@ _PREDICTED_COVARIANCE_SECOND_DERIVATIVES = Signature(
     ("predicted_11", "predicted_12", "predicted_22"),
     8,
     _predicted_covariance_second_derivatives_block,
+    numbers=_predicted_covariance_second_derivatives_of_numbers,
 )
 
 
@@ -1250,9 +1591,45 @@ def updated_covariance_second_derivatives(
 
     Source: derivation random-acceleration
     """
+    if (
+        type(tracking_index) is float
+        and 5e-324 <= tracking_index <= 1.7976931348623157e308
+        and out is None
+        and workers is ONE
+    ):
+        try:
+            return named(
+                UpdatedCovarianceSecondDerivatives,
+                _updated_covariance_second_derivatives_of_numbers(tracking_index),
+            )
+        except (ArithmeticError, ValueError):
+            pass  # arrays say what is wrong
     return UpdatedCovarianceSecondDerivatives(
         *evaluate(_UPDATED_COVARIANCE_SECOND_DERIVATIVES, (tracking_index,), out, workers)
     )
+
+
+def _updated_covariance_second_derivatives_of_numbers(
+    tracking_index: float,
+    form: Form = Double,
+) -> tuple[float, ...]:
+    t2 = 1.1102230246251565e-16 / tracking_index
+    t4 = t2 + 1.3877787807814457e-17
+    t5 = form.sqrt(t4)
+    t7 = t5 * 7.450580596923828e-09
+    t9 = t5 * 1.4901161193847656e-08
+    t11 = t9 + 5.551115123125783e-17
+    t15 = 2.465190328815662e-32 / (tracking_index * (t11 * t11))
+    t16 = t15 / tracking_index
+    t19 = 1.1102230246251565e-16 / t9
+    t27 = t15 * (((2.0 + t19) * (6.0 + t19)) * 0.0625)
+    t33 = ((t2 + 2.7755575615628914e-17) / t4) * 0.5
+    t42 = (t2 + 0.0) / (t7 + 2.7755575615628914e-17)
+    t45 = t2 / (t4 + (t7 * 0.5))
+    t37 = -((t19 * t16) * ((t19 + t33) * t16))
+    t38 = -((t15 * (t2 / t9)) * t27)
+    t53 = (t45 * t45) * (t45 * (((t42 * 3.0) + 2.0) * 0.25))
+    return (t37, t38, t53)
 
 
 def _updated_covariance_second_derivatives_block(
@@ -1326,6 +1703,7 @@ _UPDATED_COVARIANCE_SECOND_DERIVATIVES = Signature(
     ("updated_11", "updated_12", "updated_22"),
     6,
     _updated_covariance_second_derivatives_block,
+    numbers=_updated_covariance_second_derivatives_of_numbers,
 )
 
 
@@ -1377,7 +1755,37 @@ def closed_loop_poles(
 
     Source: derivation random-acceleration
     """
+    if (
+        type(tracking_index) is float
+        and 5e-324 <= tracking_index <= 1.7976931348623157e308
+        and out is None
+        and workers is ONE
+    ):
+        try:
+            return named(ClosedLoopPoles, _closed_loop_poles_of_numbers(tracking_index))
+        except (ArithmeticError, ValueError):
+            pass  # arrays say what is wrong
     return ClosedLoopPoles(*evaluate(_CLOSED_LOOP_POLES, (tracking_index,), out, workers))
+
+
+def _closed_loop_poles_of_numbers(tracking_index: float, form: Form = Double) -> tuple[float, ...]:
+    t2 = 1.1102230246251565e-16 / tracking_index
+    t5 = form.sqrt(t2 + 1.3877787807814457e-17)
+    t11 = (t5 * 1.4901161193847656e-08) + 5.551115123125783e-17
+    t15 = 2.465190328815662e-32 / (tracking_index * (t11 * t11))
+    t19 = tracking_index * 0.25
+    t27 = tracking_index * (t2 + 2.7755575615628914e-17)
+    t28 = tracking_index * 0.5
+    t33 = ((2.0 - t28) / t27) * ((2.0 + t28) * t15)
+    t34 = t33 * 2.7755575615628914e-17
+    t35 = form.sqrt(abs(2.0 - t19)) / (t5 * 7.450580596923828e-09)
+    t38 = (t35 * (form.sqrt(2.0 + t19) * t15)) * 2.7755575615628914e-17
+    t40 = abs(t34) + t38
+    t45 = t34 if tracking_index < 8.0 else -t40
+    t47 = t34 if tracking_index < 8.0 else -((t15 / t40) * t15)
+    t48 = t38 if tracking_index < 8.0 else form.of(0.0)
+    t50 = -t38 if tracking_index < 8.0 else form.of(0.0)
+    return (t45, t48, t47, t50)
 
 
 def _closed_loop_poles_block(
@@ -1449,6 +1857,7 @@ _CLOSED_LOOP_POLES = Signature(
     ("first_real", "first_imaginary", "second_real", "second_imaginary"),
     4,
     _closed_loop_poles_block,
+    numbers=_closed_loop_poles_of_numbers,
 )
 
 
@@ -1477,7 +1886,24 @@ def index_from_alpha(
 
     Source: derivation random-acceleration
     """
+    if (
+        type(alpha) is float
+        and 5e-324 <= alpha <= 0.9999999999999999
+        and out is None
+        and workers is ONE
+    ):
+        try:
+            return named(IndexFromAlpha, _index_from_alpha_of_numbers(alpha))
+        except (ArithmeticError, ValueError):
+            pass  # arrays say what is wrong
     return IndexFromAlpha(*evaluate(_INDEX_FROM_ALPHA, (alpha,), out, workers))
+
+
+def _index_from_alpha_of_numbers(alpha: float, form: Form = Double) -> tuple[float, ...]:
+    t2 = 1.0 - alpha
+    t12 = ((alpha * alpha) * 2.0) / ((2.0 - alpha) + form.sqrt(t2 * 4.0))
+    t13 = t12 / form.sqrt(t2)
+    return (t13,)
 
 
 def _index_from_alpha_block(
@@ -1510,6 +1936,7 @@ _INDEX_FROM_ALPHA = Signature(
     ("tracking_index",),
     3,
     _index_from_alpha_block,
+    numbers=_index_from_alpha_of_numbers,
 )
 
 
@@ -1538,7 +1965,23 @@ def beta_from_alpha(
 
     Source: derivation random-acceleration
     """
+    if (
+        type(alpha) is float
+        and 5e-324 <= alpha <= 0.9999999999999999
+        and out is None
+        and workers is ONE
+    ):
+        try:
+            return named(BetaFromAlpha, _beta_from_alpha_of_numbers(alpha))
+        except (ArithmeticError, ValueError):
+            pass  # arrays say what is wrong
     return BetaFromAlpha(*evaluate(_BETA_FROM_ALPHA, (alpha,), out, workers))
+
+
+def _beta_from_alpha_of_numbers(alpha: float, form: Form = Double) -> tuple[float, ...]:
+    t10 = (2.0 - alpha) + form.sqrt((1.0 - alpha) * 4.0)
+    t11 = ((alpha * alpha) * 2.0) / t10
+    return (t11,)
 
 
 def _beta_from_alpha_block(
@@ -1569,6 +2012,7 @@ _BETA_FROM_ALPHA = Signature(
     ("beta",),
     2,
     _beta_from_alpha_block,
+    numbers=_beta_from_alpha_of_numbers,
 )
 
 
@@ -1597,7 +2041,24 @@ def index_from_beta(
 
     Source: derivation random-acceleration
     """
+    if (
+        type(beta) is float
+        and 5e-324 <= beta <= 1.9999999999999998
+        and out is None
+        and workers is ONE
+    ):
+        try:
+            return named(IndexFromBeta, _index_from_beta_of_numbers(beta))
+        except (ArithmeticError, ValueError):
+            pass  # arrays say what is wrong
     return IndexFromBeta(*evaluate(_INDEX_FROM_BETA, (beta,), out, workers))
+
+
+def _index_from_beta_of_numbers(beta: float, form: Form = Double) -> tuple[float, ...]:
+    t5 = 2.0 - beta
+    t9 = ((2.0 + beta) + form.sqrt(beta * 8.0)) * 2.0
+    t12 = beta / form.sqrt((t5 * t5) / t9)
+    return (t12,)
 
 
 def _index_from_beta_block(
@@ -1624,6 +2085,7 @@ _INDEX_FROM_BETA = Signature(
     ("tracking_index",),
     2,
     _index_from_beta_block,
+    numbers=_index_from_beta_of_numbers,
 )
 
 
@@ -1652,7 +2114,24 @@ def alpha_from_beta(
 
     Source: derivation random-acceleration
     """
+    if (
+        type(beta) is float
+        and 5e-324 <= beta <= 1.9999999999999998
+        and out is None
+        and workers is ONE
+    ):
+        try:
+            return named(AlphaFromBeta, _alpha_from_beta_of_numbers(beta))
+        except (ArithmeticError, ValueError):
+            pass  # arrays say what is wrong
     return AlphaFromBeta(*evaluate(_ALPHA_FROM_BETA, (beta,), out, workers))
+
+
+def _alpha_from_beta_of_numbers(beta: float, form: Form = Double) -> tuple[float, ...]:
+    t2 = beta * 1.152921504606847e18
+    t10 = form.sqrt(t2 * 8.0) + (beta * 1073741824.0)
+    t13 = (t2 * (8.0 - beta)) / (t10 * 2147483648.0)
+    return (t13,)
 
 
 def _alpha_from_beta_block(
@@ -1685,4 +2164,5 @@ _ALPHA_FROM_BETA = Signature(
     ("alpha",),
     2,
     _alpha_from_beta_block,
+    numbers=_alpha_from_beta_of_numbers,
 )

@@ -6,9 +6,9 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-import numpy as np
 from numpy import add, copyto, divide, minimum, multiply, negative, sqrt, square, subtract
 
+from gainproof.generated._numbers import ONE, Double, filled_by, named
 from gainproof.generated._runtime import evaluate
 from gainproof.generated._signature import Domain, Signature
 from gainproof.generated._two_state_results import (
@@ -33,9 +33,9 @@ from gainproof.generated._two_state_results import (
 )
 
 if TYPE_CHECKING:
-    from numpy.typing import ArrayLike
-
-    from gainproof.generated._signature import Arrays, Real
+    from gainproof.generated._double_word import Part
+    from gainproof.generated._numbers import Form
+    from gainproof.generated._signature import ArrayLike, Arrays, Real
 
 __all__ = [
     "AlphaFromBeta",
@@ -143,8 +143,33 @@ def gains(
 
     Source: derivation random-velocity
     """
+    if (
+        type(tracking_index) is float
+        and 5e-324 <= tracking_index <= 1.7976931348623157e308
+        and out is None
+        and workers is ONE
+        and not accurate
+    ):
+        try:
+            return named(Gains, _gains_of_numbers(tracking_index))
+        except (ArithmeticError, ValueError):
+            pass  # arrays say what is wrong
     kernel = _ACCURATE_GAINS if accurate else _GAINS
     return Gains(*evaluate(kernel, (tracking_index,), out, workers))
+
+
+def _gains_of_numbers(tracking_index: float, form: Form = Double) -> tuple[float, ...]:
+    t2 = tracking_index * 1.8014398509481984e16
+    t5 = t2 if tracking_index < 0.75 else form.of(1.3510798882111488e16)
+    t7 = 5.404319552844595e16 / tracking_index
+    t9 = form.of(7.205759403792794e16) if tracking_index < 0.75 else t7
+    t13 = form.sqrt((t9 * t9) + (t5 * t5))
+    t15 = t13 * 2.0
+    t19 = form.sqrt(t5 * (t15 + (t5 * 2.0)))
+    t28 = (t5 * 1.152921504606847e18) / (t15 + ((t19 * 4.0) + (t5 * 6.0)))
+    t31 = form.sqrt(t28) * 3.725290298461914e-09
+    t35 = (t5 * 4.0) / (t13 + (t5 + t19))
+    return (t31, t35)
 
 
 def _gains_block(
@@ -198,20 +223,18 @@ _GAINS = Signature(
     ("alpha", "beta"),
     5,
     _gains_block,
+    numbers=_gains_of_numbers,
 )
 
 
-def _gains_in_double_words(given: Arrays, out: Arrays, _work: Arrays, single: bool) -> None:
-    if single:
-        # float64 keeps 29 bits more than come out
-        found = evaluate(_GAINS, (given[0].astype(np.float64),), None, 1)
-        for result, value in zip(out, found, strict=True):
-            result[...] = value
-        return
+def _gains_in_double_words(given: Part, form: Form = Double) -> tuple[Part, ...]:
     # loaded when it is asked for
     from gainproof.generated._double_word import add, divide, exact, multiply, root, scale
 
-    tracking_index = exact(given[0])
+    if form.single:
+        # float64 keeps 29 bits more than come out
+        return evaluate(_GAINS, exact(given)[:1], None, 1)
+    tracking_index = exact(given)
     p = root(tracking_index)
     t3 = divide((1.9721522630525295e-31, 0.0), tracking_index)
     t5 = scale(tracking_index, 1.232595164407831e-32)
@@ -226,8 +249,7 @@ def _gains_in_double_words(given: Arrays, out: Arrays, _work: Arrays, single: bo
     t17 = divide((2.0, 0.0), t15)
     t18 = multiply(t17, rho)
     t20 = scale(t17, 2.220446049250313e-16)
-    out[0][...] = t18[0]
-    out[1][...] = t20[0]
+    return (t18[0], t20[0])
 
 
 _ACCURATE_GAINS = Signature(
@@ -235,7 +257,8 @@ _ACCURATE_GAINS = Signature(
     (_ACCURATE_TRACKING_INDEX_DOMAIN,),
     ("alpha", "beta"),
     0,
-    _gains_in_double_words,
+    filled_by(_gains_in_double_words),
+    numbers=_gains_in_double_words,
 )
 
 
@@ -272,7 +295,34 @@ def gain_derivatives(
 
     Source: derivation random-velocity
     """
+    if (
+        type(tracking_index) is float
+        and 5e-324 <= tracking_index <= 1.7976931348623157e308
+        and out is None
+        and workers is ONE
+    ):
+        try:
+            return named(GainDerivatives, _gain_derivatives_of_numbers(tracking_index))
+        except (ArithmeticError, ValueError):
+            pass  # arrays say what is wrong
     return GainDerivatives(*evaluate(_GAIN_DERIVATIVES, (tracking_index,), out, workers))
+
+
+def _gain_derivatives_of_numbers(tracking_index: float, form: Form = Double) -> tuple[float, ...]:
+    t1 = form.sqrt(tracking_index)
+    t3 = 1.9721522630525295e-31 / tracking_index
+    t5 = tracking_index * 1.232595164407831e-32
+    t7 = form.sqrt(t3 + t5)
+    t8 = t7 / t1
+    t12 = form.sqrt(t8 + 1.1102230246251565e-16)
+    t14 = t12 * 1.4901161193847656e-08
+    t17 = tracking_index * (t8 + (t14 + 1.1102230246251565e-16))
+    t19 = 4.440892098500626e-16 / t17
+    t21 = (t19 * t19) / (t1 * t7)
+    t25 = (4.930380657631324e-32 / t14) + 4.440892098500626e-16
+    t22 = t21 * t14
+    t26 = t21 * t25
+    return (t22, t26)
 
 
 def _gain_derivatives_block(
@@ -318,6 +368,7 @@ _GAIN_DERIVATIVES = Signature(
     ("alpha", "beta"),
     2,
     _gain_derivatives_block,
+    numbers=_gain_derivatives_of_numbers,
 )
 
 
@@ -361,7 +412,39 @@ def gains_with_derivatives(
 
     Source: derivation random-velocity
     """
+    if (
+        type(tracking_index) is float
+        and 5e-324 <= tracking_index <= 1.7976931348623157e308
+        and out is None
+        and workers is ONE
+    ):
+        try:
+            return named(GainsWithDerivatives, _gains_with_derivatives_of_numbers(tracking_index))
+        except (ArithmeticError, ValueError):
+            pass  # arrays say what is wrong
     return GainsWithDerivatives(*evaluate(_GAINS_WITH_DERIVATIVES, (tracking_index,), out, workers))
+
+
+def _gains_with_derivatives_of_numbers(
+    tracking_index: float,
+    form: Form = Double,
+) -> tuple[float, ...]:
+    t1 = form.sqrt(tracking_index)
+    t5 = t1 * 1.8189894035458565e-12
+    t7 = 1.3234889800848443e-23 / tracking_index
+    t9 = tracking_index * 8.271806125530277e-25
+    t11 = form.sqrt(t7 + t9)
+    t12 = (t1 * 9.094947017729282e-13) + t11
+    t14 = form.sqrt(t5 * t12)
+    t17 = (t12 + t14) * 0.5
+    t18 = t1 * t17
+    t23 = 6.018531076210112e-36 / ((t18 * t18) * (t1 * t11))
+    t24 = t5 / t14
+    t25 = t23 / t24
+    t26 = t14 / t17
+    t27 = t5 / t17
+    t29 = t23 * (t24 + 2.0)
+    return (t26, t27, t25, t29)
 
 
 def _gains_with_derivatives_block(
@@ -411,6 +494,7 @@ _GAINS_WITH_DERIVATIVES = Signature(
     ("alpha", "beta", "d_alpha", "d_beta"),
     4,
     _gains_with_derivatives_block,
+    numbers=_gains_with_derivatives_of_numbers,
 )
 
 
@@ -446,7 +530,30 @@ def predictor_gains(
 
     Source: derivation random-velocity
     """
+    if (
+        type(tracking_index) is float
+        and 5e-324 <= tracking_index <= 1.7976931348623157e308
+        and out is None
+        and workers is ONE
+    ):
+        try:
+            return named(PredictorGains, _predictor_gains_of_numbers(tracking_index))
+        except (ArithmeticError, ValueError):
+            pass  # arrays say what is wrong
     return PredictorGains(*evaluate(_PREDICTOR_GAINS, (tracking_index,), out, workers))
+
+
+def _predictor_gains_of_numbers(tracking_index: float, form: Form = Double) -> tuple[float, ...]:
+    t2 = tracking_index * 1.8014398509481984e16
+    t5 = t2 if tracking_index < 0.75 else form.of(1.3510798882111488e16)
+    t7 = 5.404319552844595e16 / tracking_index
+    t9 = form.of(7.205759403792794e16) if tracking_index < 0.75 else t7
+    t13 = form.sqrt((t9 * t9) + (t5 * t5))
+    t17 = (t13 * 2.0) + (t5 * 2.0)
+    t23 = form.sqrt((t5 * 1.152921504606847e18) / t17)
+    t25 = t23 * 3.725290298461914e-09
+    t30 = (t5 * 4.0) / (t13 + (t5 + form.sqrt(t5 * t17)))
+    return (t25, t30)
 
 
 def _predictor_gains_block(
@@ -495,6 +602,7 @@ _PREDICTOR_GAINS = Signature(
     ("position", "velocity"),
     3,
     _predictor_gains_block,
+    numbers=_predictor_gains_of_numbers,
 )
 
 
@@ -530,9 +638,41 @@ def predictor_gain_derivatives(
 
     Source: derivation random-velocity
     """
+    if (
+        type(tracking_index) is float
+        and 5e-324 <= tracking_index <= 1.7976931348623157e308
+        and out is None
+        and workers is ONE
+    ):
+        try:
+            return named(
+                PredictorGainDerivatives, _predictor_gain_derivatives_of_numbers(tracking_index)
+            )
+        except (ArithmeticError, ValueError):
+            pass  # arrays say what is wrong
     return PredictorGainDerivatives(
         *evaluate(_PREDICTOR_GAIN_DERIVATIVES, (tracking_index,), out, workers)
     )
+
+
+def _predictor_gain_derivatives_of_numbers(
+    tracking_index: float,
+    form: Form = Double,
+) -> tuple[float, ...]:
+    t1 = form.sqrt(tracking_index)
+    t3 = 1.9721522630525295e-31 / tracking_index
+    t5 = tracking_index * 1.232595164407831e-32
+    t7 = form.sqrt(t3 + t5)
+    t8 = t7 / t1
+    t12 = form.sqrt(t8 + 1.1102230246251565e-16)
+    t14 = t12 * 1.4901161193847656e-08
+    t17 = tracking_index * (t8 + (t14 + 1.1102230246251565e-16))
+    t19 = 4.440892098500626e-16 / t17
+    t21 = (t19 * t19) / (t1 * t7)
+    t25 = (4.930380657631324e-32 / t14) + 4.440892098500626e-16
+    t26 = t21 * t25
+    t27 = (t21 * t14) + t26
+    return (t27, t26)
 
 
 def _predictor_gain_derivatives_block(
@@ -579,6 +719,7 @@ _PREDICTOR_GAIN_DERIVATIVES = Signature(
     ("position", "velocity"),
     2,
     _predictor_gain_derivatives_block,
+    numbers=_predictor_gain_derivatives_of_numbers,
 )
 
 
@@ -620,7 +761,35 @@ def predicted_covariance(
 
     Source: derivation random-velocity
     """
+    if (
+        type(tracking_index) is float
+        and 5e-324 <= tracking_index <= 1.7976931348623157e308
+        and out is None
+        and workers is ONE
+    ):
+        try:
+            return named(PredictedCovariance, _predicted_covariance_of_numbers(tracking_index))
+        except (ArithmeticError, ValueError):
+            pass  # arrays say what is wrong
     return PredictedCovariance(*evaluate(_PREDICTED_COVARIANCE, (tracking_index,), out, workers))
+
+
+def _predicted_covariance_of_numbers(
+    tracking_index: float,
+    form: Form = Double,
+) -> tuple[float, ...]:
+    t3 = 1.9721522630525295e-31 / tracking_index
+    t5 = tracking_index * 1.232595164407831e-32
+    t8 = form.sqrt(t3 + t5) / form.sqrt(tracking_index)
+    t11 = form.sqrt(t8 + 1.1102230246251565e-16)
+    t13 = t11 * 1.4901161193847656e-08
+    t16 = (tracking_index * t13) * 4503599627370496.0
+    t20 = tracking_index * (t8 + (t13 + 1.1102230246251565e-16))
+    t22 = t20 * 2251799813685248.0
+    t23 = t22 * t16
+    t24 = tracking_index * t22
+    t26 = (tracking_index * t16) + (tracking_index * tracking_index)
+    return (t23, t24, t26)
 
 
 def _predicted_covariance_block(
@@ -666,6 +835,7 @@ _PREDICTED_COVARIANCE = Signature(
     ("predicted_11", "predicted_12", "predicted_22"),
     2,
     _predicted_covariance_block,
+    numbers=_predicted_covariance_of_numbers,
 )
 
 
@@ -706,9 +876,42 @@ def predicted_covariance_derivatives(
 
     Source: derivation random-velocity
     """
+    if (
+        type(tracking_index) is float
+        and 5e-324 <= tracking_index <= 1.7976931348623157e308
+        and out is None
+        and workers is ONE
+    ):
+        try:
+            return named(
+                PredictedCovarianceDerivatives,
+                _predicted_covariance_derivatives_of_numbers(tracking_index),
+            )
+        except (ArithmeticError, ValueError):
+            pass  # arrays say what is wrong
     return PredictedCovarianceDerivatives(
         *evaluate(_PREDICTED_COVARIANCE_DERIVATIVES, (tracking_index,), out, workers)
     )
+
+
+def _predicted_covariance_derivatives_of_numbers(
+    tracking_index: float,
+    form: Form = Double,
+) -> tuple[float, ...]:
+    t3 = 1.9721522630525295e-31 / tracking_index
+    t5 = tracking_index * 1.232595164407831e-32
+    t8 = form.sqrt(t3 + t5) / form.sqrt(tracking_index)
+    t10 = t8 + 1.1102230246251565e-16
+    t13 = form.sqrt(t10) * 1.4901161193847656e-08
+    t15 = t10 / t8
+    t21 = (t13 * 4503599627370496.0) + (((t10 / t13) * t15) * 0.5)
+    t24 = t8 + (t13 + 1.1102230246251565e-16)
+    t27 = (tracking_index * t24) * 2251799813685248.0
+    t35 = 1.0 + (t15 * (1.1102230246251565e-16 / t13))
+    t31 = t27 * (t15 * ((t24 / t13) * 0.5))
+    t36 = t27 * t35
+    t38 = (tracking_index * t21) + (tracking_index * 2.0)
+    return (t31, t36, t38)
 
 
 def _predicted_covariance_derivatives_block(
@@ -767,6 +970,7 @@ _PREDICTED_COVARIANCE_DERIVATIVES = Signature(
     ("predicted_11", "predicted_12", "predicted_22"),
     3,
     _predicted_covariance_derivatives_block,
+    numbers=_predicted_covariance_derivatives_of_numbers,
 )
 
 
@@ -808,7 +1012,31 @@ def updated_covariance(
 
     Source: derivation random-velocity
     """
+    if (
+        type(tracking_index) is float
+        and 5e-324 <= tracking_index <= 1.7976931348623157e308
+        and out is None
+        and workers is ONE
+    ):
+        try:
+            return named(UpdatedCovariance, _updated_covariance_of_numbers(tracking_index))
+        except (ArithmeticError, ValueError):
+            pass  # arrays say what is wrong
     return UpdatedCovariance(*evaluate(_UPDATED_COVARIANCE, (tracking_index,), out, workers))
+
+
+def _updated_covariance_of_numbers(tracking_index: float, form: Form = Double) -> tuple[float, ...]:
+    t3 = 1.9721522630525295e-31 / tracking_index
+    t5 = tracking_index * 1.232595164407831e-32
+    t8 = form.sqrt(t3 + t5) / form.sqrt(tracking_index)
+    t11 = form.sqrt(t8 + 1.1102230246251565e-16)
+    t13 = t11 * 1.4901161193847656e-08
+    t17 = 2.0 / (t8 + (t13 + 1.1102230246251565e-16))
+    t23 = (tracking_index * t13) * 4503599627370496.0
+    t18 = t17 * t13
+    t20 = t17 * 2.220446049250313e-16
+    t24 = tracking_index * t23
+    return (t18, t20, t24)
 
 
 def _updated_covariance_block(
@@ -852,6 +1080,7 @@ _UPDATED_COVARIANCE = Signature(
     ("updated_11", "updated_12", "updated_22"),
     2,
     _updated_covariance_block,
+    numbers=_updated_covariance_of_numbers,
 )
 
 
@@ -891,9 +1120,44 @@ def updated_covariance_derivatives(
 
     Source: derivation random-velocity
     """
+    if (
+        type(tracking_index) is float
+        and 5e-324 <= tracking_index <= 1.7976931348623157e308
+        and out is None
+        and workers is ONE
+    ):
+        try:
+            return named(
+                UpdatedCovarianceDerivatives,
+                _updated_covariance_derivatives_of_numbers(tracking_index),
+            )
+        except (ArithmeticError, ValueError):
+            pass  # arrays say what is wrong
     return UpdatedCovarianceDerivatives(
         *evaluate(_UPDATED_COVARIANCE_DERIVATIVES, (tracking_index,), out, workers)
     )
+
+
+def _updated_covariance_derivatives_of_numbers(
+    tracking_index: float,
+    form: Form = Double,
+) -> tuple[float, ...]:
+    t1 = form.sqrt(tracking_index)
+    t3 = 1.9721522630525295e-31 / tracking_index
+    t5 = tracking_index * 1.232595164407831e-32
+    t7 = form.sqrt(t3 + t5)
+    t8 = t7 / t1
+    t11 = t8 + 1.1102230246251565e-16
+    t14 = form.sqrt(t11) * 1.4901161193847656e-08
+    t17 = tracking_index * (t8 + (t14 + 1.1102230246251565e-16))
+    t19 = 4.440892098500626e-16 / t17
+    t21 = (t19 * t19) / (t1 * t7)
+    t25 = (4.930380657631324e-32 / t14) + 4.440892098500626e-16
+    t34 = (t14 * 4503599627370496.0) + (((t11 / t14) * (t11 / t8)) * 0.5)
+    t22 = t21 * t14
+    t26 = t21 * t25
+    t35 = tracking_index * t34
+    return (t22, t26, t35)
 
 
 def _updated_covariance_derivatives_block(
@@ -948,6 +1212,7 @@ _UPDATED_COVARIANCE_DERIVATIVES = Signature(
     ("updated_11", "updated_12", "updated_22"),
     3,
     _updated_covariance_derivatives_block,
+    numbers=_updated_covariance_derivatives_of_numbers,
 )
 
 
@@ -987,9 +1252,48 @@ def gain_second_derivatives(
 
     Source: derivation random-velocity
     """
+    if (
+        type(tracking_index) is float
+        and 5e-324 <= tracking_index <= 1.7976931348623157e308
+        and out is None
+        and workers is ONE
+    ):
+        try:
+            return named(GainSecondDerivatives, _gain_second_derivatives_of_numbers(tracking_index))
+        except (ArithmeticError, ValueError):
+            pass  # arrays say what is wrong
     return GainSecondDerivatives(
         *evaluate(_GAIN_SECOND_DERIVATIVES, (tracking_index,), out, workers)
     )
+
+
+def _gain_second_derivatives_of_numbers(
+    tracking_index: float,
+    form: Form = Double,
+) -> tuple[float, ...]:
+    t1 = form.sqrt(tracking_index)
+    t3 = 1.9721522630525295e-31 / tracking_index
+    t5 = tracking_index * 1.232595164407831e-32
+    t7 = form.sqrt(t3 + t5)
+    t8 = t7 / t1
+    t11 = t8 + 1.1102230246251565e-16
+    t12 = form.sqrt(t11)
+    t14 = t12 * 1.4901161193847656e-08
+    t19 = tracking_index * (t8 + (t14 + 1.1102230246251565e-16))
+    t21 = 4.440892098500626e-16 / t19
+    t22 = t21 / tracking_index
+    t25 = (t21 * 2.220446049250313e-16) / (t1 * t7)
+    t26 = 2.220446049250313e-16 / t14
+    t27 = 2.220446049250313e-16 / t8
+    t29 = (t12 * 2.9802322387695312e-08) * 2251799813685248.0
+    t40 = 1.0 + ((1.0 + (t26 * 0.5)) * (t27 * 0.5))
+    t42 = t25 * ((((t29 * 3.0) + t26) * 0.5) + t40)
+    t44 = t14 / t8
+    t50 = ((t8 + 2.220446049250313e-16) / t8) * (t27 * 5.551115123125783e-17)
+    t55 = (t44 + (((t8 + t50) / t11) * 0.5)) * t22
+    t57 = -((t44 * t22) * t55)
+    t58 = -(t25 * t42)
+    return (t57, t58)
 
 
 def _gain_second_derivatives_block(
@@ -1067,6 +1371,7 @@ _GAIN_SECOND_DERIVATIVES = Signature(
     ("alpha", "beta"),
     7,
     _gain_second_derivatives_block,
+    numbers=_gain_second_derivatives_of_numbers,
 )
 
 
@@ -1104,9 +1409,52 @@ def predictor_gain_second_derivatives(
 
     Source: derivation random-velocity
     """
+    if (
+        type(tracking_index) is float
+        and 5e-324 <= tracking_index <= 1.7976931348623157e308
+        and out is None
+        and workers is ONE
+    ):
+        try:
+            return named(
+                PredictorGainSecondDerivatives,
+                _predictor_gain_second_derivatives_of_numbers(tracking_index),
+            )
+        except (ArithmeticError, ValueError):
+            pass  # arrays say what is wrong
     return PredictorGainSecondDerivatives(
         *evaluate(_PREDICTOR_GAIN_SECOND_DERIVATIVES, (tracking_index,), out, workers)
     )
+
+
+def _predictor_gain_second_derivatives_of_numbers(
+    tracking_index: float,
+    form: Form = Double,
+) -> tuple[float, ...]:
+    t1 = form.sqrt(tracking_index)
+    t3 = 1.9721522630525295e-31 / tracking_index
+    t5 = tracking_index * 1.232595164407831e-32
+    t7 = form.sqrt(t3 + t5)
+    t8 = t7 / t1
+    t11 = t8 + 1.1102230246251565e-16
+    t12 = form.sqrt(t11)
+    t14 = t12 * 1.4901161193847656e-08
+    t19 = tracking_index * (t8 + (t14 + 1.1102230246251565e-16))
+    t21 = 4.440892098500626e-16 / t19
+    t22 = t21 / tracking_index
+    t25 = (t21 * 2.220446049250313e-16) / (t1 * t7)
+    t26 = 2.220446049250313e-16 / t14
+    t27 = 2.220446049250313e-16 / t8
+    t29 = (t12 * 2.9802322387695312e-08) * 2251799813685248.0
+    t40 = 1.0 + ((1.0 + (t26 * 0.5)) * (t27 * 0.5))
+    t42 = t25 * ((((t29 * 3.0) + t26) * 0.5) + t40)
+    t43 = t25 * t42
+    t44 = t14 / t8
+    t50 = ((t8 + 2.220446049250313e-16) / t8) * (t27 * 5.551115123125783e-17)
+    t55 = (t44 + (((t8 + t50) / t11) * 0.5)) * t22
+    t58 = -(((t44 * t22) * t55) + t43)
+    t59 = -t43
+    return (t58, t59)
 
 
 def _predictor_gain_second_derivatives_block(
@@ -1185,6 +1533,7 @@ _PREDICTOR_GAIN_SECOND_DERIVATIVES = Signature(
     ("position", "velocity"),
     7,
     _predictor_gain_second_derivatives_block,
+    numbers=_predictor_gain_second_derivatives_of_numbers,
 )
 
 
@@ -1233,9 +1582,53 @@ def predicted_covariance_second_derivatives(
 
     Source: derivation random-velocity
     """
+    if (
+        type(tracking_index) is float
+        and 5e-324 <= tracking_index <= 1.7976931348623157e308
+        and out is None
+        and workers is ONE
+    ):
+        try:
+            return named(
+                PredictedCovarianceSecondDerivatives,
+                _predicted_covariance_second_derivatives_of_numbers(tracking_index),
+            )
+        except (ArithmeticError, ValueError):
+            pass  # arrays say what is wrong
     return PredictedCovarianceSecondDerivatives(
         *evaluate(_PREDICTED_COVARIANCE_SECOND_DERIVATIVES, (tracking_index,), out, workers)
     )
+
+
+def _predicted_covariance_second_derivatives_of_numbers(
+    tracking_index: float,
+    form: Form = Double,
+) -> tuple[float, ...]:
+    t1 = form.sqrt(tracking_index)
+    t3 = 1.9721522630525295e-31 / tracking_index
+    t5 = tracking_index * 1.232595164407831e-32
+    t7 = form.sqrt(t3 + t5)
+    t8 = t7 / t1
+    t11 = t8 + 1.1102230246251565e-16
+    t12 = form.sqrt(t11)
+    t14 = t12 * 1.4901161193847656e-08
+    t18 = 2.220446049250313e-16 / t14
+    t19 = 2.220446049250313e-16 / t8
+    t21 = t8 + (t14 + 1.1102230246251565e-16)
+    t22 = t21 / t8
+    t24 = t19 * 0.5
+    t31 = 1.0 + t19
+    t37 = (t21 * 4503599627370496.0) * (1.0 + (t31 * ((t19 * t19) * 0.25)))
+    t43 = ((t22 * (t21 * (1.0 + t24))) * 0.25) - (((t21 * t18) * t37) * 0.125)
+    t51 = (1.9721522630525295e-31 / (t1 * t7)) / tracking_index
+    t52 = t51 / t11
+    t55 = (1.0 + ((t14 / t8) * 0.5)) + ((t52 * 0.5) * t31)
+    t57 = (t12 * 2.9802322387695312e-08) * 2251799813685248.0
+    t70 = ((0.5 + (t19 * 0.25)) * (5.0 + t52)) + ((t51 / t8) * t24)
+    t44 = t43 * 4503599627370496.0
+    t60 = (t22 * (t57 * 0.25)) * t55
+    t76 = ((t57 * 0.75) + (t18 * (t70 * 0.25))) + 2.0
+    return (t44, t60, t76)
 
 
 def _predicted_covariance_second_derivatives_block(
@@ -1328,6 +1721,7 @@ _PREDICTED_COVARIANCE_SECOND_DERIVATIVES = Signature(
     ("predicted_11", "predicted_12", "predicted_22"),
     11,
     _predicted_covariance_second_derivatives_block,
+    numbers=_predicted_covariance_second_derivatives_of_numbers,
 )
 
 
@@ -1369,9 +1763,56 @@ def updated_covariance_second_derivatives(
 
     Source: derivation random-velocity
     """
+    if (
+        type(tracking_index) is float
+        and 5e-324 <= tracking_index <= 1.7976931348623157e308
+        and out is None
+        and workers is ONE
+    ):
+        try:
+            return named(
+                UpdatedCovarianceSecondDerivatives,
+                _updated_covariance_second_derivatives_of_numbers(tracking_index),
+            )
+        except (ArithmeticError, ValueError):
+            pass  # arrays say what is wrong
     return UpdatedCovarianceSecondDerivatives(
         *evaluate(_UPDATED_COVARIANCE_SECOND_DERIVATIVES, (tracking_index,), out, workers)
     )
+
+
+def _updated_covariance_second_derivatives_of_numbers(
+    tracking_index: float,
+    form: Form = Double,
+) -> tuple[float, ...]:
+    t1 = form.sqrt(tracking_index)
+    t3 = 1.9721522630525295e-31 / tracking_index
+    t5 = tracking_index * 1.232595164407831e-32
+    t7 = form.sqrt(t3 + t5)
+    t8 = t7 / t1
+    t9 = t1 * t7
+    t11 = t8 + 1.1102230246251565e-16
+    t12 = form.sqrt(t11)
+    t14 = t12 * 1.4901161193847656e-08
+    t19 = tracking_index * (t8 + (t14 + 1.1102230246251565e-16))
+    t21 = 4.440892098500626e-16 / t19
+    t22 = t21 / tracking_index
+    t25 = (t21 * 2.220446049250313e-16) / t9
+    t26 = 2.220446049250313e-16 / t14
+    t27 = 2.220446049250313e-16 / t8
+    t29 = (t12 * 2.9802322387695312e-08) * 2251799813685248.0
+    t38 = t27 * 0.5
+    t41 = (((t29 * 3.0) + t26) * 0.5) + (1.0 + ((1.0 + (t26 * 0.5)) * t38))
+    t44 = t14 / t8
+    t50 = ((t8 + 2.220446049250313e-16) / t8) * (t27 * 5.551115123125783e-17)
+    t55 = (t44 + (((t8 + t50) / t11) * 0.5)) * t22
+    t60 = (1.9721522630525295e-31 / t9) / tracking_index
+    t68 = (0.5 + (t27 * 0.25)) * (5.0 + (t60 / t11))
+    t76 = t26 * ((t68 + ((t60 / t8) * t38)) * 0.25)
+    t57 = -((t44 * t22) * t55)
+    t58 = -(t25 * (t25 * t41))
+    t77 = (t29 * 0.75) + t76
+    return (t57, t58, t77)
 
 
 def _updated_covariance_second_derivatives_block(
@@ -1466,6 +1907,7 @@ _UPDATED_COVARIANCE_SECOND_DERIVATIVES = Signature(
     ("updated_11", "updated_12", "updated_22"),
     10,
     _updated_covariance_second_derivatives_block,
+    numbers=_updated_covariance_second_derivatives_of_numbers,
 )
 
 
@@ -1517,7 +1959,32 @@ def closed_loop_poles(
 
     Source: derivation random-velocity
     """
+    if (
+        type(tracking_index) is float
+        and 5e-324 <= tracking_index <= 1.7976931348623157e308
+        and out is None
+        and workers is ONE
+    ):
+        try:
+            return named(ClosedLoopPoles, _closed_loop_poles_of_numbers(tracking_index))
+        except (ArithmeticError, ValueError):
+            pass  # arrays say what is wrong
     return ClosedLoopPoles(*evaluate(_CLOSED_LOOP_POLES, (tracking_index,), out, workers))
+
+
+def _closed_loop_poles_of_numbers(tracking_index: float, form: Form = Double) -> tuple[float, ...]:
+    t3 = 1.9721522630525295e-31 / tracking_index
+    t5 = tracking_index * 1.232595164407831e-32
+    t8 = form.sqrt(t3 + t5) / form.sqrt(tracking_index)
+    t10 = t8 + 1.1102230246251565e-16
+    t13 = form.sqrt(t10) * 1.4901161193847656e-08
+    t16 = tracking_index * (t8 + (t13 + 1.1102230246251565e-16))
+    t18 = 4.440892098500626e-16 / t16
+    t21 = (tracking_index * t10) * 2251799813685248.0
+    t25 = (t18 / t13) * 2.220446049250313e-16
+    t22 = t18 / t21
+    t26 = -t25
+    return (t22, t25, t22, t26)
 
 
 def _closed_loop_poles_block(
@@ -1564,6 +2031,7 @@ _CLOSED_LOOP_POLES = Signature(
     ("first_real", "first_imaginary", "second_real", "second_imaginary"),
     1,
     _closed_loop_poles_block,
+    numbers=_closed_loop_poles_of_numbers,
 )
 
 
@@ -1592,7 +2060,25 @@ def index_from_alpha(
 
     Source: derivation random-velocity
     """
+    if (
+        type(alpha) is float
+        and 5e-324 <= alpha <= 0.9999999999999999
+        and out is None
+        and workers is ONE
+    ):
+        try:
+            return named(IndexFromAlpha, _index_from_alpha_of_numbers(alpha))
+        except (ArithmeticError, ValueError):
+            pass  # arrays say what is wrong
     return IndexFromAlpha(*evaluate(_INDEX_FROM_ALPHA, (alpha,), out, workers))
+
+
+def _index_from_alpha_of_numbers(alpha: float, form: Form = Double) -> tuple[float, ...]:
+    t2 = 1.0 - alpha
+    t5 = alpha * alpha
+    t12 = (2.0 - alpha) + form.sqrt((t2 * 4.0) + t5)
+    t14 = ((t5 * 2.0) / t12) / form.sqrt(t2)
+    return (t14,)
 
 
 def _index_from_alpha_block(
@@ -1626,6 +2112,7 @@ _INDEX_FROM_ALPHA = Signature(
     ("tracking_index",),
     3,
     _index_from_alpha_block,
+    numbers=_index_from_alpha_of_numbers,
 )
 
 
@@ -1654,7 +2141,24 @@ def beta_from_alpha(
 
     Source: derivation random-velocity
     """
+    if (
+        type(alpha) is float
+        and 5e-324 <= alpha <= 0.9999999999999999
+        and out is None
+        and workers is ONE
+    ):
+        try:
+            return named(BetaFromAlpha, _beta_from_alpha_of_numbers(alpha))
+        except (ArithmeticError, ValueError):
+            pass  # arrays say what is wrong
     return BetaFromAlpha(*evaluate(_BETA_FROM_ALPHA, (alpha,), out, workers))
+
+
+def _beta_from_alpha_of_numbers(alpha: float, form: Form = Double) -> tuple[float, ...]:
+    t5 = alpha * alpha
+    t7 = form.sqrt(((1.0 - alpha) * 4.0) + t5)
+    t12 = (t5 * 2.0) / ((2.0 - alpha) + t7)
+    return (t12,)
 
 
 def _beta_from_alpha_block(
@@ -1686,6 +2190,7 @@ _BETA_FROM_ALPHA = Signature(
     ("beta",),
     2,
     _beta_from_alpha_block,
+    numbers=_beta_from_alpha_of_numbers,
 )
 
 
@@ -1714,7 +2219,24 @@ def index_from_beta(
 
     Source: derivation random-velocity
     """
+    if (
+        type(beta) is float
+        and 5e-324 <= beta <= 0.9999999999999999
+        and out is None
+        and workers is ONE
+    ):
+        try:
+            return named(IndexFromBeta, _index_from_beta_of_numbers(beta))
+        except (ArithmeticError, ValueError):
+            pass  # arrays say what is wrong
     return IndexFromBeta(*evaluate(_INDEX_FROM_BETA, (beta,), out, workers))
+
+
+def _index_from_beta_of_numbers(beta: float, form: Form = Double) -> tuple[float, ...]:
+    t11 = (2.0 + beta) + form.sqrt(beta * (8.0 + beta))
+    t14 = form.sqrt(((1.0 - beta) * 4.0) / (t11 * 2.0))
+    t15 = beta / t14
+    return (t15,)
 
 
 def _index_from_beta_block(
@@ -1749,6 +2271,7 @@ _INDEX_FROM_BETA = Signature(
     ("tracking_index",),
     2,
     _index_from_beta_block,
+    numbers=_index_from_beta_of_numbers,
 )
 
 
@@ -1777,7 +2300,24 @@ def alpha_from_beta(
 
     Source: derivation random-velocity
     """
+    if (
+        type(beta) is float
+        and 5e-324 <= beta <= 0.9999999999999999
+        and out is None
+        and workers is ONE
+    ):
+        try:
+            return named(AlphaFromBeta, _alpha_from_beta_of_numbers(beta))
+        except (ArithmeticError, ValueError):
+            pass  # arrays say what is wrong
     return AlphaFromBeta(*evaluate(_ALPHA_FROM_BETA, (beta,), out, workers))
+
+
+def _alpha_from_beta_of_numbers(beta: float, form: Form = Double) -> tuple[float, ...]:
+    t2 = beta * 1.152921504606847e18
+    t10 = form.sqrt(t2 * (8.0 + beta)) + (beta * 1073741824.0)
+    t13 = (t2 * 8.0) / (t10 * 2147483648.0)
+    return (t13,)
 
 
 def _alpha_from_beta_block(
@@ -1810,4 +2350,5 @@ _ALPHA_FROM_BETA = Signature(
     ("alpha",),
     2,
     _alpha_from_beta_block,
+    numbers=_alpha_from_beta_of_numbers,
 )

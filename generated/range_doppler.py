@@ -8,15 +8,15 @@ from typing import TYPE_CHECKING
 
 from numpy import add, divide, multiply, negative, sqrt, square, subtract
 
+from gainproof.generated._numbers import ONE, Double, named
 from gainproof.generated._runtime import evaluate
 from gainproof.generated._signature import Domain, Required, Signature
 
 if TYPE_CHECKING:
     from typing import NamedTuple
 
-    from numpy.typing import ArrayLike
-
-    from gainproof.generated._signature import Arrays, Real
+    from gainproof.generated._numbers import Form
+    from gainproof.generated._signature import ArrayLike, Arrays, Real
 else:
     from gainproof.generated._result import NamedTuple
 
@@ -452,6 +452,31 @@ def slant_range(
 
     Source: derivation range-doppler
     """
+    if (
+        type(target_x) is float
+        and type(target_y) is float
+        and type(target_z) is float
+        and type(station_x) is float
+        and type(station_y) is float
+        and type(station_z) is float
+        and -1e60 <= target_x <= 1e60
+        and -1e60 <= target_y <= 1e60
+        and -1e60 <= target_z <= 1e60
+        and -1e60 <= station_x <= 1e60
+        and -1e60 <= station_y <= 1e60
+        and -1e60 <= station_z <= 1e60
+        and out is None
+        and workers is ONE
+    ):
+        try:
+            return named(
+                SlantRange,
+                _slant_range_of_numbers(
+                    target_x, target_y, target_z, station_x, station_y, station_z
+                ),
+            )
+        except (ArithmeticError, ValueError):
+            pass  # arrays say what is wrong
     return SlantRange(
         *evaluate(
             _SLANT_RANGE,
@@ -460,6 +485,24 @@ def slant_range(
             workers,
         )
     )
+
+
+def _slant_range_of_numbers(
+    target_x: float,
+    target_y: float,
+    target_z: float,
+    station_x: float,
+    station_y: float,
+    station_z: float,
+    form: Form = Double,
+) -> tuple[float, ...]:
+    t6 = target_x - station_x
+    t7 = target_y - station_y
+    t8 = target_z - station_z
+    t14 = form.sqrt(((t6 * t6) + (t7 * t7)) + (t8 * t8))
+    if not t14 >= (9.999999974752427e-07 if form.single else 1e-20):
+        raise ValueError
+    return (t14,)
 
 
 def _slant_range_block(given: Arrays, out: Arrays, work: Arrays, _single: bool) -> None:
@@ -516,6 +559,7 @@ _SLANT_RANGE = Signature(
             (0, 3),
         ),
     ),
+    numbers=_slant_range_of_numbers,
 )
 
 
@@ -576,6 +620,31 @@ def range_jacobian(
 
     Source: derivation range-doppler
     """
+    if (
+        type(target_x) is float
+        and type(target_y) is float
+        and type(target_z) is float
+        and type(station_x) is float
+        and type(station_y) is float
+        and type(station_z) is float
+        and -1e60 <= target_x <= 1e60
+        and -1e60 <= target_y <= 1e60
+        and -1e60 <= target_z <= 1e60
+        and -1e60 <= station_x <= 1e60
+        and -1e60 <= station_y <= 1e60
+        and -1e60 <= station_z <= 1e60
+        and out is None
+        and workers is ONE
+    ):
+        try:
+            return named(
+                RangeJacobian,
+                _range_jacobian_of_numbers(
+                    target_x, target_y, target_z, station_x, station_y, station_z
+                ),
+            )
+        except (ArithmeticError, ValueError):
+            pass  # arrays say what is wrong
     return RangeJacobian(
         *evaluate(
             _RANGE_JACOBIAN,
@@ -584,6 +653,27 @@ def range_jacobian(
             workers,
         )
     )
+
+
+def _range_jacobian_of_numbers(
+    target_x: float,
+    target_y: float,
+    target_z: float,
+    station_x: float,
+    station_y: float,
+    station_z: float,
+    form: Form = Double,
+) -> tuple[float, ...]:
+    t6 = target_x - station_x
+    t7 = target_y - station_y
+    t8 = target_z - station_z
+    t14 = form.sqrt(((t6 * t6) + (t7 * t7)) + (t8 * t8))
+    t15 = t6 / t14
+    t16 = t7 / t14
+    t17 = t8 / t14
+    if not t14 >= (9.999999974752427e-07 if form.single else 1e-20):
+        raise ValueError
+    return (t15, t16, t17)
 
 
 def _range_jacobian_block(given: Arrays, out: Arrays, work: Arrays, _single: bool) -> None:
@@ -645,6 +735,7 @@ _RANGE_JACOBIAN = Signature(
             (0, 3),
         ),
     ),
+    numbers=_range_jacobian_of_numbers,
 )
 
 
@@ -717,6 +808,54 @@ def range_rate(
 
     Source: derivation range-doppler
     """
+    if (
+        type(target_x) is float
+        and type(target_y) is float
+        and type(target_z) is float
+        and type(target_velocity_x) is float
+        and type(target_velocity_y) is float
+        and type(target_velocity_z) is float
+        and type(station_x) is float
+        and type(station_y) is float
+        and type(station_z) is float
+        and type(station_velocity_x) is float
+        and type(station_velocity_y) is float
+        and type(station_velocity_z) is float
+        and -1e60 <= target_x <= 1e60
+        and -1e60 <= target_y <= 1e60
+        and -1e60 <= target_z <= 1e60
+        and -1e60 <= target_velocity_x <= 1e60
+        and -1e60 <= target_velocity_y <= 1e60
+        and -1e60 <= target_velocity_z <= 1e60
+        and -1e60 <= station_x <= 1e60
+        and -1e60 <= station_y <= 1e60
+        and -1e60 <= station_z <= 1e60
+        and -1e60 <= station_velocity_x <= 1e60
+        and -1e60 <= station_velocity_y <= 1e60
+        and -1e60 <= station_velocity_z <= 1e60
+        and out is None
+        and workers is ONE
+    ):
+        try:
+            return named(
+                RangeRate,
+                _range_rate_of_numbers(
+                    target_x,
+                    target_y,
+                    target_z,
+                    target_velocity_x,
+                    target_velocity_y,
+                    target_velocity_z,
+                    station_x,
+                    station_y,
+                    station_z,
+                    station_velocity_x,
+                    station_velocity_y,
+                    station_velocity_z,
+                ),
+            )
+        except (ArithmeticError, ValueError):
+            pass  # arrays say what is wrong
     return RangeRate(
         *evaluate(
             _RANGE_RATE,
@@ -738,6 +877,36 @@ def range_rate(
             workers,
         )
     )
+
+
+def _range_rate_of_numbers(
+    target_x: float,
+    target_y: float,
+    target_z: float,
+    target_velocity_x: float,
+    target_velocity_y: float,
+    target_velocity_z: float,
+    station_x: float,
+    station_y: float,
+    station_z: float,
+    station_velocity_x: float,
+    station_velocity_y: float,
+    station_velocity_z: float,
+    form: Form = Double,
+) -> tuple[float, ...]:
+    t12 = target_x - station_x
+    t13 = target_y - station_y
+    t14 = target_z - station_z
+    t15 = target_velocity_x - station_velocity_x
+    t16 = target_velocity_y - station_velocity_y
+    t17 = target_velocity_z - station_velocity_z
+    t22 = ((t12 * t12) + (t13 * t13)) + (t14 * t14)
+    t23 = form.sqrt(t22)
+    t30 = ((t12 / t23) * t15) + ((t13 / t23) * t16)
+    t31 = t30 + ((t14 / t23) * t17)
+    if not t23 >= (9.999999974752427e-07 if form.single else 1e-20):
+        raise ValueError
+    return (t31,)
 
 
 def _range_rate_block(given: Arrays, out: Arrays, work: Arrays, _single: bool) -> None:
@@ -837,6 +1006,7 @@ _RANGE_RATE = Signature(
             (0, 6),
         ),
     ),
+    numbers=_range_rate_of_numbers,
 )
 
 
@@ -951,6 +1121,54 @@ def range_rate_jacobian(
 
     Source: derivation range-doppler
     """
+    if (
+        type(target_x) is float
+        and type(target_y) is float
+        and type(target_z) is float
+        and type(target_velocity_x) is float
+        and type(target_velocity_y) is float
+        and type(target_velocity_z) is float
+        and type(station_x) is float
+        and type(station_y) is float
+        and type(station_z) is float
+        and type(station_velocity_x) is float
+        and type(station_velocity_y) is float
+        and type(station_velocity_z) is float
+        and -1e60 <= target_x <= 1e60
+        and -1e60 <= target_y <= 1e60
+        and -1e60 <= target_z <= 1e60
+        and -1e60 <= target_velocity_x <= 1e60
+        and -1e60 <= target_velocity_y <= 1e60
+        and -1e60 <= target_velocity_z <= 1e60
+        and -1e60 <= station_x <= 1e60
+        and -1e60 <= station_y <= 1e60
+        and -1e60 <= station_z <= 1e60
+        and -1e60 <= station_velocity_x <= 1e60
+        and -1e60 <= station_velocity_y <= 1e60
+        and -1e60 <= station_velocity_z <= 1e60
+        and out is None
+        and workers is ONE
+    ):
+        try:
+            return named(
+                RangeRateJacobian,
+                _range_rate_jacobian_of_numbers(
+                    target_x,
+                    target_y,
+                    target_z,
+                    target_velocity_x,
+                    target_velocity_y,
+                    target_velocity_z,
+                    station_x,
+                    station_y,
+                    station_z,
+                    station_velocity_x,
+                    station_velocity_y,
+                    station_velocity_z,
+                ),
+            )
+        except (ArithmeticError, ValueError):
+            pass  # arrays say what is wrong
     return RangeRateJacobian(
         *evaluate(
             _RANGE_RATE_JACOBIAN,
@@ -972,6 +1190,41 @@ def range_rate_jacobian(
             workers,
         )
     )
+
+
+def _range_rate_jacobian_of_numbers(
+    target_x: float,
+    target_y: float,
+    target_z: float,
+    target_velocity_x: float,
+    target_velocity_y: float,
+    target_velocity_z: float,
+    station_x: float,
+    station_y: float,
+    station_z: float,
+    station_velocity_x: float,
+    station_velocity_y: float,
+    station_velocity_z: float,
+    form: Form = Double,
+) -> tuple[float, ...]:
+    t12 = target_x - station_x
+    t13 = target_y - station_y
+    t14 = target_z - station_z
+    t15 = target_velocity_x - station_velocity_x
+    t16 = target_velocity_y - station_velocity_y
+    t17 = target_velocity_z - station_velocity_z
+    t22 = ((t12 * t12) + (t13 * t13)) + (t14 * t14)
+    t23 = form.sqrt(t22)
+    t24 = t12 / t23
+    t25 = t13 / t23
+    t26 = t14 / t23
+    t31 = ((t24 * t15) + (t25 * t16)) + (t26 * t17)
+    t34 = (t15 - (t31 * t24)) / t23
+    t37 = (t16 - (t31 * t25)) / t23
+    t40 = (t17 - (t31 * t26)) / t23
+    if not t23 >= (9.999999974752427e-07 if form.single else 1e-20):
+        raise ValueError
+    return (t34, t37, t40, t24, t25, t26)
 
 
 def _range_rate_jacobian_block(given: Arrays, out: Arrays, work: Arrays, _single: bool) -> None:
@@ -1096,6 +1349,7 @@ _RANGE_RATE_JACOBIAN = Signature(
             (0, 6),
         ),
     ),
+    numbers=_range_rate_jacobian_of_numbers,
 )
 
 
@@ -1222,6 +1476,54 @@ def range_doppler(
 
     Source: derivation range-doppler
     """
+    if (
+        type(target_x) is float
+        and type(target_y) is float
+        and type(target_z) is float
+        and type(target_velocity_x) is float
+        and type(target_velocity_y) is float
+        and type(target_velocity_z) is float
+        and type(station_x) is float
+        and type(station_y) is float
+        and type(station_z) is float
+        and type(station_velocity_x) is float
+        and type(station_velocity_y) is float
+        and type(station_velocity_z) is float
+        and -1e60 <= target_x <= 1e60
+        and -1e60 <= target_y <= 1e60
+        and -1e60 <= target_z <= 1e60
+        and -1e60 <= target_velocity_x <= 1e60
+        and -1e60 <= target_velocity_y <= 1e60
+        and -1e60 <= target_velocity_z <= 1e60
+        and -1e60 <= station_x <= 1e60
+        and -1e60 <= station_y <= 1e60
+        and -1e60 <= station_z <= 1e60
+        and -1e60 <= station_velocity_x <= 1e60
+        and -1e60 <= station_velocity_y <= 1e60
+        and -1e60 <= station_velocity_z <= 1e60
+        and out is None
+        and workers is ONE
+    ):
+        try:
+            return named(
+                RangeDoppler,
+                _range_doppler_of_numbers(
+                    target_x,
+                    target_y,
+                    target_z,
+                    target_velocity_x,
+                    target_velocity_y,
+                    target_velocity_z,
+                    station_x,
+                    station_y,
+                    station_z,
+                    station_velocity_x,
+                    station_velocity_y,
+                    station_velocity_z,
+                ),
+            )
+        except (ArithmeticError, ValueError):
+            pass  # arrays say what is wrong
     return RangeDoppler(
         *evaluate(
             _RANGE_DOPPLER,
@@ -1243,6 +1545,41 @@ def range_doppler(
             workers,
         )
     )
+
+
+def _range_doppler_of_numbers(
+    target_x: float,
+    target_y: float,
+    target_z: float,
+    target_velocity_x: float,
+    target_velocity_y: float,
+    target_velocity_z: float,
+    station_x: float,
+    station_y: float,
+    station_z: float,
+    station_velocity_x: float,
+    station_velocity_y: float,
+    station_velocity_z: float,
+    form: Form = Double,
+) -> tuple[float, ...]:
+    t12 = target_x - station_x
+    t13 = target_y - station_y
+    t14 = target_z - station_z
+    t15 = target_velocity_x - station_velocity_x
+    t16 = target_velocity_y - station_velocity_y
+    t17 = target_velocity_z - station_velocity_z
+    t22 = ((t12 * t12) + (t13 * t13)) + (t14 * t14)
+    t23 = form.sqrt(t22)
+    t24 = t12 / t23
+    t25 = t13 / t23
+    t26 = t14 / t23
+    t31 = ((t24 * t15) + (t25 * t16)) + (t26 * t17)
+    t34 = (t15 - (t31 * t24)) / t23
+    t37 = (t16 - (t31 * t25)) / t23
+    t40 = (t17 - (t31 * t26)) / t23
+    if not t23 >= (9.999999974752427e-07 if form.single else 1e-20):
+        raise ValueError
+    return (t23, t31, t24, t25, t26, t34, t37, t40)
 
 
 def _range_doppler_block(given: Arrays, out: Arrays, work: Arrays, _single: bool) -> None:
@@ -1371,6 +1708,7 @@ _RANGE_DOPPLER = Signature(
             (0, 6),
         ),
     ),
+    numbers=_range_doppler_of_numbers,
 )
 
 
@@ -1448,6 +1786,31 @@ def range_hessian(
 
     Source: derivation range-doppler
     """
+    if (
+        type(target_x) is float
+        and type(target_y) is float
+        and type(target_z) is float
+        and type(station_x) is float
+        and type(station_y) is float
+        and type(station_z) is float
+        and -1e60 <= target_x <= 1e60
+        and -1e60 <= target_y <= 1e60
+        and -1e60 <= target_z <= 1e60
+        and -1e60 <= station_x <= 1e60
+        and -1e60 <= station_y <= 1e60
+        and -1e60 <= station_z <= 1e60
+        and out is None
+        and workers is ONE
+    ):
+        try:
+            return named(
+                RangeHessian,
+                _range_hessian_of_numbers(
+                    target_x, target_y, target_z, station_x, station_y, station_z
+                ),
+            )
+        except (ArithmeticError, ValueError):
+            pass  # arrays say what is wrong
     return RangeHessian(
         *evaluate(
             _RANGE_HESSIAN,
@@ -1456,6 +1819,36 @@ def range_hessian(
             workers,
         )
     )
+
+
+def _range_hessian_of_numbers(
+    target_x: float,
+    target_y: float,
+    target_z: float,
+    station_x: float,
+    station_y: float,
+    station_z: float,
+    form: Form = Double,
+) -> tuple[float, ...]:
+    t6 = target_x - station_x
+    t7 = target_y - station_y
+    t8 = target_z - station_z
+    t14 = form.sqrt(((t6 * t6) + (t7 * t7)) + (t8 * t8))
+    t15 = t6 / t14
+    t16 = t7 / t14
+    t17 = t8 / t14
+    t18 = t16 * t16
+    t19 = t17 * t17
+    t25 = t15 * t15
+    t30 = (t18 + t19) / t14
+    t31 = -(t15 * t16) / t14
+    t32 = -(t15 * t17) / t14
+    t33 = (t25 + t19) / t14
+    t34 = -(t16 * t17) / t14
+    t35 = (t25 + t18) / t14
+    if not t14 >= (9.999999974752427e-07 if form.single else 1e-20):
+        raise ValueError
+    return (t30, t31, t32, t33, t34, t35)
 
 
 def _range_hessian_block(given: Arrays, out: Arrays, work: Arrays, _single: bool) -> None:
@@ -1535,6 +1928,7 @@ _RANGE_HESSIAN = Signature(
             (0, 3),
         ),
     ),
+    numbers=_range_hessian_of_numbers,
 )
 
 
@@ -1658,6 +2052,54 @@ def range_rate_hessian(
 
     Source: derivation range-doppler
     """
+    if (
+        type(target_x) is float
+        and type(target_y) is float
+        and type(target_z) is float
+        and type(target_velocity_x) is float
+        and type(target_velocity_y) is float
+        and type(target_velocity_z) is float
+        and type(station_x) is float
+        and type(station_y) is float
+        and type(station_z) is float
+        and type(station_velocity_x) is float
+        and type(station_velocity_y) is float
+        and type(station_velocity_z) is float
+        and -1e60 <= target_x <= 1e60
+        and -1e60 <= target_y <= 1e60
+        and -1e60 <= target_z <= 1e60
+        and -1e60 <= target_velocity_x <= 1e60
+        and -1e60 <= target_velocity_y <= 1e60
+        and -1e60 <= target_velocity_z <= 1e60
+        and -1e60 <= station_x <= 1e60
+        and -1e60 <= station_y <= 1e60
+        and -1e60 <= station_z <= 1e60
+        and -1e60 <= station_velocity_x <= 1e60
+        and -1e60 <= station_velocity_y <= 1e60
+        and -1e60 <= station_velocity_z <= 1e60
+        and out is None
+        and workers is ONE
+    ):
+        try:
+            return named(
+                RangeRateHessian,
+                _range_rate_hessian_of_numbers(
+                    target_x,
+                    target_y,
+                    target_z,
+                    target_velocity_x,
+                    target_velocity_y,
+                    target_velocity_z,
+                    station_x,
+                    station_y,
+                    station_z,
+                    station_velocity_x,
+                    station_velocity_y,
+                    station_velocity_z,
+                ),
+            )
+        except (ArithmeticError, ValueError):
+            pass  # arrays say what is wrong
     return RangeRateHessian(
         *evaluate(
             _RANGE_RATE_HESSIAN,
@@ -1679,6 +2121,57 @@ def range_rate_hessian(
             workers,
         )
     )
+
+
+def _range_rate_hessian_of_numbers(
+    target_x: float,
+    target_y: float,
+    target_z: float,
+    target_velocity_x: float,
+    target_velocity_y: float,
+    target_velocity_z: float,
+    station_x: float,
+    station_y: float,
+    station_z: float,
+    station_velocity_x: float,
+    station_velocity_y: float,
+    station_velocity_z: float,
+    form: Form = Double,
+) -> tuple[float, ...]:
+    t12 = target_x - station_x
+    t13 = target_y - station_y
+    t14 = target_z - station_z
+    t15 = target_velocity_x - station_velocity_x
+    t16 = target_velocity_y - station_velocity_y
+    t17 = target_velocity_z - station_velocity_z
+    t22 = ((t12 * t12) + (t13 * t13)) + (t14 * t14)
+    t23 = form.sqrt(t22)
+    t24 = t12 / t23
+    t25 = t13 / t23
+    t26 = t14 / t23
+    t31 = ((t24 * t15) + (t25 * t16)) + (t26 * t17)
+    t34 = (t15 - (t31 * t24)) / t23
+    t37 = (t16 - (t31 * t25)) / t23
+    t40 = (t17 - (t31 * t26)) / t23
+    t41 = t31 / t23
+    t42 = t25 * t25
+    t43 = t26 * t26
+    t49 = t24 * t24
+    t58 = ((t24 * t34) * 2.0) + (t41 * (t42 + t43))
+    t65 = ((t24 * t37) + (t25 * t34)) + (t41 * -(t24 * t25))
+    t72 = ((t24 * t40) + (t26 * t34)) + (t41 * -(t24 * t26))
+    t78 = ((t25 * t37) * 2.0) + (t41 * (t49 + t43))
+    t85 = ((t25 * t40) + (t26 * t37)) + (t41 * -(t25 * t26))
+    t91 = ((t26 * t40) * 2.0) + (t41 * (t49 + t42))
+    t60 = -t58 / t23
+    t67 = -t65 / t23
+    t74 = -t72 / t23
+    t80 = -t78 / t23
+    t87 = -t85 / t23
+    t93 = -t91 / t23
+    if not t23 >= (9.999999974752427e-07 if form.single else 1e-20):
+        raise ValueError
+    return (t60, t67, t74, t80, t87, t93)
 
 
 def _range_rate_hessian_block(
@@ -1857,6 +2350,7 @@ _RANGE_RATE_HESSIAN = Signature(
             (0, 6),
         ),
     ),
+    numbers=_range_rate_hessian_of_numbers,
 )
 
 
@@ -1980,6 +2474,57 @@ def doppler_shift(
 
     Source: derivation range-doppler
     """
+    if (
+        type(target_x) is float
+        and type(target_y) is float
+        and type(target_z) is float
+        and type(target_velocity_x) is float
+        and type(target_velocity_y) is float
+        and type(target_velocity_z) is float
+        and type(station_x) is float
+        and type(station_y) is float
+        and type(station_z) is float
+        and type(station_velocity_x) is float
+        and type(station_velocity_y) is float
+        and type(station_velocity_z) is float
+        and type(carrier_frequency) is float
+        and -1e60 <= target_x <= 1e60
+        and -1e60 <= target_y <= 1e60
+        and -1e60 <= target_z <= 1e60
+        and -1e60 <= target_velocity_x <= 1e60
+        and -1e60 <= target_velocity_y <= 1e60
+        and -1e60 <= target_velocity_z <= 1e60
+        and -1e60 <= station_x <= 1e60
+        and -1e60 <= station_y <= 1e60
+        and -1e60 <= station_z <= 1e60
+        and -1e60 <= station_velocity_x <= 1e60
+        and -1e60 <= station_velocity_y <= 1e60
+        and -1e60 <= station_velocity_z <= 1e60
+        and 1e-10 <= carrier_frequency <= 1e30
+        and out is None
+        and workers is ONE
+    ):
+        try:
+            return named(
+                DopplerShift,
+                _doppler_shift_of_numbers(
+                    target_x,
+                    target_y,
+                    target_z,
+                    target_velocity_x,
+                    target_velocity_y,
+                    target_velocity_z,
+                    station_x,
+                    station_y,
+                    station_z,
+                    station_velocity_x,
+                    station_velocity_y,
+                    station_velocity_z,
+                    carrier_frequency,
+                ),
+            )
+        except (ArithmeticError, ValueError):
+            pass  # arrays say what is wrong
     return DopplerShift(
         *evaluate(
             _DOPPLER_SHIFT,
@@ -2002,6 +2547,47 @@ def doppler_shift(
             workers,
         )
     )
+
+
+def _doppler_shift_of_numbers(
+    target_x: float,
+    target_y: float,
+    target_z: float,
+    target_velocity_x: float,
+    target_velocity_y: float,
+    target_velocity_z: float,
+    station_x: float,
+    station_y: float,
+    station_z: float,
+    station_velocity_x: float,
+    station_velocity_y: float,
+    station_velocity_z: float,
+    carrier_frequency: float,
+    form: Form = Double,
+) -> tuple[float, ...]:
+    t12 = target_x - station_x
+    t13 = target_y - station_y
+    t14 = target_z - station_z
+    t15 = target_velocity_x - station_velocity_x
+    t16 = target_velocity_y - station_velocity_y
+    t17 = target_velocity_z - station_velocity_z
+    t22 = ((t12 * t12) + (t13 * t13)) + (t14 * t14)
+    t23 = form.sqrt(t22)
+    t24 = t12 / t23
+    t25 = t13 / t23
+    t26 = t14 / t23
+    t30 = -(carrier_frequency / 299792458.0)
+    t35 = ((t24 * t15) + (t25 * t16)) + (t26 * t17)
+    t36 = t35 * t30
+    t46 = ((t15 - (t35 * t24)) / t23) * t30
+    t47 = ((t16 - (t35 * t25)) / t23) * t30
+    t48 = ((t17 - (t35 * t26)) / t23) * t30
+    t49 = t24 * t30
+    t50 = t25 * t30
+    t51 = t26 * t30
+    if not t23 >= (9.999999974752427e-07 if form.single else 1e-20):
+        raise ValueError
+    return (t36, t46, t47, t48, t49, t50, t51)
 
 
 def _doppler_shift_block(
@@ -2142,6 +2728,7 @@ _DOPPLER_SHIFT = Signature(
             (0, 6),
         ),
     ),
+    numbers=_doppler_shift_of_numbers,
 )
 
 
@@ -2186,9 +2773,43 @@ def slant_range_in_plane(
 
     Source: derivation range-doppler
     """
+    if (
+        type(target_x) is float
+        and type(target_y) is float
+        and type(station_x) is float
+        and type(station_y) is float
+        and -1e60 <= target_x <= 1e60
+        and -1e60 <= target_y <= 1e60
+        and -1e60 <= station_x <= 1e60
+        and -1e60 <= station_y <= 1e60
+        and out is None
+        and workers is ONE
+    ):
+        try:
+            return named(
+                SlantRangeInPlane,
+                _slant_range_in_plane_of_numbers(target_x, target_y, station_x, station_y),
+            )
+        except (ArithmeticError, ValueError):
+            pass  # arrays say what is wrong
     return SlantRangeInPlane(
         *evaluate(_SLANT_RANGE_IN_PLANE, (target_x, target_y, station_x, station_y), out, workers)
     )
+
+
+def _slant_range_in_plane_of_numbers(
+    target_x: float,
+    target_y: float,
+    station_x: float,
+    station_y: float,
+    form: Form = Double,
+) -> tuple[float, ...]:
+    t4 = target_x - station_x
+    t5 = target_y - station_y
+    t9 = form.sqrt((t4 * t4) + (t5 * t5))
+    if not t9 >= (9.999999974752427e-07 if form.single else 1e-20):
+        raise ValueError
+    return (t9,)
 
 
 def _slant_range_in_plane_block(given: Arrays, out: Arrays, work: Arrays, _single: bool) -> None:
@@ -2234,6 +2855,7 @@ _SLANT_RANGE_IN_PLANE = Signature(
             (0, 2),
         ),
     ),
+    numbers=_slant_range_in_plane_of_numbers,
 )
 
 
@@ -2285,6 +2907,25 @@ def range_jacobian_in_plane(
 
     Source: derivation range-doppler
     """
+    if (
+        type(target_x) is float
+        and type(target_y) is float
+        and type(station_x) is float
+        and type(station_y) is float
+        and -1e60 <= target_x <= 1e60
+        and -1e60 <= target_y <= 1e60
+        and -1e60 <= station_x <= 1e60
+        and -1e60 <= station_y <= 1e60
+        and out is None
+        and workers is ONE
+    ):
+        try:
+            return named(
+                RangeJacobianInPlane,
+                _range_jacobian_in_plane_of_numbers(target_x, target_y, station_x, station_y),
+            )
+        except (ArithmeticError, ValueError):
+            pass  # arrays say what is wrong
     return RangeJacobianInPlane(
         *evaluate(
             _RANGE_JACOBIAN_IN_PLANE,
@@ -2293,6 +2934,23 @@ def range_jacobian_in_plane(
             workers,
         )
     )
+
+
+def _range_jacobian_in_plane_of_numbers(
+    target_x: float,
+    target_y: float,
+    station_x: float,
+    station_y: float,
+    form: Form = Double,
+) -> tuple[float, ...]:
+    t4 = target_x - station_x
+    t5 = target_y - station_y
+    t9 = form.sqrt((t4 * t4) + (t5 * t5))
+    t10 = t4 / t9
+    t11 = t5 / t9
+    if not t9 >= (9.999999974752427e-07 if form.single else 1e-20):
+        raise ValueError
+    return (t10, t11)
 
 
 def _range_jacobian_in_plane_block(given: Arrays, out: Arrays, work: Arrays, _single: bool) -> None:
@@ -2340,6 +2998,7 @@ _RANGE_JACOBIAN_IN_PLANE = Signature(
             (0, 2),
         ),
     ),
+    numbers=_range_jacobian_in_plane_of_numbers,
 )
 
 
@@ -2404,6 +3063,42 @@ def range_rate_in_plane(
 
     Source: derivation range-doppler
     """
+    if (
+        type(target_x) is float
+        and type(target_y) is float
+        and type(target_velocity_x) is float
+        and type(target_velocity_y) is float
+        and type(station_x) is float
+        and type(station_y) is float
+        and type(station_velocity_x) is float
+        and type(station_velocity_y) is float
+        and -1e60 <= target_x <= 1e60
+        and -1e60 <= target_y <= 1e60
+        and -1e60 <= target_velocity_x <= 1e60
+        and -1e60 <= target_velocity_y <= 1e60
+        and -1e60 <= station_x <= 1e60
+        and -1e60 <= station_y <= 1e60
+        and -1e60 <= station_velocity_x <= 1e60
+        and -1e60 <= station_velocity_y <= 1e60
+        and out is None
+        and workers is ONE
+    ):
+        try:
+            return named(
+                RangeRateInPlane,
+                _range_rate_in_plane_of_numbers(
+                    target_x,
+                    target_y,
+                    target_velocity_x,
+                    target_velocity_y,
+                    station_x,
+                    station_y,
+                    station_velocity_x,
+                    station_velocity_y,
+                ),
+            )
+        except (ArithmeticError, ValueError):
+            pass  # arrays say what is wrong
     return RangeRateInPlane(
         *evaluate(
             _RANGE_RATE_IN_PLANE,
@@ -2421,6 +3116,28 @@ def range_rate_in_plane(
             workers,
         )
     )
+
+
+def _range_rate_in_plane_of_numbers(
+    target_x: float,
+    target_y: float,
+    target_velocity_x: float,
+    target_velocity_y: float,
+    station_x: float,
+    station_y: float,
+    station_velocity_x: float,
+    station_velocity_y: float,
+    form: Form = Double,
+) -> tuple[float, ...]:
+    t8 = target_x - station_x
+    t9 = target_y - station_y
+    t10 = target_velocity_x - station_velocity_x
+    t11 = target_velocity_y - station_velocity_y
+    t15 = form.sqrt((t8 * t8) + (t9 * t9))
+    t20 = ((t8 / t15) * t10) + ((t9 / t15) * t11)
+    if not t15 >= (9.999999974752427e-07 if form.single else 1e-20):
+        raise ValueError
+    return (t20,)
 
 
 def _range_rate_in_plane_block(given: Arrays, out: Arrays, work: Arrays, _single: bool) -> None:
@@ -2500,6 +3217,7 @@ _RANGE_RATE_IN_PLANE = Signature(
             (0, 4),
         ),
     ),
+    numbers=_range_rate_in_plane_of_numbers,
 )
 
 
@@ -2586,6 +3304,42 @@ def range_rate_jacobian_in_plane(
 
     Source: derivation range-doppler
     """
+    if (
+        type(target_x) is float
+        and type(target_y) is float
+        and type(target_velocity_x) is float
+        and type(target_velocity_y) is float
+        and type(station_x) is float
+        and type(station_y) is float
+        and type(station_velocity_x) is float
+        and type(station_velocity_y) is float
+        and -1e60 <= target_x <= 1e60
+        and -1e60 <= target_y <= 1e60
+        and -1e60 <= target_velocity_x <= 1e60
+        and -1e60 <= target_velocity_y <= 1e60
+        and -1e60 <= station_x <= 1e60
+        and -1e60 <= station_y <= 1e60
+        and -1e60 <= station_velocity_x <= 1e60
+        and -1e60 <= station_velocity_y <= 1e60
+        and out is None
+        and workers is ONE
+    ):
+        try:
+            return named(
+                RangeRateJacobianInPlane,
+                _range_rate_jacobian_in_plane_of_numbers(
+                    target_x,
+                    target_y,
+                    target_velocity_x,
+                    target_velocity_y,
+                    station_x,
+                    station_y,
+                    station_velocity_x,
+                    station_velocity_y,
+                ),
+            )
+        except (ArithmeticError, ValueError):
+            pass  # arrays say what is wrong
     return RangeRateJacobianInPlane(
         *evaluate(
             _RANGE_RATE_JACOBIAN_IN_PLANE,
@@ -2603,6 +3357,32 @@ def range_rate_jacobian_in_plane(
             workers,
         )
     )
+
+
+def _range_rate_jacobian_in_plane_of_numbers(
+    target_x: float,
+    target_y: float,
+    target_velocity_x: float,
+    target_velocity_y: float,
+    station_x: float,
+    station_y: float,
+    station_velocity_x: float,
+    station_velocity_y: float,
+    form: Form = Double,
+) -> tuple[float, ...]:
+    t8 = target_x - station_x
+    t9 = target_y - station_y
+    t10 = target_velocity_x - station_velocity_x
+    t11 = target_velocity_y - station_velocity_y
+    t15 = form.sqrt((t8 * t8) + (t9 * t9))
+    t16 = t8 / t15
+    t17 = t9 / t15
+    t20 = (t16 * t10) + (t17 * t11)
+    t23 = (t10 - (t20 * t16)) / t15
+    t26 = (t11 - (t20 * t17)) / t15
+    if not t15 >= (9.999999974752427e-07 if form.single else 1e-20):
+        raise ValueError
+    return (t23, t26, t16, t17)
 
 
 def _range_rate_jacobian_in_plane_block(
@@ -2690,6 +3470,7 @@ _RANGE_RATE_JACOBIAN_IN_PLANE = Signature(
             (0, 4),
         ),
     ),
+    numbers=_range_rate_jacobian_in_plane_of_numbers,
 )
 
 
@@ -2791,6 +3572,42 @@ def range_doppler_in_plane(
 
     Source: derivation range-doppler
     """
+    if (
+        type(target_x) is float
+        and type(target_y) is float
+        and type(target_velocity_x) is float
+        and type(target_velocity_y) is float
+        and type(station_x) is float
+        and type(station_y) is float
+        and type(station_velocity_x) is float
+        and type(station_velocity_y) is float
+        and -1e60 <= target_x <= 1e60
+        and -1e60 <= target_y <= 1e60
+        and -1e60 <= target_velocity_x <= 1e60
+        and -1e60 <= target_velocity_y <= 1e60
+        and -1e60 <= station_x <= 1e60
+        and -1e60 <= station_y <= 1e60
+        and -1e60 <= station_velocity_x <= 1e60
+        and -1e60 <= station_velocity_y <= 1e60
+        and out is None
+        and workers is ONE
+    ):
+        try:
+            return named(
+                RangeDopplerInPlane,
+                _range_doppler_in_plane_of_numbers(
+                    target_x,
+                    target_y,
+                    target_velocity_x,
+                    target_velocity_y,
+                    station_x,
+                    station_y,
+                    station_velocity_x,
+                    station_velocity_y,
+                ),
+            )
+        except (ArithmeticError, ValueError):
+            pass  # arrays say what is wrong
     return RangeDopplerInPlane(
         *evaluate(
             _RANGE_DOPPLER_IN_PLANE,
@@ -2808,6 +3625,32 @@ def range_doppler_in_plane(
             workers,
         )
     )
+
+
+def _range_doppler_in_plane_of_numbers(
+    target_x: float,
+    target_y: float,
+    target_velocity_x: float,
+    target_velocity_y: float,
+    station_x: float,
+    station_y: float,
+    station_velocity_x: float,
+    station_velocity_y: float,
+    form: Form = Double,
+) -> tuple[float, ...]:
+    t8 = target_x - station_x
+    t9 = target_y - station_y
+    t10 = target_velocity_x - station_velocity_x
+    t11 = target_velocity_y - station_velocity_y
+    t15 = form.sqrt((t8 * t8) + (t9 * t9))
+    t16 = t8 / t15
+    t17 = t9 / t15
+    t20 = (t16 * t10) + (t17 * t11)
+    t23 = (t10 - (t20 * t16)) / t15
+    t26 = (t11 - (t20 * t17)) / t15
+    if not t15 >= (9.999999974752427e-07 if form.single else 1e-20):
+        raise ValueError
+    return (t15, t20, t16, t17, t23, t26)
 
 
 def _range_doppler_in_plane_block(given: Arrays, out: Arrays, work: Arrays, _single: bool) -> None:
@@ -2893,6 +3736,7 @@ _RANGE_DOPPLER_IN_PLANE = Signature(
             (0, 4),
         ),
     ),
+    numbers=_range_doppler_in_plane_of_numbers,
 )
 
 
@@ -2951,9 +3795,48 @@ def range_hessian_in_plane(
 
     Source: derivation range-doppler
     """
+    if (
+        type(target_x) is float
+        and type(target_y) is float
+        and type(station_x) is float
+        and type(station_y) is float
+        and -1e60 <= target_x <= 1e60
+        and -1e60 <= target_y <= 1e60
+        and -1e60 <= station_x <= 1e60
+        and -1e60 <= station_y <= 1e60
+        and out is None
+        and workers is ONE
+    ):
+        try:
+            return named(
+                RangeHessianInPlane,
+                _range_hessian_in_plane_of_numbers(target_x, target_y, station_x, station_y),
+            )
+        except (ArithmeticError, ValueError):
+            pass  # arrays say what is wrong
     return RangeHessianInPlane(
         *evaluate(_RANGE_HESSIAN_IN_PLANE, (target_x, target_y, station_x, station_y), out, workers)
     )
+
+
+def _range_hessian_in_plane_of_numbers(
+    target_x: float,
+    target_y: float,
+    station_x: float,
+    station_y: float,
+    form: Form = Double,
+) -> tuple[float, ...]:
+    t4 = target_x - station_x
+    t5 = target_y - station_y
+    t9 = form.sqrt((t4 * t4) + (t5 * t5))
+    t10 = t4 / t9
+    t11 = t5 / t9
+    t16 = (t11 * t11) / t9
+    t17 = -(t10 * t11) / t9
+    t18 = (t10 * t10) / t9
+    if not t9 >= (9.999999974752427e-07 if form.single else 1e-20):
+        raise ValueError
+    return (t16, t17, t18)
 
 
 def _range_hessian_in_plane_block(given: Arrays, out: Arrays, work: Arrays, _single: bool) -> None:
@@ -3008,6 +3891,7 @@ _RANGE_HESSIAN_IN_PLANE = Signature(
             (0, 2),
         ),
     ),
+    numbers=_range_hessian_in_plane_of_numbers,
 )
 
 
@@ -3092,6 +3976,42 @@ def range_rate_hessian_in_plane(
 
     Source: derivation range-doppler
     """
+    if (
+        type(target_x) is float
+        and type(target_y) is float
+        and type(target_velocity_x) is float
+        and type(target_velocity_y) is float
+        and type(station_x) is float
+        and type(station_y) is float
+        and type(station_velocity_x) is float
+        and type(station_velocity_y) is float
+        and -1e60 <= target_x <= 1e60
+        and -1e60 <= target_y <= 1e60
+        and -1e60 <= target_velocity_x <= 1e60
+        and -1e60 <= target_velocity_y <= 1e60
+        and -1e60 <= station_x <= 1e60
+        and -1e60 <= station_y <= 1e60
+        and -1e60 <= station_velocity_x <= 1e60
+        and -1e60 <= station_velocity_y <= 1e60
+        and out is None
+        and workers is ONE
+    ):
+        try:
+            return named(
+                RangeRateHessianInPlane,
+                _range_rate_hessian_in_plane_of_numbers(
+                    target_x,
+                    target_y,
+                    target_velocity_x,
+                    target_velocity_y,
+                    station_x,
+                    station_y,
+                    station_velocity_x,
+                    station_velocity_y,
+                ),
+            )
+        except (ArithmeticError, ValueError):
+            pass  # arrays say what is wrong
     return RangeRateHessianInPlane(
         *evaluate(
             _RANGE_RATE_HESSIAN_IN_PLANE,
@@ -3109,6 +4029,39 @@ def range_rate_hessian_in_plane(
             workers,
         )
     )
+
+
+def _range_rate_hessian_in_plane_of_numbers(
+    target_x: float,
+    target_y: float,
+    target_velocity_x: float,
+    target_velocity_y: float,
+    station_x: float,
+    station_y: float,
+    station_velocity_x: float,
+    station_velocity_y: float,
+    form: Form = Double,
+) -> tuple[float, ...]:
+    t8 = target_x - station_x
+    t9 = target_y - station_y
+    t10 = target_velocity_x - station_velocity_x
+    t11 = target_velocity_y - station_velocity_y
+    t15 = form.sqrt((t8 * t8) + (t9 * t9))
+    t16 = t8 / t15
+    t17 = t9 / t15
+    t20 = (t16 * t10) + (t17 * t11)
+    t23 = (t10 - (t20 * t16)) / t15
+    t26 = (t11 - (t20 * t17)) / t15
+    t27 = t20 / t15
+    t36 = ((t16 * t23) * 2.0) + (t27 * (t17 * t17))
+    t43 = ((t16 * t26) + (t17 * t23)) + (t27 * -(t16 * t17))
+    t49 = ((t17 * t26) * 2.0) + (t27 * (t16 * t16))
+    t38 = -t36 / t15
+    t45 = -t43 / t15
+    t51 = -t49 / t15
+    if not t15 >= (9.999999974752427e-07 if form.single else 1e-20):
+        raise ValueError
+    return (t38, t45, t51)
 
 
 def _range_rate_hessian_in_plane_block(
@@ -3220,6 +4173,7 @@ _RANGE_RATE_HESSIAN_IN_PLANE = Signature(
             (0, 4),
         ),
     ),
+    numbers=_range_rate_hessian_in_plane_of_numbers,
 )
 
 
@@ -3320,6 +4274,45 @@ def doppler_shift_in_plane(
 
     Source: derivation range-doppler
     """
+    if (
+        type(target_x) is float
+        and type(target_y) is float
+        and type(target_velocity_x) is float
+        and type(target_velocity_y) is float
+        and type(station_x) is float
+        and type(station_y) is float
+        and type(station_velocity_x) is float
+        and type(station_velocity_y) is float
+        and type(carrier_frequency) is float
+        and -1e60 <= target_x <= 1e60
+        and -1e60 <= target_y <= 1e60
+        and -1e60 <= target_velocity_x <= 1e60
+        and -1e60 <= target_velocity_y <= 1e60
+        and -1e60 <= station_x <= 1e60
+        and -1e60 <= station_y <= 1e60
+        and -1e60 <= station_velocity_x <= 1e60
+        and -1e60 <= station_velocity_y <= 1e60
+        and 1e-10 <= carrier_frequency <= 1e30
+        and out is None
+        and workers is ONE
+    ):
+        try:
+            return named(
+                DopplerShiftInPlane,
+                _doppler_shift_in_plane_of_numbers(
+                    target_x,
+                    target_y,
+                    target_velocity_x,
+                    target_velocity_y,
+                    station_x,
+                    station_y,
+                    station_velocity_x,
+                    station_velocity_y,
+                    carrier_frequency,
+                ),
+            )
+        except (ArithmeticError, ValueError):
+            pass  # arrays say what is wrong
     return DopplerShiftInPlane(
         *evaluate(
             _DOPPLER_SHIFT_IN_PLANE,
@@ -3338,6 +4331,37 @@ def doppler_shift_in_plane(
             workers,
         )
     )
+
+
+def _doppler_shift_in_plane_of_numbers(
+    target_x: float,
+    target_y: float,
+    target_velocity_x: float,
+    target_velocity_y: float,
+    station_x: float,
+    station_y: float,
+    station_velocity_x: float,
+    station_velocity_y: float,
+    carrier_frequency: float,
+    form: Form = Double,
+) -> tuple[float, ...]:
+    t8 = target_x - station_x
+    t9 = target_y - station_y
+    t10 = target_velocity_x - station_velocity_x
+    t11 = target_velocity_y - station_velocity_y
+    t15 = form.sqrt((t8 * t8) + (t9 * t9))
+    t16 = t8 / t15
+    t17 = t9 / t15
+    t21 = -(carrier_frequency / 299792458.0)
+    t24 = (t16 * t10) + (t17 * t11)
+    t25 = t24 * t21
+    t32 = ((t10 - (t24 * t16)) / t15) * t21
+    t33 = ((t11 - (t24 * t17)) / t15) * t21
+    t34 = t16 * t21
+    t35 = t17 * t21
+    if not t15 >= (9.999999974752427e-07 if form.single else 1e-20):
+        raise ValueError
+    return (t25, t32, t33, t34, t35)
 
 
 def _doppler_shift_in_plane_block(
@@ -3447,6 +4471,7 @@ _DOPPLER_SHIFT_IN_PLANE = Signature(
             (0, 4),
         ),
     ),
+    numbers=_doppler_shift_in_plane_of_numbers,
 )
 
 
@@ -3611,6 +4636,72 @@ def bistatic_range_doppler(
 
     Source: derivation range-doppler
     """
+    if (
+        type(target_x) is float
+        and type(target_y) is float
+        and type(target_z) is float
+        and type(target_velocity_x) is float
+        and type(target_velocity_y) is float
+        and type(target_velocity_z) is float
+        and type(first_station_x) is float
+        and type(first_station_y) is float
+        and type(first_station_z) is float
+        and type(first_station_velocity_x) is float
+        and type(first_station_velocity_y) is float
+        and type(first_station_velocity_z) is float
+        and type(second_station_x) is float
+        and type(second_station_y) is float
+        and type(second_station_z) is float
+        and type(second_station_velocity_x) is float
+        and type(second_station_velocity_y) is float
+        and type(second_station_velocity_z) is float
+        and -1e60 <= target_x <= 1e60
+        and -1e60 <= target_y <= 1e60
+        and -1e60 <= target_z <= 1e60
+        and -1e60 <= target_velocity_x <= 1e60
+        and -1e60 <= target_velocity_y <= 1e60
+        and -1e60 <= target_velocity_z <= 1e60
+        and -1e60 <= first_station_x <= 1e60
+        and -1e60 <= first_station_y <= 1e60
+        and -1e60 <= first_station_z <= 1e60
+        and -1e60 <= first_station_velocity_x <= 1e60
+        and -1e60 <= first_station_velocity_y <= 1e60
+        and -1e60 <= first_station_velocity_z <= 1e60
+        and -1e60 <= second_station_x <= 1e60
+        and -1e60 <= second_station_y <= 1e60
+        and -1e60 <= second_station_z <= 1e60
+        and -1e60 <= second_station_velocity_x <= 1e60
+        and -1e60 <= second_station_velocity_y <= 1e60
+        and -1e60 <= second_station_velocity_z <= 1e60
+        and out is None
+        and workers is ONE
+    ):
+        try:
+            return named(
+                BistaticRangeDoppler,
+                _bistatic_range_doppler_of_numbers(
+                    target_x,
+                    target_y,
+                    target_z,
+                    target_velocity_x,
+                    target_velocity_y,
+                    target_velocity_z,
+                    first_station_x,
+                    first_station_y,
+                    first_station_z,
+                    first_station_velocity_x,
+                    first_station_velocity_y,
+                    first_station_velocity_z,
+                    second_station_x,
+                    second_station_y,
+                    second_station_z,
+                    second_station_velocity_x,
+                    second_station_velocity_y,
+                    second_station_velocity_z,
+                ),
+            )
+        except (ArithmeticError, ValueError):
+            pass  # arrays say what is wrong
     return BistaticRangeDoppler(
         *evaluate(
             _BISTATIC_RANGE_DOPPLER,
@@ -3638,6 +4729,66 @@ def bistatic_range_doppler(
             workers,
         )
     )
+
+
+def _bistatic_range_doppler_of_numbers(
+    target_x: float,
+    target_y: float,
+    target_z: float,
+    target_velocity_x: float,
+    target_velocity_y: float,
+    target_velocity_z: float,
+    first_station_x: float,
+    first_station_y: float,
+    first_station_z: float,
+    first_station_velocity_x: float,
+    first_station_velocity_y: float,
+    first_station_velocity_z: float,
+    second_station_x: float,
+    second_station_y: float,
+    second_station_z: float,
+    second_station_velocity_x: float,
+    second_station_velocity_y: float,
+    second_station_velocity_z: float,
+    form: Form = Double,
+) -> tuple[float, ...]:
+    t18 = target_x - first_station_x
+    t19 = target_y - first_station_y
+    t20 = target_z - first_station_z
+    t21 = target_velocity_x - first_station_velocity_x
+    t22 = target_velocity_y - first_station_velocity_y
+    t23 = target_velocity_z - first_station_velocity_z
+    t28 = ((t18 * t18) + (t19 * t19)) + (t20 * t20)
+    t29 = form.sqrt(t28)
+    t30 = t18 / t29
+    t31 = t19 / t29
+    t32 = t20 / t29
+    t33 = target_x - second_station_x
+    t34 = target_y - second_station_y
+    t35 = target_z - second_station_z
+    t36 = target_velocity_x - second_station_velocity_x
+    t37 = target_velocity_y - second_station_velocity_y
+    t38 = target_velocity_z - second_station_velocity_z
+    t43 = ((t33 * t33) + (t34 * t34)) + (t35 * t35)
+    t44 = form.sqrt(t43)
+    t45 = t33 / t44
+    t46 = t34 / t44
+    t47 = t35 / t44
+    t53 = ((t30 * t21) + (t31 * t22)) + (t32 * t23)
+    t58 = ((t45 * t36) + (t46 * t37)) + (t47 * t38)
+    t48 = t29 + t44
+    t59 = t53 + t58
+    t60 = t30 + t45
+    t61 = t31 + t46
+    t62 = t32 + t47
+    t81 = ((t21 - (t53 * t30)) / t29) + ((t36 - (t58 * t45)) / t44)
+    t82 = ((t22 - (t53 * t31)) / t29) + ((t37 - (t58 * t46)) / t44)
+    t83 = ((t23 - (t53 * t32)) / t29) + ((t38 - (t58 * t47)) / t44)
+    if not t29 >= (9.999999974752427e-07 if form.single else 1e-20):
+        raise ValueError
+    if not t44 >= (9.999999974752427e-07 if form.single else 1e-20):
+        raise ValueError
+    return (t48, t59, t60, t61, t62, t81, t82, t83)
 
 
 def _bistatic_range_doppler_block(given: Arrays, out: Arrays, work: Arrays, _single: bool) -> None:
@@ -3866,6 +5017,7 @@ _BISTATIC_RANGE_DOPPLER = Signature(
             (0, 12),
         ),
     ),
+    numbers=_bistatic_range_doppler_of_numbers,
 )
 
 
@@ -4041,6 +5193,72 @@ def range_doppler_difference(
 
     Source: derivation range-doppler
     """
+    if (
+        type(target_x) is float
+        and type(target_y) is float
+        and type(target_z) is float
+        and type(target_velocity_x) is float
+        and type(target_velocity_y) is float
+        and type(target_velocity_z) is float
+        and type(first_station_x) is float
+        and type(first_station_y) is float
+        and type(first_station_z) is float
+        and type(first_station_velocity_x) is float
+        and type(first_station_velocity_y) is float
+        and type(first_station_velocity_z) is float
+        and type(second_station_x) is float
+        and type(second_station_y) is float
+        and type(second_station_z) is float
+        and type(second_station_velocity_x) is float
+        and type(second_station_velocity_y) is float
+        and type(second_station_velocity_z) is float
+        and -1e40 <= target_x <= 1e40
+        and -1e40 <= target_y <= 1e40
+        and -1e40 <= target_z <= 1e40
+        and -1e30 <= target_velocity_x <= 1e30
+        and -1e30 <= target_velocity_y <= 1e30
+        and -1e30 <= target_velocity_z <= 1e30
+        and -1e40 <= first_station_x <= 1e40
+        and -1e40 <= first_station_y <= 1e40
+        and -1e40 <= first_station_z <= 1e40
+        and -1e30 <= first_station_velocity_x <= 1e30
+        and -1e30 <= first_station_velocity_y <= 1e30
+        and -1e30 <= first_station_velocity_z <= 1e30
+        and -1e40 <= second_station_x <= 1e40
+        and -1e40 <= second_station_y <= 1e40
+        and -1e40 <= second_station_z <= 1e40
+        and -1e30 <= second_station_velocity_x <= 1e30
+        and -1e30 <= second_station_velocity_y <= 1e30
+        and -1e30 <= second_station_velocity_z <= 1e30
+        and out is None
+        and workers is ONE
+    ):
+        try:
+            return named(
+                RangeDopplerDifference,
+                _range_doppler_difference_of_numbers(
+                    target_x,
+                    target_y,
+                    target_z,
+                    target_velocity_x,
+                    target_velocity_y,
+                    target_velocity_z,
+                    first_station_x,
+                    first_station_y,
+                    first_station_z,
+                    first_station_velocity_x,
+                    first_station_velocity_y,
+                    first_station_velocity_z,
+                    second_station_x,
+                    second_station_y,
+                    second_station_z,
+                    second_station_velocity_x,
+                    second_station_velocity_y,
+                    second_station_velocity_z,
+                ),
+            )
+        except (ArithmeticError, ValueError):
+            pass  # arrays say what is wrong
     return RangeDopplerDifference(
         *evaluate(
             _RANGE_DOPPLER_DIFFERENCE,
@@ -4068,6 +5286,74 @@ def range_doppler_difference(
             workers,
         )
     )
+
+
+def _range_doppler_difference_of_numbers(
+    target_x: float,
+    target_y: float,
+    target_z: float,
+    target_velocity_x: float,
+    target_velocity_y: float,
+    target_velocity_z: float,
+    first_station_x: float,
+    first_station_y: float,
+    first_station_z: float,
+    first_station_velocity_x: float,
+    first_station_velocity_y: float,
+    first_station_velocity_z: float,
+    second_station_x: float,
+    second_station_y: float,
+    second_station_z: float,
+    second_station_velocity_x: float,
+    second_station_velocity_y: float,
+    second_station_velocity_z: float,
+    form: Form = Double,
+) -> tuple[float, ...]:
+    t18 = target_x - first_station_x
+    t19 = target_y - first_station_y
+    t20 = target_z - first_station_z
+    t25 = ((t18 * t18) + (t19 * t19)) + (t20 * t20)
+    t26 = form.sqrt(t25)
+    t27 = t18 / t26
+    t28 = t19 / t26
+    t29 = t20 / t26
+    t30 = target_x - second_station_x
+    t31 = target_y - second_station_y
+    t32 = target_z - second_station_z
+    t33 = target_velocity_x - second_station_velocity_x
+    t34 = target_velocity_y - second_station_velocity_y
+    t35 = target_velocity_z - second_station_velocity_z
+    t40 = ((t30 * t30) + (t31 * t31)) + (t32 * t32)
+    t41 = form.sqrt(t40)
+    t42 = t30 / t41
+    t43 = t31 / t41
+    t44 = t32 / t41
+    t45 = second_station_x - first_station_x
+    t46 = second_station_y - first_station_y
+    t47 = second_station_z - first_station_z
+    t48 = second_station_velocity_x - first_station_velocity_x
+    t49 = second_station_velocity_y - first_station_velocity_y
+    t50 = second_station_velocity_z - first_station_velocity_z
+    t57 = (t45 * (t18 + t30)) + (t46 * (t19 + t31))
+    t60 = (t57 + (t47 * (t20 + t32))) / (t26 + t41)
+    t63 = (t45 - (t60 * t42)) / t26
+    t66 = (t46 - (t60 * t43)) / t26
+    t69 = (t47 - (t60 * t44)) / t26
+    t74 = ((t27 * t48) + (t28 * t49)) + (t29 * t50)
+    t79 = ((t63 * t33) + (t66 * t34)) + (t69 * t35)
+    t80 = t74 + t79
+    t85 = ((t42 * t33) + (t43 * t34)) + (t44 * t35)
+    t100 = ((t48 - (t80 * t27)) - (t85 * t63)) - (t60 * ((t33 - (t85 * t42)) / t41))
+    t107 = ((t49 - (t80 * t28)) - (t85 * t66)) - (t60 * ((t34 - (t85 * t43)) / t41))
+    t114 = ((t50 - (t80 * t29)) - (t85 * t69)) - (t60 * ((t35 - (t85 * t44)) / t41))
+    t101 = t100 / t26
+    t108 = t107 / t26
+    t115 = t114 / t26
+    if not t26 >= (1.0 if form.single else 1e-20):
+        raise ValueError
+    if not t41 >= (1.0 if form.single else 1e-20):
+        raise ValueError
+    return (t60, t80, t63, t66, t69, t101, t108, t115)
 
 
 def _range_doppler_difference_block(
@@ -4330,6 +5616,7 @@ _RANGE_DOPPLER_DIFFERENCE = Signature(
             (0, 12),
         ),
     ),
+    numbers=_range_doppler_difference_of_numbers,
 )
 
 
@@ -4455,6 +5742,54 @@ def bistatic_range_doppler_in_plane(
 
     Source: derivation range-doppler
     """
+    if (
+        type(target_x) is float
+        and type(target_y) is float
+        and type(target_velocity_x) is float
+        and type(target_velocity_y) is float
+        and type(first_station_x) is float
+        and type(first_station_y) is float
+        and type(first_station_velocity_x) is float
+        and type(first_station_velocity_y) is float
+        and type(second_station_x) is float
+        and type(second_station_y) is float
+        and type(second_station_velocity_x) is float
+        and type(second_station_velocity_y) is float
+        and -1e60 <= target_x <= 1e60
+        and -1e60 <= target_y <= 1e60
+        and -1e60 <= target_velocity_x <= 1e60
+        and -1e60 <= target_velocity_y <= 1e60
+        and -1e60 <= first_station_x <= 1e60
+        and -1e60 <= first_station_y <= 1e60
+        and -1e60 <= first_station_velocity_x <= 1e60
+        and -1e60 <= first_station_velocity_y <= 1e60
+        and -1e60 <= second_station_x <= 1e60
+        and -1e60 <= second_station_y <= 1e60
+        and -1e60 <= second_station_velocity_x <= 1e60
+        and -1e60 <= second_station_velocity_y <= 1e60
+        and out is None
+        and workers is ONE
+    ):
+        try:
+            return named(
+                BistaticRangeDopplerInPlane,
+                _bistatic_range_doppler_in_plane_of_numbers(
+                    target_x,
+                    target_y,
+                    target_velocity_x,
+                    target_velocity_y,
+                    first_station_x,
+                    first_station_y,
+                    first_station_velocity_x,
+                    first_station_velocity_y,
+                    second_station_x,
+                    second_station_y,
+                    second_station_velocity_x,
+                    second_station_velocity_y,
+                ),
+            )
+        except (ArithmeticError, ValueError):
+            pass  # arrays say what is wrong
     return BistaticRangeDopplerInPlane(
         *evaluate(
             _BISTATIC_RANGE_DOPPLER_IN_PLANE,
@@ -4476,6 +5811,50 @@ def bistatic_range_doppler_in_plane(
             workers,
         )
     )
+
+
+def _bistatic_range_doppler_in_plane_of_numbers(
+    target_x: float,
+    target_y: float,
+    target_velocity_x: float,
+    target_velocity_y: float,
+    first_station_x: float,
+    first_station_y: float,
+    first_station_velocity_x: float,
+    first_station_velocity_y: float,
+    second_station_x: float,
+    second_station_y: float,
+    second_station_velocity_x: float,
+    second_station_velocity_y: float,
+    form: Form = Double,
+) -> tuple[float, ...]:
+    t12 = target_x - first_station_x
+    t13 = target_y - first_station_y
+    t14 = target_velocity_x - first_station_velocity_x
+    t15 = target_velocity_y - first_station_velocity_y
+    t19 = form.sqrt((t12 * t12) + (t13 * t13))
+    t20 = t12 / t19
+    t21 = t13 / t19
+    t22 = target_x - second_station_x
+    t23 = target_y - second_station_y
+    t24 = target_velocity_x - second_station_velocity_x
+    t25 = target_velocity_y - second_station_velocity_y
+    t29 = form.sqrt((t22 * t22) + (t23 * t23))
+    t30 = t22 / t29
+    t31 = t23 / t29
+    t35 = (t20 * t14) + (t21 * t15)
+    t38 = (t30 * t24) + (t31 * t25)
+    t32 = t19 + t29
+    t39 = t35 + t38
+    t40 = t20 + t30
+    t41 = t21 + t31
+    t54 = ((t14 - (t35 * t20)) / t19) + ((t24 - (t38 * t30)) / t29)
+    t55 = ((t15 - (t35 * t21)) / t19) + ((t25 - (t38 * t31)) / t29)
+    if not t19 >= (9.999999974752427e-07 if form.single else 1e-20):
+        raise ValueError
+    if not t29 >= (9.999999974752427e-07 if form.single else 1e-20):
+        raise ValueError
+    return (t32, t39, t40, t41, t54, t55)
 
 
 def _bistatic_range_doppler_in_plane_block(
@@ -4650,6 +6029,7 @@ _BISTATIC_RANGE_DOPPLER_IN_PLANE = Signature(
             (0, 8),
         ),
     ),
+    numbers=_bistatic_range_doppler_in_plane_of_numbers,
 )
 
 
@@ -4784,6 +6164,54 @@ def range_doppler_difference_in_plane(
 
     Source: derivation range-doppler
     """
+    if (
+        type(target_x) is float
+        and type(target_y) is float
+        and type(target_velocity_x) is float
+        and type(target_velocity_y) is float
+        and type(first_station_x) is float
+        and type(first_station_y) is float
+        and type(first_station_velocity_x) is float
+        and type(first_station_velocity_y) is float
+        and type(second_station_x) is float
+        and type(second_station_y) is float
+        and type(second_station_velocity_x) is float
+        and type(second_station_velocity_y) is float
+        and -1e40 <= target_x <= 1e40
+        and -1e40 <= target_y <= 1e40
+        and -1e30 <= target_velocity_x <= 1e30
+        and -1e30 <= target_velocity_y <= 1e30
+        and -1e40 <= first_station_x <= 1e40
+        and -1e40 <= first_station_y <= 1e40
+        and -1e30 <= first_station_velocity_x <= 1e30
+        and -1e30 <= first_station_velocity_y <= 1e30
+        and -1e40 <= second_station_x <= 1e40
+        and -1e40 <= second_station_y <= 1e40
+        and -1e30 <= second_station_velocity_x <= 1e30
+        and -1e30 <= second_station_velocity_y <= 1e30
+        and out is None
+        and workers is ONE
+    ):
+        try:
+            return named(
+                RangeDopplerDifferenceInPlane,
+                _range_doppler_difference_in_plane_of_numbers(
+                    target_x,
+                    target_y,
+                    target_velocity_x,
+                    target_velocity_y,
+                    first_station_x,
+                    first_station_y,
+                    first_station_velocity_x,
+                    first_station_velocity_y,
+                    second_station_x,
+                    second_station_y,
+                    second_station_velocity_x,
+                    second_station_velocity_y,
+                ),
+            )
+        except (ArithmeticError, ValueError):
+            pass  # arrays say what is wrong
     return RangeDopplerDifferenceInPlane(
         *evaluate(
             _RANGE_DOPPLER_DIFFERENCE_IN_PLANE,
@@ -4805,6 +6233,54 @@ def range_doppler_difference_in_plane(
             workers,
         )
     )
+
+
+def _range_doppler_difference_in_plane_of_numbers(
+    target_x: float,
+    target_y: float,
+    target_velocity_x: float,
+    target_velocity_y: float,
+    first_station_x: float,
+    first_station_y: float,
+    first_station_velocity_x: float,
+    first_station_velocity_y: float,
+    second_station_x: float,
+    second_station_y: float,
+    second_station_velocity_x: float,
+    second_station_velocity_y: float,
+    form: Form = Double,
+) -> tuple[float, ...]:
+    t12 = target_x - first_station_x
+    t13 = target_y - first_station_y
+    t17 = form.sqrt((t12 * t12) + (t13 * t13))
+    t18 = t12 / t17
+    t19 = t13 / t17
+    t20 = target_x - second_station_x
+    t21 = target_y - second_station_y
+    t22 = target_velocity_x - second_station_velocity_x
+    t23 = target_velocity_y - second_station_velocity_y
+    t27 = form.sqrt((t20 * t20) + (t21 * t21))
+    t28 = t20 / t27
+    t29 = t21 / t27
+    t30 = second_station_x - first_station_x
+    t31 = second_station_y - first_station_y
+    t32 = second_station_velocity_x - first_station_velocity_x
+    t33 = second_station_velocity_y - first_station_velocity_y
+    t38 = (t30 * (t12 + t20)) + (t31 * (t13 + t21))
+    t40 = t38 / (t17 + t27)
+    t43 = (t30 - (t40 * t28)) / t17
+    t46 = (t31 - (t40 * t29)) / t17
+    t53 = ((t18 * t32) + (t19 * t33)) + ((t43 * t22) + (t46 * t23))
+    t56 = (t28 * t22) + (t29 * t23)
+    t68 = ((t32 - (t53 * t18)) - (t56 * t43)) - (t40 * ((t22 - (t56 * t28)) / t27))
+    t75 = ((t33 - (t53 * t19)) - (t56 * t46)) - (t40 * ((t23 - (t56 * t29)) / t27))
+    t69 = t68 / t17
+    t76 = t75 / t17
+    if not t17 >= (1.0 if form.single else 1e-20):
+        raise ValueError
+    if not t27 >= (1.0 if form.single else 1e-20):
+        raise ValueError
+    return (t40, t53, t43, t46, t69, t76)
 
 
 def _range_doppler_difference_in_plane_block(
@@ -5000,4 +6476,5 @@ _RANGE_DOPPLER_DIFFERENCE_IN_PLANE = Signature(
             (0, 8),
         ),
     ),
+    numbers=_range_doppler_difference_in_plane_of_numbers,
 )

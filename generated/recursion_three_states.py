@@ -8,15 +8,15 @@ from typing import TYPE_CHECKING
 
 from numpy import add, copyto, divide, multiply, square
 
+from gainproof.generated._numbers import ONE, Double, named
 from gainproof.generated._runtime import evaluate
 from gainproof.generated._signature import Domain, Signature
 
 if TYPE_CHECKING:
     from typing import NamedTuple
 
-    from numpy.typing import ArrayLike
-
-    from gainproof.generated._signature import Arrays, Real
+    from gainproof.generated._numbers import Form
+    from gainproof.generated._signature import ArrayLike, Arrays, Real
 else:
     from gainproof.generated._result import NamedTuple
 
@@ -181,6 +181,31 @@ def covariance(
 
     Source: derivation recursion-three-states
     """
+    if (
+        type(diagonal_1) is float
+        and type(diagonal_2) is float
+        and type(diagonal_3) is float
+        and type(first_shear) is float
+        and type(second_shear) is float
+        and type(third_shear) is float
+        and 1e-30 <= diagonal_1 <= 1e30
+        and 1e-30 <= diagonal_2 <= 1e30
+        and 1e-30 <= diagonal_3 <= 1e30
+        and (1e-15 <= first_shear <= 1000000000000000.0 or first_shear == 0)
+        and (1e-15 <= second_shear <= 1000000000000000.0 or second_shear == 0)
+        and (1e-15 <= third_shear <= 1000000000000000.0 or third_shear == 0)
+        and out is None
+        and workers is ONE
+    ):
+        try:
+            return named(
+                Covariance,
+                _covariance_of_numbers(
+                    diagonal_1, diagonal_2, diagonal_3, first_shear, second_shear, third_shear
+                ),
+            )
+        except (ArithmeticError, ValueError):
+            pass  # arrays say what is wrong
     return Covariance(
         *evaluate(
             _COVARIANCE,
@@ -189,6 +214,25 @@ def covariance(
             workers,
         )
     )
+
+
+def _covariance_of_numbers(
+    diagonal_1: float,
+    diagonal_2: float,
+    diagonal_3: float,
+    first_shear: float,
+    second_shear: float,
+    third_shear: float,
+    _form: Form = Double,
+) -> tuple[float, ...]:
+    t6 = first_shear + third_shear
+    t7 = t6 * diagonal_2
+    t8 = second_shear * diagonal_3
+    t9 = first_shear * t8
+    t15 = (diagonal_1 + (t6 * t7)) + ((first_shear * second_shear) * t9)
+    t17 = t7 + (second_shear * t9)
+    t18 = diagonal_2 + (second_shear * t8)
+    return (t15, t17, t9, t18, t8, diagonal_3)
 
 
 def _covariance_block(given: Arrays, out: Arrays, work: Arrays, _single: bool) -> None:
@@ -231,6 +275,7 @@ _COVARIANCE = Signature(
     ),
     5,
     _covariance_block,
+    numbers=_covariance_of_numbers,
 )
 
 
@@ -300,6 +345,39 @@ def gains(
 
     Source: derivation recursion-three-states
     """
+    if (
+        type(diagonal_1) is float
+        and type(diagonal_2) is float
+        and type(diagonal_3) is float
+        and type(first_shear) is float
+        and type(second_shear) is float
+        and type(third_shear) is float
+        and type(measurement_variance) is float
+        and 1e-30 <= diagonal_1 <= 1e30
+        and 1e-30 <= diagonal_2 <= 1e30
+        and 1e-30 <= diagonal_3 <= 1e30
+        and (1e-15 <= first_shear <= 1000000000000000.0 or first_shear == 0)
+        and (1e-15 <= second_shear <= 1000000000000000.0 or second_shear == 0)
+        and (1e-15 <= third_shear <= 1000000000000000.0 or third_shear == 0)
+        and 1e-30 <= measurement_variance <= 1e30
+        and out is None
+        and workers is ONE
+    ):
+        try:
+            return named(
+                Gains,
+                _gains_of_numbers(
+                    diagonal_1,
+                    diagonal_2,
+                    diagonal_3,
+                    first_shear,
+                    second_shear,
+                    third_shear,
+                    measurement_variance,
+                ),
+            )
+        except (ArithmeticError, ValueError):
+            pass  # arrays say what is wrong
     return Gains(
         *evaluate(
             _GAINS,
@@ -316,6 +394,29 @@ def gains(
             workers,
         )
     )
+
+
+def _gains_of_numbers(
+    diagonal_1: float,
+    diagonal_2: float,
+    diagonal_3: float,
+    first_shear: float,
+    second_shear: float,
+    third_shear: float,
+    measurement_variance: float,
+    _form: Form = Double,
+) -> tuple[float, ...]:
+    t7 = first_shear + third_shear
+    t8 = t7 * diagonal_2
+    t10 = t7 * t8
+    t11 = (diagonal_1 + measurement_variance) + t10
+    t13 = first_shear * (second_shear * diagonal_3)
+    t15 = (first_shear * second_shear) * t13
+    t16 = t11 + t15
+    t19 = ((diagonal_1 + t10) + t15) / t16
+    t22 = (t8 + (second_shear * t13)) / t16
+    t23 = t13 / t16
+    return (t19, t22, t23, t16)
 
 
 def _gains_block(given: Arrays, out: Arrays, work: Arrays, _single: bool) -> None:
@@ -363,6 +464,7 @@ _GAINS = Signature(
     ("position_gain", "velocity_gain", "acceleration_gain", "innovation_variance"),
     5,
     _gains_block,
+    numbers=_gains_of_numbers,
 )
 
 
@@ -440,6 +542,39 @@ def update(
 
     Source: derivation recursion-three-states
     """
+    if (
+        type(diagonal_1) is float
+        and type(diagonal_2) is float
+        and type(diagonal_3) is float
+        and type(first_shear) is float
+        and type(second_shear) is float
+        and type(third_shear) is float
+        and type(measurement_variance) is float
+        and 1e-30 <= diagonal_1 <= 1e30
+        and 1e-30 <= diagonal_2 <= 1e30
+        and 1e-30 <= diagonal_3 <= 1e30
+        and (1e-15 <= first_shear <= 1000000000000000.0 or first_shear == 0)
+        and (1e-15 <= second_shear <= 1000000000000000.0 or second_shear == 0)
+        and (1e-15 <= third_shear <= 1000000000000000.0 or third_shear == 0)
+        and 1e-30 <= measurement_variance <= 1e30
+        and out is None
+        and workers is ONE
+    ):
+        try:
+            return named(
+                Update,
+                _update_of_numbers(
+                    diagonal_1,
+                    diagonal_2,
+                    diagonal_3,
+                    first_shear,
+                    second_shear,
+                    third_shear,
+                    measurement_variance,
+                ),
+            )
+        except (ArithmeticError, ValueError):
+            pass  # arrays say what is wrong
     return Update(
         *evaluate(
             _UPDATE,
@@ -456,6 +591,33 @@ def update(
             workers,
         )
     )
+
+
+def _update_of_numbers(
+    diagonal_1: float,
+    diagonal_2: float,
+    diagonal_3: float,
+    first_shear: float,
+    second_shear: float,
+    third_shear: float,
+    measurement_variance: float,
+    _form: Form = Double,
+) -> tuple[float, ...]:
+    t7 = first_shear + third_shear
+    t8 = t7 * diagonal_2
+    t9 = diagonal_1 + measurement_variance
+    t11 = t9 + (t7 * t8)
+    t13 = t9 + (third_shear * t8)
+    t15 = first_shear * (second_shear * diagonal_3)
+    t18 = t11 + ((first_shear * second_shear) * t15)
+    t19 = measurement_variance / t9
+    t20 = diagonal_1 * t19
+    t22 = diagonal_2 * (t9 / t11)
+    t24 = diagonal_3 * (t11 / t18)
+    t26 = first_shear * (measurement_variance / t13)
+    t28 = second_shear * (t13 / t11)
+    t31 = third_shear * (t19 * (t11 / t13))
+    return (t20, t22, t24, t26, t28, t31)
 
 
 def _update_block(given: Arrays, out: Arrays, work: Arrays, _single: bool) -> None:
@@ -511,6 +673,7 @@ _UPDATE = Signature(
     ("diagonal_1", "diagonal_2", "diagonal_3", "first_shear", "second_shear", "third_shear"),
     5,
     _update_block,
+    numbers=_update_of_numbers,
 )
 
 
@@ -584,6 +747,27 @@ def start_acceleration_increments(
 
     Source: derivation recursion-three-states
     """
+    if (
+        type(first_interval) is float
+        and type(interval) is float
+        and type(strength) is float
+        and type(measurement_variance) is float
+        and 1e-10 <= first_interval <= 10000000000.0
+        and 1e-10 <= interval <= 10000000000.0
+        and (1e-30 <= strength <= 1e30 or strength == 0)
+        and 1e-30 <= measurement_variance <= 1e30
+        and out is None
+        and workers is ONE
+    ):
+        try:
+            return named(
+                StartAccelerationIncrements,
+                _start_acceleration_increments_of_numbers(
+                    first_interval, interval, strength, measurement_variance
+                ),
+            )
+        except (ArithmeticError, ValueError):
+            pass  # arrays say what is wrong
     return StartAccelerationIncrements(
         *evaluate(
             _START_ACCELERATION_INCREMENTS,
@@ -592,6 +776,63 @@ def start_acceleration_increments(
             workers,
         )
     )
+
+
+def _start_acceleration_increments_of_numbers(
+    first_interval: float,
+    interval: float,
+    strength: float,
+    measurement_variance: float,
+    _form: Form = Double,
+) -> tuple[float, ...]:
+    t4 = first_interval * first_interval
+    t7 = first_interval * (first_interval * 2.0)
+    t8 = first_interval * t7
+    t9 = interval * t4
+    t13 = (interval * (t9 + t8)) + (first_interval * t8)
+    t17 = first_interval * 8.0
+    t18 = interval * 8.0
+    t20 = first_interval * t17
+    t21 = interval * (t18 + t17)
+    t24 = strength * (interval * (interval * t13))
+    t25 = t24 + (measurement_variance * (t21 + t20))
+    t26 = first_interval * t4
+    t29 = interval * (interval * (first_interval * t26))
+    t30 = interval * t29
+    t36 = first_interval * (first_interval * 20.0)
+    t37 = interval * (t18 + (first_interval * 12.0))
+    t39 = first_interval * t20
+    t42 = measurement_variance * ((interval * (t37 + t36)) + t39)
+    t44 = (strength * t30) + t42
+    t47 = measurement_variance * (interval * (t9 + t26))
+    t48 = interval * t30
+    t50 = first_interval * 16.0
+    t54 = first_interval * (first_interval * 40.0)
+    t55 = interval * (t18 + t50)
+    t59 = first_interval * (first_interval * 32.0)
+    t62 = (interval * (t55 + t54)) + (first_interval * t59)
+    t64 = first_interval * (first_interval * t50)
+    t67 = (interval * t62) + (first_interval * t64)
+    t70 = (strength * t48) + (measurement_variance * t67)
+    t73 = measurement_variance * (measurement_variance * 48.0)
+    t75 = (strength * t70) + t73
+    t79 = first_interval * (first_interval * 4.0)
+    t82 = measurement_variance * (measurement_variance * (t21 + t79))
+    t83 = strength * (measurement_variance * t29)
+    t88 = first_interval * (first_interval * 24.0)
+    t93 = interval * ((interval * (t55 + t88)) + t64)
+    t95 = measurement_variance * (t93 + (first_interval * t39))
+    t97 = strength * (measurement_variance * t48)
+    t100 = measurement_variance * (measurement_variance * 16.0)
+    t102 = strength * (t97 + (measurement_variance * t95))
+    t106 = (first_interval * interval) * (first_interval + interval)
+    t107 = (t102 + (measurement_variance * t100)) / t75
+    t109 = (t75 / t25) * 0.25
+    t111 = t25 / (t106 * t106)
+    t113 = (t47 / t44) * 4.0
+    t115 = (t44 / t25) * 0.5
+    t119 = ((t25 / t75) * ((t83 + t82) / t44)) * 4.0
+    return (t107, t109, t111, t113, t115, t119)
 
 
 def _start_acceleration_increments_block(
@@ -729,6 +970,7 @@ _START_ACCELERATION_INCREMENTS = Signature(
     ("diagonal_1", "diagonal_2", "diagonal_3", "first_shear", "second_shear", "third_shear"),
     11,
     _start_acceleration_increments_block,
+    numbers=_start_acceleration_increments_of_numbers,
 )
 
 
@@ -802,6 +1044,27 @@ def start_wiener_acceleration(
 
     Source: derivation recursion-three-states
     """
+    if (
+        type(first_interval) is float
+        and type(interval) is float
+        and type(strength) is float
+        and type(measurement_variance) is float
+        and 1e-10 <= first_interval <= 10000000000.0
+        and 1e-10 <= interval <= 10000000000.0
+        and (1e-30 <= strength <= 1e30 or strength == 0)
+        and 1e-30 <= measurement_variance <= 1e30
+        and out is None
+        and workers is ONE
+    ):
+        try:
+            return named(
+                StartWienerAcceleration,
+                _start_wiener_acceleration_of_numbers(
+                    first_interval, interval, strength, measurement_variance
+                ),
+            )
+        except (ArithmeticError, ValueError):
+            pass  # arrays say what is wrong
     return StartWienerAcceleration(
         *evaluate(
             _START_WIENER_ACCELERATION,
@@ -810,6 +1073,46 @@ def start_wiener_acceleration(
             workers,
         )
     )
+
+
+def _start_wiener_acceleration_of_numbers(
+    first_interval: float,
+    interval: float,
+    strength: float,
+    measurement_variance: float,
+    _form: Form = Double,
+) -> tuple[float, ...]:
+    t4 = first_interval * first_interval
+    t5 = first_interval * t4
+    t6 = first_interval * t5
+    t8 = interval * (interval * t6)
+    t10 = first_interval * 8.0
+    t11 = interval * 8.0
+    t13 = first_interval * t10
+    t14 = interval * (t11 + t10)
+    t18 = (strength * t8) + (measurement_variance * (t14 + t13))
+    t25 = first_interval * (first_interval * 20.0)
+    t26 = interval * (t11 + (first_interval * 12.0))
+    t30 = (interval * (t26 + t25)) + (first_interval * t13)
+    t33 = (strength * (interval * t8)) + (measurement_variance * t30)
+    t37 = measurement_variance * (interval * ((interval * t4) + t5))
+    t38 = measurement_variance * t6
+    t41 = measurement_variance * (measurement_variance * 6.0)
+    t43 = (strength * t38) + t41
+    t47 = first_interval * (first_interval * 4.0)
+    t50 = measurement_variance * (measurement_variance * (t14 + t47))
+    t51 = strength * (measurement_variance * t8)
+    t55 = measurement_variance * (measurement_variance * 4.0)
+    t57 = strength * (measurement_variance * t38)
+    t61 = (first_interval * interval) * (first_interval + interval)
+    t62 = (t57 + (measurement_variance * t55)) / t43
+    t64 = t62 * 0.5
+    t66 = (t43 / t18) * 2.0
+    t68 = t18 / (t61 * t61)
+    t70 = (t37 / t33) * 4.0
+    t72 = (t33 / t18) * 0.5
+    t76 = ((t18 / t43) * ((t51 + t50) / t33)) * 0.5
+    return (t64, t66, t68, t70, t72, t76)
 
 
 def _start_wiener_acceleration_block(
@@ -903,6 +1206,7 @@ _START_WIENER_ACCELERATION = Signature(
     ("diagonal_1", "diagonal_2", "diagonal_3", "first_shear", "second_shear", "third_shear"),
     10,
     _start_wiener_acceleration_block,
+    numbers=_start_wiener_acceleration_of_numbers,
 )
 
 
@@ -976,6 +1280,27 @@ def start_random_jerk(
 
     Source: derivation recursion-three-states
     """
+    if (
+        type(first_interval) is float
+        and type(interval) is float
+        and type(strength) is float
+        and type(measurement_variance) is float
+        and 1e-10 <= first_interval <= 10000000000.0
+        and 1e-10 <= interval <= 10000000000.0
+        and (1e-30 <= strength <= 1e30 or strength == 0)
+        and 1e-30 <= measurement_variance <= 1e30
+        and out is None
+        and workers is ONE
+    ):
+        try:
+            return named(
+                StartRandomJerk,
+                _start_random_jerk_of_numbers(
+                    first_interval, interval, strength, measurement_variance
+                ),
+            )
+        except (ArithmeticError, ValueError):
+            pass  # arrays say what is wrong
     return StartRandomJerk(
         *evaluate(
             _START_RANDOM_JERK,
@@ -984,6 +1309,84 @@ def start_random_jerk(
             workers,
         )
     )
+
+
+def _start_random_jerk_of_numbers(
+    first_interval: float,
+    interval: float,
+    strength: float,
+    measurement_variance: float,
+    _form: Form = Double,
+) -> tuple[float, ...]:
+    t6 = first_interval * (first_interval * 4.0)
+    t9 = first_interval * (first_interval * 12.0)
+    t12 = (interval * t6) + (first_interval * t9)
+    t15 = first_interval * (first_interval * 9.0)
+    t16 = first_interval * t15
+    t19 = (interval * t12) + (first_interval * t16)
+    t21 = first_interval * first_interval
+    t22 = first_interval * t21
+    t24 = first_interval * (first_interval * t22)
+    t25 = first_interval * t24
+    t28 = interval * ((interval * (interval * t19)) + t25)
+    t31 = first_interval * 72.0
+    t32 = interval * 72.0
+    t34 = first_interval * t31
+    t35 = interval * (t32 + t31)
+    t39 = (strength * (interval * t28)) + (measurement_variance * (t35 + t34))
+    t42 = first_interval * (first_interval * 2.0)
+    t45 = first_interval * (first_interval * 7.0)
+    t48 = (interval * t42) + (first_interval * t45)
+    t51 = first_interval * (first_interval * 6.0)
+    t53 = first_interval * (first_interval * t51)
+    t57 = interval * (interval * ((interval * t48) + t53))
+    t61 = interval * (interval * (interval * (t57 + t25)))
+    t67 = first_interval * (first_interval * 180.0)
+    t68 = interval * (t32 + (first_interval * 108.0))
+    t70 = first_interval * t34
+    t73 = measurement_variance * ((interval * (t68 + t67)) + t70)
+    t75 = (strength * t61) + t73
+    t79 = measurement_variance * (interval * ((interval * t21) + t22))
+    t82 = interval * (interval * (interval * t25))
+    t85 = interval * (interval * (interval * t82))
+    t91 = first_interval * (first_interval * 864.0)
+    t92 = interval * (t32 + (first_interval * 216.0))
+    t96 = first_interval * (first_interval * 1296.0)
+    t99 = (interval * (t92 + t91)) + (first_interval * t96)
+    t102 = first_interval * (first_interval * 648.0)
+    t103 = first_interval * t102
+    t106 = (interval * t99) + (first_interval * t103)
+    t109 = first_interval * (first_interval * t70)
+    t112 = (interval * (interval * t106)) + (first_interval * t109)
+    t115 = (strength * t85) + (measurement_variance * t112)
+    t118 = measurement_variance * (measurement_variance * 3888.0)
+    t120 = (strength * t115) + t118
+    t123 = first_interval * (first_interval * 3.0)
+    t127 = (interval * ((interval * t123) + t16)) + t53
+    t131 = interval * ((interval * (interval * t127)) + t25)
+    t133 = measurement_variance * (interval * t131)
+    t136 = first_interval * (first_interval * 36.0)
+    t139 = measurement_variance * (measurement_variance * (t35 + t136))
+    t145 = first_interval * (first_interval * 540.0)
+    t151 = first_interval * (first_interval * 324.0)
+    t153 = first_interval * (first_interval * t151)
+    t154 = interval * ((interval * (t92 + t145)) + t103)
+    t158 = first_interval * (first_interval * t136)
+    t160 = first_interval * (first_interval * t158)
+    t161 = interval * (interval * (t154 + t153))
+    t164 = measurement_variance * (measurement_variance * (t161 + t160))
+    t165 = strength * (measurement_variance * t85)
+    t168 = measurement_variance * (measurement_variance * 1296.0)
+    t171 = (strength * (t165 + t164)) + (measurement_variance * t168)
+    t174 = (first_interval * interval) * (first_interval + interval)
+    t187 = (t39 / t120) * (((strength * t133) + t139) / t75)
+    t175 = t171 / t120
+    t177 = (t120 / t39) / 36.0
+    t180 = (t39 / 9.0) / (t174 * t174)
+    t182 = (t79 / t75) * 36.0
+    t184 = (t75 / t39) * 0.5
+    t188 = t187 * 36.0
+    return (t175, t177, t180, t182, t184, t188)
 
 
 def _start_random_jerk_block(
@@ -1189,6 +1592,7 @@ _START_RANDOM_JERK = Signature(
     ("diagonal_1", "diagonal_2", "diagonal_3", "first_shear", "second_shear", "third_shear"),
     13,
     _start_random_jerk_block,
+    numbers=_start_random_jerk_of_numbers,
 )
 
 
@@ -1262,6 +1666,27 @@ def start_continuous_white_jerk(
 
     Source: derivation recursion-three-states
     """
+    if (
+        type(first_interval) is float
+        and type(interval) is float
+        and type(strength) is float
+        and type(measurement_variance) is float
+        and 1e-10 <= first_interval <= 10000000000.0
+        and 1e-10 <= interval <= 10000000000.0
+        and (1e-30 <= strength <= 1e30 or strength == 0)
+        and 1e-30 <= measurement_variance <= 1e30
+        and out is None
+        and workers is ONE
+    ):
+        try:
+            return named(
+                StartContinuousWhiteJerk,
+                _start_continuous_white_jerk_of_numbers(
+                    first_interval, interval, strength, measurement_variance
+                ),
+            )
+        except (ArithmeticError, ValueError):
+            pass  # arrays say what is wrong
     return StartContinuousWhiteJerk(
         *evaluate(
             _START_CONTINUOUS_WHITE_JERK,
@@ -1270,6 +1695,95 @@ def start_continuous_white_jerk(
             workers,
         )
     )
+
+
+def _start_continuous_white_jerk_of_numbers(
+    first_interval: float,
+    interval: float,
+    strength: float,
+    measurement_variance: float,
+    _form: Form = Double,
+) -> tuple[float, ...]:
+    t6 = first_interval * (first_interval * 8.0)
+    t9 = first_interval * (first_interval * 20.0)
+    t10 = first_interval * t9
+    t15 = first_interval * (first_interval * 15.0)
+    t17 = first_interval * (first_interval * t15)
+    t19 = (interval * ((interval * t6) + t10)) + t17
+    t22 = first_interval * (first_interval * 3.0)
+    t24 = first_interval * (first_interval * t22)
+    t27 = (interval * t19) + (first_interval * t24)
+    t31 = first_interval * 120.0
+    t34 = first_interval * t31
+    t35 = interval * ((interval * 120.0) + t31)
+    t38 = strength * (interval * (interval * t27))
+    t39 = t38 + (measurement_variance * (t35 + t34))
+    t42 = first_interval * (first_interval * 7.0)
+    t45 = first_interval * (first_interval * 21.0)
+    t48 = (interval * t42) + (first_interval * t45)
+    t49 = first_interval * t10
+    t54 = first_interval * (first_interval * 6.0)
+    t56 = first_interval * (first_interval * t54)
+    t57 = first_interval * t56
+    t59 = (interval * ((interval * t48) + t49)) + t57
+    t62 = interval * (interval * (interval * t59))
+    t66 = interval * 240.0
+    t70 = first_interval * (first_interval * 600.0)
+    t71 = interval * (t66 + (first_interval * 360.0))
+    t73 = first_interval * 240.0
+    t75 = first_interval * (first_interval * t73)
+    t78 = measurement_variance * ((interval * (t71 + t70)) + t75)
+    t80 = (strength * t62) + t78
+    t81 = first_interval * first_interval
+    t84 = (interval * t81) + (first_interval * t81)
+    t86 = measurement_variance * (interval * t84)
+    t89 = first_interval * (first_interval * 60.0)
+    t92 = (interval * t15) + (first_interval * t89)
+    t95 = first_interval * (first_interval * 80.0)
+    t97 = first_interval * (first_interval * t95)
+    t102 = first_interval * (first_interval * 36.0)
+    t104 = first_interval * (first_interval * t102)
+    t107 = (interval * ((interval * t92) + t97)) + (first_interval * t104)
+    t110 = interval * (interval * (interval * t107))
+    t112 = interval * (interval * t110)
+    t114 = first_interval * 3600.0
+    t120 = first_interval * (first_interval * 12000.0)
+    t121 = interval * ((interval * 1440.0) + t114)
+    t125 = first_interval * (first_interval * 14400.0)
+    t128 = (interval * (t121 + t120)) + (first_interval * t125)
+    t131 = first_interval * (first_interval * 7200.0)
+    t132 = first_interval * t131
+    t135 = (interval * t128) + (first_interval * t132)
+    t137 = first_interval * (first_interval * 1440.0)
+    t139 = first_interval * (first_interval * t137)
+    t142 = (interval * t135) + (first_interval * t139)
+    t145 = (strength * t112) + (measurement_variance * t142)
+    t148 = measurement_variance * (measurement_variance * 43200.0)
+    t150 = (strength * t145) + t148
+    t153 = first_interval * (first_interval * 10.0)
+    t156 = first_interval * (first_interval * 25.0)
+    t159 = (interval * t153) + (first_interval * t156)
+    t163 = (interval * ((interval * t159) + t49)) + t57
+    t166 = measurement_variance * (interval * (interval * t163))
+    t170 = measurement_variance * ((interval * (t66 + t73)) + t34)
+    t173 = (strength * t166) + (measurement_variance * t170)
+    t179 = first_interval * (first_interval * t114)
+    t181 = interval * ((interval * (t121 + t131)) + t132)
+    t185 = first_interval * (first_interval * 720.0)
+    t187 = first_interval * (first_interval * t185)
+    t189 = interval * (t181 + (first_interval * t179))
+    t191 = measurement_variance * (t189 + (first_interval * t187))
+    t193 = strength * (measurement_variance * t112)
+    t196 = measurement_variance * (measurement_variance * 14400.0)
+    t198 = strength * (t193 + (measurement_variance * t191))
+    t202 = (first_interval * interval) * (first_interval + interval)
+    t203 = (t198 + (measurement_variance * t196)) / t150
+    t205 = (t150 / t39) / 240.0
+    t208 = (t39 / 15.0) / (t202 * t202)
+    t210 = (t86 / t80) * 120.0
+    t213 = (t80 / t39) * 0.25
+    t217 = ((t39 / t150) * (t173 / t80)) * 240.0
+    return (t203, t205, t208, t210, t213, t217)
 
 
 def _start_continuous_white_jerk_block(
@@ -1503,6 +2017,7 @@ _START_CONTINUOUS_WHITE_JERK = Signature(
     ("diagonal_1", "diagonal_2", "diagonal_3", "first_shear", "second_shear", "third_shear"),
     16,
     _start_continuous_white_jerk_block,
+    numbers=_start_continuous_white_jerk_of_numbers,
 )
 
 
@@ -1584,6 +2099,42 @@ def predict_acceleration_increments(
 
     Source: derivation recursion-three-states
     """
+    if (
+        type(diagonal_1) is float
+        and type(diagonal_2) is float
+        and type(diagonal_3) is float
+        and type(first_shear) is float
+        and type(second_shear) is float
+        and type(third_shear) is float
+        and type(interval) is float
+        and type(strength) is float
+        and 1e-30 <= diagonal_1 <= 1e30
+        and 1e-30 <= diagonal_2 <= 1e30
+        and 1e-30 <= diagonal_3 <= 1e30
+        and (1e-15 <= first_shear <= 1000000000000000.0 or first_shear == 0)
+        and (1e-15 <= second_shear <= 1000000000000000.0 or second_shear == 0)
+        and (1e-15 <= third_shear <= 1000000000000000.0 or third_shear == 0)
+        and 1e-10 <= interval <= 10000000000.0
+        and (1e-30 <= strength <= 1e30 or strength == 0)
+        and out is None
+        and workers is ONE
+    ):
+        try:
+            return named(
+                PredictAccelerationIncrements,
+                _predict_acceleration_increments_of_numbers(
+                    diagonal_1,
+                    diagonal_2,
+                    diagonal_3,
+                    first_shear,
+                    second_shear,
+                    third_shear,
+                    interval,
+                    strength,
+                ),
+            )
+        except (ArithmeticError, ValueError):
+            pass  # arrays say what is wrong
     return PredictAccelerationIncrements(
         *evaluate(
             _PREDICT_ACCELERATION_INCREMENTS,
@@ -1601,6 +2152,34 @@ def predict_acceleration_increments(
             workers,
         )
     )
+
+
+def _predict_acceleration_increments_of_numbers(
+    diagonal_1: float,
+    diagonal_2: float,
+    diagonal_3: float,
+    first_shear: float,
+    second_shear: float,
+    third_shear: float,
+    interval: float,
+    strength: float,
+    _form: Form = Double,
+) -> tuple[float, ...]:
+    t8 = diagonal_3 + strength
+    t10 = interval + second_shear
+    t11 = diagonal_3 * (strength / t8)
+    t14 = interval * 0.5
+    t17 = interval * (t14 + (first_shear + third_shear))
+    t18 = t17 + (second_shear * third_shear)
+    t21 = diagonal_2 + (t11 * (t10 * t10))
+    t22 = t10 * diagonal_3
+    t26 = (interval * (t14 + second_shear)) + (second_shear * first_shear)
+    t31 = (diagonal_2 * (t11 * (t18 * t18))) / t21
+    t32 = diagonal_1 + t31
+    t35 = (t26 * diagonal_3) / t22
+    t36 = t22 / t8
+    t38 = (diagonal_2 * (t18 * diagonal_3)) / (t21 * t22)
+    return (t32, t21, t8, t35, t36, t38)
 
 
 def _predict_acceleration_increments_block(
@@ -1665,6 +2244,7 @@ _PREDICT_ACCELERATION_INCREMENTS = Signature(
     ("diagonal_1", "diagonal_2", "diagonal_3", "first_shear", "second_shear", "third_shear"),
     5,
     _predict_acceleration_increments_block,
+    numbers=_predict_acceleration_increments_of_numbers,
 )
 
 
@@ -1746,6 +2326,42 @@ def predict_wiener_acceleration(
 
     Source: derivation recursion-three-states
     """
+    if (
+        type(diagonal_1) is float
+        and type(diagonal_2) is float
+        and type(diagonal_3) is float
+        and type(first_shear) is float
+        and type(second_shear) is float
+        and type(third_shear) is float
+        and type(interval) is float
+        and type(strength) is float
+        and 1e-30 <= diagonal_1 <= 1e30
+        and 1e-30 <= diagonal_2 <= 1e30
+        and 1e-30 <= diagonal_3 <= 1e30
+        and (1e-15 <= first_shear <= 1000000000000000.0 or first_shear == 0)
+        and (1e-15 <= second_shear <= 1000000000000000.0 or second_shear == 0)
+        and (1e-15 <= third_shear <= 1000000000000000.0 or third_shear == 0)
+        and 1e-10 <= interval <= 10000000000.0
+        and (1e-30 <= strength <= 1e30 or strength == 0)
+        and out is None
+        and workers is ONE
+    ):
+        try:
+            return named(
+                PredictWienerAcceleration,
+                _predict_wiener_acceleration_of_numbers(
+                    diagonal_1,
+                    diagonal_2,
+                    diagonal_3,
+                    first_shear,
+                    second_shear,
+                    third_shear,
+                    interval,
+                    strength,
+                ),
+            )
+        except (ArithmeticError, ValueError):
+            pass  # arrays say what is wrong
     return PredictWienerAcceleration(
         *evaluate(
             _PREDICT_WIENER_ACCELERATION,
@@ -1763,6 +2379,40 @@ def predict_wiener_acceleration(
             workers,
         )
     )
+
+
+def _predict_wiener_acceleration_of_numbers(
+    diagonal_1: float,
+    diagonal_2: float,
+    diagonal_3: float,
+    first_shear: float,
+    second_shear: float,
+    third_shear: float,
+    interval: float,
+    strength: float,
+    _form: Form = Double,
+) -> tuple[float, ...]:
+    t8 = diagonal_3 + strength
+    t10 = diagonal_3 * (strength / t8)
+    t11 = second_shear * third_shear
+    t14 = diagonal_2 + (t10 * (second_shear * second_shear))
+    t16 = (interval + second_shear) * diagonal_3
+    t18 = t16 + (strength * interval)
+    t20 = interval * 0.5
+    t22 = second_shear * first_shear
+    t24 = (interval * (t20 + second_shear)) + t22
+    t28 = (t24 * diagonal_3) + (strength * (interval * t20))
+    t32 = (diagonal_2 * (t10 * (t11 * t11))) / t14
+    t36 = interval * (t20 + (first_shear + third_shear))
+    t40 = interval * (second_shear * (second_shear * 0.5))
+    t42 = interval * (t40 + (second_shear * t22))
+    t46 = ((t36 + t11) * diagonal_3) + (t36 * strength)
+    t50 = (diagonal_2 * t46) + (strength * (diagonal_3 * t42))
+    t33 = diagonal_1 + t32
+    t51 = t28 / t18
+    t52 = t18 / t8
+    t54 = t50 / (t14 * t18)
+    return (t33, t14, t8, t51, t52, t54)
 
 
 def _predict_wiener_acceleration_block(
@@ -1843,6 +2493,7 @@ _PREDICT_WIENER_ACCELERATION = Signature(
     ("diagonal_1", "diagonal_2", "diagonal_3", "first_shear", "second_shear", "third_shear"),
     7,
     _predict_wiener_acceleration_block,
+    numbers=_predict_wiener_acceleration_of_numbers,
 )
 
 
@@ -1924,6 +2575,42 @@ def predict_random_jerk(
 
     Source: derivation recursion-three-states
     """
+    if (
+        type(diagonal_1) is float
+        and type(diagonal_2) is float
+        and type(diagonal_3) is float
+        and type(first_shear) is float
+        and type(second_shear) is float
+        and type(third_shear) is float
+        and type(interval) is float
+        and type(strength) is float
+        and 1e-30 <= diagonal_1 <= 1e30
+        and 1e-30 <= diagonal_2 <= 1e30
+        and 1e-30 <= diagonal_3 <= 1e30
+        and (1e-15 <= first_shear <= 1000000000000000.0 or first_shear == 0)
+        and (1e-15 <= second_shear <= 1000000000000000.0 or second_shear == 0)
+        and (1e-15 <= third_shear <= 1000000000000000.0 or third_shear == 0)
+        and 1e-10 <= interval <= 10000000000.0
+        and (1e-30 <= strength <= 1e30 or strength == 0)
+        and out is None
+        and workers is ONE
+    ):
+        try:
+            return named(
+                PredictRandomJerk,
+                _predict_random_jerk_of_numbers(
+                    diagonal_1,
+                    diagonal_2,
+                    diagonal_3,
+                    first_shear,
+                    second_shear,
+                    third_shear,
+                    interval,
+                    strength,
+                ),
+            )
+        except (ArithmeticError, ValueError):
+            pass  # arrays say what is wrong
     return PredictRandomJerk(
         *evaluate(
             _PREDICT_RANDOM_JERK,
@@ -1941,6 +2628,48 @@ def predict_random_jerk(
             workers,
         )
     )
+
+
+def _predict_random_jerk_of_numbers(
+    diagonal_1: float,
+    diagonal_2: float,
+    diagonal_3: float,
+    first_shear: float,
+    second_shear: float,
+    third_shear: float,
+    interval: float,
+    strength: float,
+    _form: Form = Double,
+) -> tuple[float, ...]:
+    t9 = strength * (interval * interval)
+    t10 = diagonal_3 + t9
+    t13 = interval * 0.5
+    t14 = t13 + second_shear
+    t15 = diagonal_3 * (t9 / t10)
+    t17 = first_shear * 0.5
+    t18 = t17 + (third_shear * 0.5)
+    t20 = interval / 6.0
+    t22 = second_shear * third_shear
+    t24 = (interval * (t20 + t18)) + t22
+    t27 = diagonal_2 + (t15 * (t14 * t14))
+    t29 = (interval + second_shear) * diagonal_3
+    t31 = t29 + (t9 * t13)
+    t34 = (interval * t14) + (second_shear * first_shear)
+    t38 = (t34 * diagonal_3) + (t9 * (interval * t20))
+    t42 = (diagonal_2 * (t15 * (t24 * t24))) / t27
+    t52 = (interval / 24.0) + (second_shear * 0.25)
+    t55 = (second_shear / 3.0) + (first_shear * 0.25)
+    t58 = (interval * t52) + (second_shear * t55)
+    t62 = (interval * t58) + (second_shear * (second_shear * t17))
+    t66 = interval * (t13 + (first_shear + third_shear))
+    t69 = (interval * ((interval / 3.0) + t18)) * t9
+    t72 = diagonal_2 * (((t66 + t22) * diagonal_3) + t69)
+    t74 = t72 + (t9 * (diagonal_3 * (interval * t62)))
+    t43 = diagonal_1 + t42
+    t75 = t38 / t31
+    t76 = t31 / t10
+    t78 = t74 / (t27 * t31)
+    return (t43, t27, t10, t75, t76, t78)
 
 
 def _predict_random_jerk_block(
@@ -2049,6 +2778,7 @@ _PREDICT_RANDOM_JERK = Signature(
     ("diagonal_1", "diagonal_2", "diagonal_3", "first_shear", "second_shear", "third_shear"),
     10,
     _predict_random_jerk_block,
+    numbers=_predict_random_jerk_of_numbers,
 )
 
 
@@ -2130,6 +2860,42 @@ def predict_continuous_white_jerk(
 
     Source: derivation recursion-three-states
     """
+    if (
+        type(diagonal_1) is float
+        and type(diagonal_2) is float
+        and type(diagonal_3) is float
+        and type(first_shear) is float
+        and type(second_shear) is float
+        and type(third_shear) is float
+        and type(interval) is float
+        and type(strength) is float
+        and 1e-30 <= diagonal_1 <= 1e30
+        and 1e-30 <= diagonal_2 <= 1e30
+        and 1e-30 <= diagonal_3 <= 1e30
+        and (1e-15 <= first_shear <= 1000000000000000.0 or first_shear == 0)
+        and (1e-15 <= second_shear <= 1000000000000000.0 or second_shear == 0)
+        and (1e-15 <= third_shear <= 1000000000000000.0 or third_shear == 0)
+        and 1e-10 <= interval <= 10000000000.0
+        and (1e-30 <= strength <= 1e30 or strength == 0)
+        and out is None
+        and workers is ONE
+    ):
+        try:
+            return named(
+                PredictContinuousWhiteJerk,
+                _predict_continuous_white_jerk_of_numbers(
+                    diagonal_1,
+                    diagonal_2,
+                    diagonal_3,
+                    first_shear,
+                    second_shear,
+                    third_shear,
+                    interval,
+                    strength,
+                ),
+            )
+        except (ArithmeticError, ValueError):
+            pass  # arrays say what is wrong
     return PredictContinuousWhiteJerk(
         *evaluate(
             _PREDICT_CONTINUOUS_WHITE_JERK,
@@ -2147,6 +2913,56 @@ def predict_continuous_white_jerk(
             workers,
         )
     )
+
+
+def _predict_continuous_white_jerk_of_numbers(
+    diagonal_1: float,
+    diagonal_2: float,
+    diagonal_3: float,
+    first_shear: float,
+    second_shear: float,
+    third_shear: float,
+    interval: float,
+    strength: float,
+    _form: Form = Double,
+) -> tuple[float, ...]:
+    t8 = strength * interval
+    t9 = diagonal_3 + t8
+    t12 = interval * 0.5
+    t13 = t12 + second_shear
+    t14 = diagonal_3 * (t8 / t9)
+    t16 = first_shear * 0.5
+    t17 = t16 + (third_shear * 0.5)
+    t19 = interval / 6.0
+    t21 = second_shear * third_shear
+    t23 = (interval * (t19 + t17)) + t21
+    t25 = interval / 12.0
+    t27 = t8 * (interval * t25)
+    t31 = (diagonal_2 + t27) + (t14 * (t13 * t13))
+    t33 = (interval + second_shear) * diagonal_3
+    t35 = t33 + (t8 * t12)
+    t36 = second_shear * first_shear
+    t39 = ((interval * t13) + t36) * diagonal_3
+    t47 = t12 + (first_shear + third_shear)
+    t50 = interval * (t25 + (second_shear * 0.5))
+    t51 = t50 + t36
+    t61 = interval * (interval * (interval / 720.0))
+    t64 = (diagonal_2 * (t14 * (t23 * t23))) + (diagonal_2 * (t27 * (t47 * t47)))
+    t66 = (t64 + (t27 * (t14 * (t51 * t51)))) / t31
+    t78 = (interval / 24.0) + ((second_shear * 5.0) / 24.0)
+    t81 = (second_shear / 3.0) + (first_shear / 6.0)
+    t84 = (interval * t78) + (second_shear * t81)
+    t88 = (interval * t84) + (second_shear * (second_shear * t16))
+    t93 = interval * (interval * (interval / 144.0))
+    t97 = ((interval * t47) + t21) * diagonal_3
+    t98 = (interval * ((interval / 3.0) + t17)) * t8
+    t102 = (diagonal_3 * (interval * t88)) + (t8 * (interval * t93))
+    t105 = (diagonal_2 * (t97 + t98)) + (t8 * t102)
+    t68 = (diagonal_1 + (t8 * (interval * t61))) + t66
+    t106 = (t39 + (t8 * (interval * t19))) / t35
+    t107 = t35 / t9
+    t109 = t105 / (t31 * t35)
+    return (t68, t31, t9, t106, t107, t109)
 
 
 def _predict_continuous_white_jerk_block(
@@ -2286,4 +3102,5 @@ _PREDICT_CONTINUOUS_WHITE_JERK = Signature(
     ("diagonal_1", "diagonal_2", "diagonal_3", "first_shear", "second_shear", "third_shear"),
     11,
     _predict_continuous_white_jerk_block,
+    numbers=_predict_continuous_white_jerk_of_numbers,
 )

@@ -8,15 +8,15 @@ from typing import TYPE_CHECKING
 
 from numpy import add, copyto, divide, multiply, sqrt, square, subtract
 
+from gainproof.generated._numbers import ONE, Double, named
 from gainproof.generated._runtime import evaluate
 from gainproof.generated._signature import Domain, Signature
 
 if TYPE_CHECKING:
     from typing import NamedTuple
 
-    from numpy.typing import ArrayLike
-
-    from gainproof.generated._signature import Arrays, Real
+    from gainproof.generated._numbers import Form
+    from gainproof.generated._signature import ArrayLike, Arrays, Real
 else:
     from gainproof.generated._result import NamedTuple
 
@@ -150,7 +150,32 @@ def covariance(
 
     Source: derivation recursion-two-states
     """
+    if (
+        type(diagonal_1) is float
+        and type(shear) is float
+        and type(diagonal_2) is float
+        and 1e-40 <= diagonal_1 <= 1e40
+        and (1e-20 <= shear <= 1e20 or shear == 0)
+        and 1e-40 <= diagonal_2 <= 1e40
+        and out is None
+        and workers is ONE
+    ):
+        try:
+            return named(Covariance, _covariance_of_numbers(diagonal_1, shear, diagonal_2))
+        except (ArithmeticError, ValueError):
+            pass  # arrays say what is wrong
     return Covariance(*evaluate(_COVARIANCE, (diagonal_1, shear, diagonal_2), out, workers))
+
+
+def _covariance_of_numbers(
+    diagonal_1: float,
+    shear: float,
+    diagonal_2: float,
+    _form: Form = Double,
+) -> tuple[float, ...]:
+    t3 = shear * diagonal_2
+    t5 = diagonal_1 + (shear * t3)
+    return (t5, t3, diagonal_2)
 
 
 def _covariance_block(given: Arrays, out: Arrays, _work: Arrays, _single: bool) -> None:
@@ -168,6 +193,7 @@ _COVARIANCE = Signature(
     ("covariance_11", "covariance_12", "covariance_22"),
     0,
     _covariance_block,
+    numbers=_covariance_of_numbers,
 )
 
 
@@ -224,9 +250,42 @@ def gains(
 
     Source: derivation recursion-two-states
     """
+    if (
+        type(diagonal_1) is float
+        and type(shear) is float
+        and type(diagonal_2) is float
+        and type(measurement_variance) is float
+        and 1e-40 <= diagonal_1 <= 1e40
+        and (1e-20 <= shear <= 1e20 or shear == 0)
+        and 1e-40 <= diagonal_2 <= 1e40
+        and 1e-40 <= measurement_variance <= 1e40
+        and out is None
+        and workers is ONE
+    ):
+        try:
+            return named(
+                Gains, _gains_of_numbers(diagonal_1, shear, diagonal_2, measurement_variance)
+            )
+        except (ArithmeticError, ValueError):
+            pass  # arrays say what is wrong
     return Gains(
         *evaluate(_GAINS, (diagonal_1, shear, diagonal_2, measurement_variance), out, workers)
     )
+
+
+def _gains_of_numbers(
+    diagonal_1: float,
+    shear: float,
+    diagonal_2: float,
+    measurement_variance: float,
+    _form: Form = Double,
+) -> tuple[float, ...]:
+    t3 = shear * diagonal_2
+    t6 = diagonal_1 + (shear * t3)
+    t7 = t6 + measurement_variance
+    t8 = t6 / t7
+    t9 = t3 / t7
+    return (t8, t9, t7)
 
 
 def _gains_block(given: Arrays, out: Arrays, work: Arrays, _single: bool) -> None:
@@ -247,6 +306,7 @@ _GAINS = Signature(
     ("position_gain", "velocity_gain", "innovation_variance"),
     2,
     _gains_block,
+    numbers=_gains_of_numbers,
 )
 
 
@@ -303,9 +363,43 @@ def update(
 
     Source: derivation recursion-two-states
     """
+    if (
+        type(diagonal_1) is float
+        and type(shear) is float
+        and type(diagonal_2) is float
+        and type(measurement_variance) is float
+        and 1e-40 <= diagonal_1 <= 1e40
+        and (1e-20 <= shear <= 1e20 or shear == 0)
+        and 1e-40 <= diagonal_2 <= 1e40
+        and 1e-40 <= measurement_variance <= 1e40
+        and out is None
+        and workers is ONE
+    ):
+        try:
+            return named(
+                Factors, _update_of_numbers(diagonal_1, shear, diagonal_2, measurement_variance)
+            )
+        except (ArithmeticError, ValueError):
+            pass  # arrays say what is wrong
     return Factors(
         *evaluate(_UPDATE, (diagonal_1, shear, diagonal_2, measurement_variance), out, workers)
     )
+
+
+def _update_of_numbers(
+    diagonal_1: float,
+    shear: float,
+    diagonal_2: float,
+    measurement_variance: float,
+    _form: Form = Double,
+) -> tuple[float, ...]:
+    t5 = diagonal_1 + measurement_variance
+    t7 = diagonal_1 + (shear * (shear * diagonal_2))
+    t9 = measurement_variance / t5
+    t10 = diagonal_1 * t9
+    t11 = shear * t9
+    t13 = diagonal_2 * (t5 / (t7 + measurement_variance))
+    return (t10, t11, t13)
 
 
 def _update_block(given: Arrays, out: Arrays, work: Arrays, _single: bool) -> None:
@@ -330,6 +424,7 @@ _UPDATE = Signature(
     ("diagonal_1", "shear", "diagonal_2"),
     2,
     _update_block,
+    numbers=_update_of_numbers,
 )
 
 
@@ -383,9 +478,39 @@ def start_random_velocity(
 
     Source: derivation recursion-two-states
     """
+    if (
+        type(interval) is float
+        and type(strength) is float
+        and type(measurement_variance) is float
+        and 1e-20 <= interval <= 1e20
+        and (1e-40 <= strength <= 1e40 or strength == 0)
+        and 1e-40 <= measurement_variance <= 1e40
+        and out is None
+        and workers is ONE
+    ):
+        try:
+            return named(
+                StartRandomVelocity,
+                _start_random_velocity_of_numbers(interval, strength, measurement_variance),
+            )
+        except (ArithmeticError, ValueError):
+            pass  # arrays say what is wrong
     return StartRandomVelocity(
         *evaluate(_START_RANDOM_VELOCITY, (interval, strength, measurement_variance), out, workers)
     )
+
+
+def _start_random_velocity_of_numbers(
+    interval: float,
+    strength: float,
+    measurement_variance: float,
+    _form: Form = Double,
+) -> tuple[float, ...]:
+    t4 = measurement_variance / (interval * interval)
+    t7 = (t4 * 2.0) + strength
+    t11 = measurement_variance * ((t4 + strength) / t7)
+    t12 = (measurement_variance / interval) / t7
+    return (t11, t12, t7)
 
 
 def _start_random_velocity_block(
@@ -411,6 +536,7 @@ _START_RANDOM_VELOCITY = Signature(
     ("diagonal_1", "shear", "diagonal_2"),
     1,
     _start_random_velocity_block,
+    numbers=_start_random_velocity_of_numbers,
 )
 
 
@@ -464,6 +590,23 @@ def start_random_acceleration(
 
     Source: derivation recursion-two-states
     """
+    if (
+        type(interval) is float
+        and type(strength) is float
+        and type(measurement_variance) is float
+        and 1e-20 <= interval <= 1e20
+        and (1e-40 <= strength <= 1e40 or strength == 0)
+        and 1e-40 <= measurement_variance <= 1e40
+        and out is None
+        and workers is ONE
+    ):
+        try:
+            return named(
+                StartRandomAcceleration,
+                _start_random_acceleration_of_numbers(interval, strength, measurement_variance),
+            )
+        except (ArithmeticError, ValueError):
+            pass  # arrays say what is wrong
     return StartRandomAcceleration(
         *evaluate(
             _START_RANDOM_ACCELERATION,
@@ -472,6 +615,21 @@ def start_random_acceleration(
             workers,
         )
     )
+
+
+def _start_random_acceleration_of_numbers(
+    interval: float,
+    strength: float,
+    measurement_variance: float,
+    _form: Form = Double,
+) -> tuple[float, ...]:
+    t3 = interval * interval
+    t4 = measurement_variance / t3
+    t9 = ((strength * t3) * 1.0) * 0.25
+    t12 = (t4 * 2.0) + t9
+    t16 = measurement_variance * ((t4 + t9) / t12)
+    t17 = (measurement_variance / interval) / t12
+    return (t16, t17, t12)
 
 
 def _start_random_acceleration_block(
@@ -506,6 +664,7 @@ _START_RANDOM_ACCELERATION = Signature(
     ("diagonal_1", "shear", "diagonal_2"),
     2,
     _start_random_acceleration_block,
+    numbers=_start_random_acceleration_of_numbers,
 )
 
 
@@ -559,6 +718,25 @@ def start_continuous_white_acceleration(
 
     Source: derivation recursion-two-states
     """
+    if (
+        type(interval) is float
+        and type(strength) is float
+        and type(measurement_variance) is float
+        and 1e-20 <= interval <= 1e20
+        and (1e-40 <= strength <= 1e40 or strength == 0)
+        and 1e-40 <= measurement_variance <= 1e40
+        and out is None
+        and workers is ONE
+    ):
+        try:
+            return named(
+                StartContinuousWhiteAcceleration,
+                _start_continuous_white_acceleration_of_numbers(
+                    interval, strength, measurement_variance
+                ),
+            )
+        except (ArithmeticError, ValueError):
+            pass  # arrays say what is wrong
     return StartContinuousWhiteAcceleration(
         *evaluate(
             _START_CONTINUOUS_WHITE_ACCELERATION,
@@ -567,6 +745,20 @@ def start_continuous_white_acceleration(
             workers,
         )
     )
+
+
+def _start_continuous_white_acceleration_of_numbers(
+    interval: float,
+    strength: float,
+    measurement_variance: float,
+    _form: Form = Double,
+) -> tuple[float, ...]:
+    t4 = measurement_variance / (interval * interval)
+    t9 = ((strength * interval) * 1.0) / 3.0
+    t12 = (t4 * 2.0) + t9
+    t16 = measurement_variance * ((t4 + t9) / t12)
+    t17 = (measurement_variance / interval) / t12
+    return (t16, t17, t12)
 
 
 def _start_continuous_white_acceleration_block(
@@ -601,6 +793,7 @@ _START_CONTINUOUS_WHITE_ACCELERATION = Signature(
     ("diagonal_1", "shear", "diagonal_2"),
     1,
     _start_continuous_white_acceleration_block,
+    numbers=_start_continuous_white_acceleration_of_numbers,
 )
 
 
@@ -661,6 +854,29 @@ def predict_random_velocity(
 
     Source: derivation recursion-two-states
     """
+    if (
+        type(diagonal_1) is float
+        and type(shear) is float
+        and type(diagonal_2) is float
+        and type(interval) is float
+        and type(strength) is float
+        and 1e-40 <= diagonal_1 <= 1e40
+        and (1e-20 <= shear <= 1e20 or shear == 0)
+        and 1e-40 <= diagonal_2 <= 1e40
+        and (1e-20 <= interval <= 1e20 or interval == 0)
+        and (1e-40 <= strength <= 1e40 or strength == 0)
+        and out is None
+        and workers is ONE
+    ):
+        try:
+            return named(
+                PredictRandomVelocity,
+                _predict_random_velocity_of_numbers(
+                    diagonal_1, shear, diagonal_2, interval, strength
+                ),
+            )
+        except (ArithmeticError, ValueError):
+            pass  # arrays say what is wrong
     return PredictRandomVelocity(
         *evaluate(
             _PREDICT_RANDOM_VELOCITY,
@@ -669,6 +885,22 @@ def predict_random_velocity(
             workers,
         )
     )
+
+
+def _predict_random_velocity_of_numbers(
+    diagonal_1: float,
+    shear: float,
+    diagonal_2: float,
+    interval: float,
+    strength: float,
+    _form: Form = Double,
+) -> tuple[float, ...]:
+    t5 = diagonal_2 + strength
+    t6 = shear + interval
+    t11 = (t6 * t6) * (diagonal_2 * (strength / t5))
+    t12 = diagonal_1 + t11
+    t13 = (t6 * diagonal_2) / t5
+    return (t12, t13, t5)
 
 
 def _predict_random_velocity_block(given: Arrays, out: Arrays, work: Arrays, _single: bool) -> None:
@@ -692,6 +924,7 @@ _PREDICT_RANDOM_VELOCITY = Signature(
     ("diagonal_1", "shear", "diagonal_2"),
     2,
     _predict_random_velocity_block,
+    numbers=_predict_random_velocity_of_numbers,
 )
 
 
@@ -752,6 +985,29 @@ def predict_random_acceleration(
 
     Source: derivation recursion-two-states
     """
+    if (
+        type(diagonal_1) is float
+        and type(shear) is float
+        and type(diagonal_2) is float
+        and type(interval) is float
+        and type(strength) is float
+        and 1e-40 <= diagonal_1 <= 1e40
+        and (1e-20 <= shear <= 1e20 or shear == 0)
+        and 1e-40 <= diagonal_2 <= 1e40
+        and (1e-20 <= interval <= 1e20 or interval == 0)
+        and (1e-40 <= strength <= 1e40 or strength == 0)
+        and out is None
+        and workers is ONE
+    ):
+        try:
+            return named(
+                PredictRandomAcceleration,
+                _predict_random_acceleration_of_numbers(
+                    diagonal_1, shear, diagonal_2, interval, strength
+                ),
+            )
+        except (ArithmeticError, ValueError):
+            pass  # arrays say what is wrong
     return PredictRandomAcceleration(
         *evaluate(
             _PREDICT_RANDOM_ACCELERATION,
@@ -760,6 +1016,25 @@ def predict_random_acceleration(
             workers,
         )
     )
+
+
+def _predict_random_acceleration_of_numbers(
+    diagonal_1: float,
+    shear: float,
+    diagonal_2: float,
+    interval: float,
+    strength: float,
+    _form: Form = Double,
+) -> tuple[float, ...]:
+    t6 = strength * (interval * interval)
+    t7 = diagonal_2 + t6
+    t11 = interval * 0.5
+    t12 = shear + t11
+    t14 = ((shear + interval) * diagonal_2) + (t11 * t6)
+    t18 = (t12 * t12) * (diagonal_2 * (t6 / t7))
+    t19 = diagonal_1 + t18
+    t20 = t14 / t7
+    return (t19, t20, t7)
 
 
 def _predict_random_acceleration_block(
@@ -791,6 +1066,7 @@ _PREDICT_RANDOM_ACCELERATION = Signature(
     ("diagonal_1", "shear", "diagonal_2"),
     4,
     _predict_random_acceleration_block,
+    numbers=_predict_random_acceleration_of_numbers,
 )
 
 
@@ -851,6 +1127,29 @@ def predict_continuous_white_acceleration(
 
     Source: derivation recursion-two-states
     """
+    if (
+        type(diagonal_1) is float
+        and type(shear) is float
+        and type(diagonal_2) is float
+        and type(interval) is float
+        and type(strength) is float
+        and 1e-40 <= diagonal_1 <= 1e40
+        and (1e-20 <= shear <= 1e20 or shear == 0)
+        and 1e-40 <= diagonal_2 <= 1e40
+        and (1e-20 <= interval <= 1e20 or interval == 0)
+        and (1e-40 <= strength <= 1e40 or strength == 0)
+        and out is None
+        and workers is ONE
+    ):
+        try:
+            return named(
+                PredictContinuousWhiteAcceleration,
+                _predict_continuous_white_acceleration_of_numbers(
+                    diagonal_1, shear, diagonal_2, interval, strength
+                ),
+            )
+        except (ArithmeticError, ValueError):
+            pass  # arrays say what is wrong
     return PredictContinuousWhiteAcceleration(
         *evaluate(
             _PREDICT_CONTINUOUS_WHITE_ACCELERATION,
@@ -859,6 +1158,26 @@ def predict_continuous_white_acceleration(
             workers,
         )
     )
+
+
+def _predict_continuous_white_acceleration_of_numbers(
+    diagonal_1: float,
+    shear: float,
+    diagonal_2: float,
+    interval: float,
+    strength: float,
+    _form: Form = Double,
+) -> tuple[float, ...]:
+    t5 = strength * interval
+    t6 = diagonal_2 + t5
+    t10 = interval * 0.5
+    t11 = shear + t10
+    t13 = ((shear + interval) * diagonal_2) + (t10 * t5)
+    t17 = (t11 * t11) * (diagonal_2 * (t5 / t6))
+    t20 = strength * (interval * (interval * interval))
+    t26 = diagonal_1 + (t17 + ((t20 * 1.0) / 12.0))
+    t27 = t13 / t6
+    return (t26, t27, t6)
 
 
 def _predict_continuous_white_acceleration_block(
@@ -901,6 +1220,7 @@ _PREDICT_CONTINUOUS_WHITE_ACCELERATION = Signature(
     ("diagonal_1", "shear", "diagonal_2"),
     4,
     _predict_continuous_white_acceleration_block,
+    numbers=_predict_continuous_white_acceleration_of_numbers,
 )
 
 
@@ -979,6 +1299,31 @@ def step_random_velocity(
 
     Source: derivation recursion-two-states
     """
+    if (
+        type(diagonal_1) is float
+        and type(shear) is float
+        and type(diagonal_2) is float
+        and type(interval) is float
+        and type(strength) is float
+        and type(measurement_variance) is float
+        and 1e-40 <= diagonal_1 <= 1e40
+        and (1e-20 <= shear <= 1e20 or shear == 0)
+        and 1e-40 <= diagonal_2 <= 1e40
+        and (1e-20 <= interval <= 1e20 or interval == 0)
+        and (1e-40 <= strength <= 1e40 or strength == 0)
+        and 1e-40 <= measurement_variance <= 1e40
+        and out is None
+        and workers is ONE
+    ):
+        try:
+            return named(
+                StepRandomVelocity,
+                _step_random_velocity_of_numbers(
+                    diagonal_1, shear, diagonal_2, interval, strength, measurement_variance
+                ),
+            )
+        except (ArithmeticError, ValueError):
+            pass  # arrays say what is wrong
     return StepRandomVelocity(
         *evaluate(
             _STEP_RANDOM_VELOCITY,
@@ -987,6 +1332,33 @@ def step_random_velocity(
             workers,
         )
     )
+
+
+def _step_random_velocity_of_numbers(
+    diagonal_1: float,
+    shear: float,
+    diagonal_2: float,
+    interval: float,
+    strength: float,
+    measurement_variance: float,
+    _form: Form = Double,
+) -> tuple[float, ...]:
+    t5 = diagonal_2 + strength
+    t6 = shear + interval
+    t7 = t6 * diagonal_2
+    t11 = (t6 * t6) * (diagonal_2 * (strength / t5))
+    t12 = diagonal_1 + t11
+    t13 = t7 / t5
+    t15 = t12 + measurement_variance
+    t17 = t12 + (t13 * t7)
+    t18 = t17 + measurement_variance
+    t19 = measurement_variance / t15
+    t20 = t12 * t19
+    t21 = t13 * t19
+    t23 = t5 * (t15 / t18)
+    t24 = t17 / t18
+    t25 = t7 / t18
+    return (t20, t21, t23, t24, t25, t18)
 
 
 def _step_random_velocity_block(given: Arrays, out: Arrays, work: Arrays, _single: bool) -> None:
@@ -1028,6 +1400,7 @@ _STEP_RANDOM_VELOCITY = Signature(
     ("diagonal_1", "shear", "diagonal_2", "position_gain", "velocity_gain", "innovation_variance"),
     5,
     _step_random_velocity_block,
+    numbers=_step_random_velocity_of_numbers,
 )
 
 
@@ -1106,6 +1479,31 @@ def step_random_acceleration(
 
     Source: derivation recursion-two-states
     """
+    if (
+        type(diagonal_1) is float
+        and type(shear) is float
+        and type(diagonal_2) is float
+        and type(interval) is float
+        and type(strength) is float
+        and type(measurement_variance) is float
+        and 1e-40 <= diagonal_1 <= 1e40
+        and (1e-20 <= shear <= 1e20 or shear == 0)
+        and 1e-40 <= diagonal_2 <= 1e40
+        and (1e-20 <= interval <= 1e20 or interval == 0)
+        and (1e-40 <= strength <= 1e40 or strength == 0)
+        and 1e-40 <= measurement_variance <= 1e40
+        and out is None
+        and workers is ONE
+    ):
+        try:
+            return named(
+                StepRandomAcceleration,
+                _step_random_acceleration_of_numbers(
+                    diagonal_1, shear, diagonal_2, interval, strength, measurement_variance
+                ),
+            )
+        except (ArithmeticError, ValueError):
+            pass  # arrays say what is wrong
     return StepRandomAcceleration(
         *evaluate(
             _STEP_RANDOM_ACCELERATION,
@@ -1114,6 +1512,35 @@ def step_random_acceleration(
             workers,
         )
     )
+
+
+def _step_random_acceleration_of_numbers(
+    diagonal_1: float,
+    shear: float,
+    diagonal_2: float,
+    interval: float,
+    strength: float,
+    measurement_variance: float,
+    _form: Form = Double,
+) -> tuple[float, ...]:
+    t6 = strength * (interval * interval)
+    t7 = diagonal_2 + t6
+    t11 = interval * 0.5
+    t12 = shear + t11
+    t14 = ((shear + interval) * diagonal_2) + (t11 * t6)
+    t18 = (t12 * t12) * (diagonal_2 * (t6 / t7))
+    t19 = diagonal_1 + t18
+    t20 = t14 / t7
+    t22 = t19 + measurement_variance
+    t24 = t19 + (t20 * t14)
+    t25 = t24 + measurement_variance
+    t26 = measurement_variance / t22
+    t27 = t19 * t26
+    t28 = t20 * t26
+    t30 = t7 * (t22 / t25)
+    t31 = t24 / t25
+    t32 = t14 / t25
+    return (t27, t28, t30, t31, t32, t25)
 
 
 def _step_random_acceleration_block(
@@ -1163,6 +1590,7 @@ _STEP_RANDOM_ACCELERATION = Signature(
     ("diagonal_1", "shear", "diagonal_2", "position_gain", "velocity_gain", "innovation_variance"),
     5,
     _step_random_acceleration_block,
+    numbers=_step_random_acceleration_of_numbers,
 )
 
 
@@ -1241,6 +1669,31 @@ def step_continuous_white_acceleration(
 
     Source: derivation recursion-two-states
     """
+    if (
+        type(diagonal_1) is float
+        and type(shear) is float
+        and type(diagonal_2) is float
+        and type(interval) is float
+        and type(strength) is float
+        and type(measurement_variance) is float
+        and 1e-40 <= diagonal_1 <= 1e40
+        and (1e-20 <= shear <= 1e20 or shear == 0)
+        and 1e-40 <= diagonal_2 <= 1e40
+        and (1e-20 <= interval <= 1e20 or interval == 0)
+        and (1e-40 <= strength <= 1e40 or strength == 0)
+        and 1e-40 <= measurement_variance <= 1e40
+        and out is None
+        and workers is ONE
+    ):
+        try:
+            return named(
+                StepContinuousWhiteAcceleration,
+                _step_continuous_white_acceleration_of_numbers(
+                    diagonal_1, shear, diagonal_2, interval, strength, measurement_variance
+                ),
+            )
+        except (ArithmeticError, ValueError):
+            pass  # arrays say what is wrong
     return StepContinuousWhiteAcceleration(
         *evaluate(
             _STEP_CONTINUOUS_WHITE_ACCELERATION,
@@ -1249,6 +1702,36 @@ def step_continuous_white_acceleration(
             workers,
         )
     )
+
+
+def _step_continuous_white_acceleration_of_numbers(
+    diagonal_1: float,
+    shear: float,
+    diagonal_2: float,
+    interval: float,
+    strength: float,
+    measurement_variance: float,
+    _form: Form = Double,
+) -> tuple[float, ...]:
+    t5 = strength * interval
+    t6 = diagonal_2 + t5
+    t10 = interval * 0.5
+    t11 = shear + t10
+    t13 = ((shear + interval) * diagonal_2) + (t10 * t5)
+    t17 = (t11 * t11) * (diagonal_2 * (t5 / t6))
+    t20 = strength * (interval * (interval * interval))
+    t26 = diagonal_1 + (t17 + ((t20 * 1.0) / 12.0))
+    t27 = t13 / t6
+    t29 = t26 + measurement_variance
+    t31 = t26 + (t27 * t13)
+    t32 = t31 + measurement_variance
+    t33 = measurement_variance / t29
+    t34 = t26 * t33
+    t35 = t27 * t33
+    t37 = t6 * (t29 / t32)
+    t38 = t31 / t32
+    t39 = t13 / t32
+    return (t34, t35, t37, t38, t39, t32)
 
 
 def _step_continuous_white_acceleration_block(
@@ -1309,6 +1792,7 @@ _STEP_CONTINUOUS_WHITE_ACCELERATION = Signature(
     ("diagonal_1", "shear", "diagonal_2", "position_gain", "velocity_gain", "innovation_variance"),
     5,
     _step_continuous_white_acceleration_block,
+    numbers=_step_continuous_white_acceleration_of_numbers,
 )
 
 
@@ -1343,7 +1827,24 @@ def hand_over(alpha: ArrayLike, *, out: tuple[Real] | None = None, workers: int 
 
     Source: derivation recursion-two-states
     """
+    if (
+        type(alpha) is float
+        and 5e-324 <= alpha <= 0.9999999999999999
+        and out is None
+        and workers is ONE
+    ):
+        try:
+            return named(HandOver, _hand_over_of_numbers(alpha))
+        except (ArithmeticError, ValueError):
+            pass  # arrays say what is wrong
     return HandOver(*evaluate(_HAND_OVER, (alpha,), out, workers))
+
+
+def _hand_over_of_numbers(alpha: float, form: Form = Double) -> tuple[float, ...]:
+    t2 = 1.0 - alpha
+    t7 = form.sqrt((t2 * 16.0) + (alpha * alpha))
+    t14 = ((1.0 + (t2 * 3.0)) + t7) / (alpha * 2.0)
+    return (t14,)
 
 
 def _hand_over_block(
@@ -1377,4 +1878,5 @@ _HAND_OVER = Signature(
     ("last_sample",),
     3,
     _hand_over_block,
+    numbers=_hand_over_of_numbers,
 )

@@ -8,15 +8,15 @@ from typing import TYPE_CHECKING
 
 from numpy import add, divide, multiply, sqrt, square, subtract
 
+from gainproof.generated._numbers import ONE, Double, named
 from gainproof.generated._runtime import evaluate
 from gainproof.generated._signature import Domain, Signature
 
 if TYPE_CHECKING:
     from typing import NamedTuple
 
-    from numpy.typing import ArrayLike
-
-    from gainproof.generated._signature import Arrays, Real
+    from gainproof.generated._numbers import Form
+    from gainproof.generated._signature import ArrayLike, Arrays, Real
 else:
     from gainproof.generated._result import NamedTuple
 
@@ -161,9 +161,37 @@ def tracking_index(
 
     Source: derivation updated-gains
     """
+    if (
+        type(acceleration_deviation) is float
+        and type(interval) is float
+        and type(variance) is float
+        and 1e-30 <= acceleration_deviation <= 1e30
+        and 1e-15 <= interval <= 1000000000000000.0
+        and 1e-60 <= variance <= 1e60
+        and out is None
+        and workers is ONE
+    ):
+        try:
+            return named(
+                TrackingIndex,
+                _tracking_index_of_numbers(acceleration_deviation, interval, variance),
+            )
+        except (ArithmeticError, ValueError):
+            pass  # arrays say what is wrong
     return TrackingIndex(
         *evaluate(_TRACKING_INDEX, (acceleration_deviation, interval, variance), out, workers)
     )
+
+
+def _tracking_index_of_numbers(
+    acceleration_deviation: float,
+    interval: float,
+    variance: float,
+    form: Form = Double,
+) -> tuple[float, ...]:
+    t5 = acceleration_deviation * (interval * interval)
+    t6 = t5 / form.sqrt(variance)
+    return (t6,)
 
 
 def _tracking_index_block(given: Arrays, out: Arrays, work: Arrays, _single: bool) -> None:
@@ -182,6 +210,7 @@ _TRACKING_INDEX = Signature(
     ("tracking_index",),
     1,
     _tracking_index_block,
+    numbers=_tracking_index_of_numbers,
 )
 
 
@@ -229,9 +258,39 @@ def first_order_gains(
 
     Source: derivation updated-gains
     """
+    if (
+        type(nominal_index) is float
+        and type(tracking_index) is float
+        and 1e-12 <= nominal_index <= 1000000000000.0
+        and 1e-12 <= tracking_index <= 1000000000000.0
+        and out is None
+        and workers is ONE
+    ):
+        try:
+            return named(
+                FirstOrderGains, _first_order_gains_of_numbers(nominal_index, tracking_index)
+            )
+        except (ArithmeticError, ValueError):
+            pass  # arrays say what is wrong
     return FirstOrderGains(
         *evaluate(_FIRST_ORDER_GAINS, (nominal_index, tracking_index), out, workers)
     )
+
+
+def _first_order_gains_of_numbers(
+    nominal_index: float,
+    tracking_index: float,
+    form: Form = Double,
+) -> tuple[float, ...]:
+    t6 = form.sqrt((8.0 / nominal_index) + 1.0)
+    t10 = (nominal_index * (t6 + 1.0)) * 0.25
+    t11 = t10 + 1.0
+    t14 = t11 * (t10 + 2.0)
+    t19 = (t10 * (((t10 + 4.0) * t10) + 2.0)) / t11
+    t26 = ((t10 * t10) * (t10 / t11)) + tracking_index
+    t22 = (t19 + (tracking_index / t10)) / t14
+    t28 = (t26 * 2.0) / t14
+    return (t22, t28)
 
 
 def _first_order_gains_block(
@@ -279,6 +338,7 @@ _FIRST_ORDER_GAINS = Signature(
     ("alpha", "beta"),
     3,
     _first_order_gains_block,
+    numbers=_first_order_gains_of_numbers,
 )
 
 
@@ -339,9 +399,44 @@ def recursive_gains(
 
     Source: derivation updated-gains
     """
+    if (
+        type(alpha) is float
+        and type(beta) is float
+        and type(tracking_index) is float
+        and type(next_index) is float
+        and -1e30 <= alpha <= 1e30
+        and (abs(alpha) >= 1e-30 or alpha == 0)
+        and -1e30 <= beta <= 1e30
+        and (abs(beta) >= 1e-30 or beta == 0)
+        and 1e-12 <= tracking_index <= 1000000000000.0
+        and 1e-12 <= next_index <= 1000000000000.0
+        and out is None
+        and workers is ONE
+    ):
+        try:
+            return named(
+                RecursiveGains, _recursive_gains_of_numbers(alpha, beta, tracking_index, next_index)
+            )
+        except (ArithmeticError, ValueError):
+            pass  # arrays say what is wrong
     return RecursiveGains(
         *evaluate(_RECURSIVE_GAINS, (alpha, beta, tracking_index, next_index), out, workers)
     )
+
+
+def _recursive_gains_of_numbers(
+    alpha: float,
+    beta: float,
+    tracking_index: float,
+    next_index: float,
+    form: Form = Double,
+) -> tuple[float, ...]:
+    t8 = form.sqrt((8.0 / tracking_index) + 1.0)
+    t12 = (tracking_index * (t8 + 1.0)) * 0.25
+    t18 = (next_index - tracking_index) / ((t12 + 1.0) * (t12 + 2.0))
+    t20 = alpha + (t18 / t12)
+    t22 = beta + (t18 * 2.0)
+    return (t20, t22)
 
 
 def _recursive_gains_block(
@@ -380,6 +475,7 @@ _RECURSIVE_GAINS = Signature(
     ("next_alpha", "next_beta"),
     2,
     _recursive_gains_block,
+    numbers=_recursive_gains_of_numbers,
 )
 
 
@@ -444,7 +540,37 @@ def update_limits(
 
     Source: derivation updated-gains
     """
+    if (
+        type(nominal_index) is float
+        and 1e-12 <= nominal_index <= 1000000000000.0
+        and out is None
+        and workers is ONE
+    ):
+        try:
+            return named(UpdateLimits, _update_limits_of_numbers(nominal_index))
+        except (ArithmeticError, ValueError):
+            pass  # arrays say what is wrong
     return UpdateLimits(*evaluate(_UPDATE_LIMITS, (nominal_index,), out, workers))
+
+
+def _update_limits_of_numbers(nominal_index: float, form: Form = Double) -> tuple[float, ...]:
+    t5 = form.sqrt((8.0 / nominal_index) + 1.0)
+    t9 = (nominal_index * (t5 + 1.0)) * 0.25
+    t10 = 1.0 / t9
+    t12 = t9 * 5.0
+    t14 = t12 + 10.0
+    t17 = form.sqrt((t14 * t9) + 1.0)
+    t22 = form.sqrt((((t9 * 4.0) + 8.0) * t9) + 1.0)
+    t31 = ((t14 / (t17 + 1.0)) + 1.0) * 0.5
+    t34 = (t9 + 1.0) * 2.0
+    t42 = (((t22 + 1.0) * t10) * 0.5) + 1.0
+    t54 = form.sqrt(((t12 + 4.0) * t9) + 4.0) + t9
+    t38 = (t31 * t31) * (t34 / ((t17 + t9) + 1.0))
+    t49 = (t42 * t42) * (t34 / ((t22 + 3.0) + (t9 * 2.0)))
+    t51 = t10 + 1.5
+    t53 = (t10 * 2.0) + 2.0
+    t57 = (t54 + 2.0) * (t10 * 0.5)
+    return (t51, t53, t57, t38, t49)
 
 
 def _update_limits_block(
@@ -523,6 +649,7 @@ _UPDATE_LIMITS = Signature(
     ("alpha_one_ratio", "unstable_ratio", "variance_ratio", "alpha_gain_ratio", "beta_gain_ratio"),
     5,
     _update_limits_block,
+    numbers=_update_limits_of_numbers,
 )
 
 
@@ -572,9 +699,43 @@ def first_order_errors(
 
     Source: derivation updated-gains
     """
+    if (
+        type(nominal_index) is float
+        and type(tracking_index) is float
+        and 1e-12 <= nominal_index <= 1000000000000.0
+        and 1e-12 <= tracking_index <= 1000000000000.0
+        and out is None
+        and workers is ONE
+    ):
+        try:
+            return named(
+                FirstOrderErrors, _first_order_errors_of_numbers(nominal_index, tracking_index)
+            )
+        except (ArithmeticError, ValueError):
+            pass  # arrays say what is wrong
     return FirstOrderErrors(
         *evaluate(_FIRST_ORDER_ERRORS, (nominal_index, tracking_index), out, workers)
     )
+
+
+def _first_order_errors_of_numbers(
+    nominal_index: float,
+    tracking_index: float,
+    form: Form = Double,
+) -> tuple[float, ...]:
+    t5 = form.sqrt((8.0 / nominal_index) + 1.0)
+    t9 = (nominal_index * (t5 + 1.0)) * 0.25
+    t13 = form.sqrt((8.0 / tracking_index) + 1.0)
+    t16 = (tracking_index * (t13 + 1.0)) * 0.25
+    t18 = t9 * t16
+    t21 = ((t9 + t16) + t18) * 2.0
+    t26 = t9 + 2.0
+    t27 = t9 * t26
+    t28 = (((t9 + 1.0) * (t16 + 1.0)) * 2.0) + t27
+    t34 = ((((t18 + t16) * 2.0) + t9) * 2.0) / t26
+    t36 = ((t28 / t27) / t21) / t21
+    t38 = (t34 / t21) / t21
+    return (t36, t38)
 
 
 def _first_order_errors_block(
@@ -631,6 +792,7 @@ _FIRST_ORDER_ERRORS = Signature(
     ("alpha_excess_over_square", "beta_excess_over_square"),
     5,
     _first_order_errors_block,
+    numbers=_first_order_errors_of_numbers,
 )
 
 
@@ -679,7 +841,40 @@ def cycle_drift(
 
     Source: derivation updated-gains
     """
+    if (
+        type(nominal_index) is float
+        and type(tracking_index) is float
+        and 1e-12 <= nominal_index <= 1000000000000.0
+        and 1e-12 <= tracking_index <= 1000000000000.0
+        and out is None
+        and workers is ONE
+    ):
+        try:
+            return named(CycleDrift, _cycle_drift_of_numbers(nominal_index, tracking_index))
+        except (ArithmeticError, ValueError):
+            pass  # arrays say what is wrong
     return CycleDrift(*evaluate(_CYCLE_DRIFT, (nominal_index, tracking_index), out, workers))
+
+
+def _cycle_drift_of_numbers(
+    nominal_index: float,
+    tracking_index: float,
+    form: Form = Double,
+) -> tuple[float, ...]:
+    t5 = form.sqrt((8.0 / nominal_index) + 1.0)
+    t9 = (nominal_index * (t5 + 1.0)) * 0.25
+    t13 = form.sqrt((8.0 / tracking_index) + 1.0)
+    t16 = (tracking_index * (t13 + 1.0)) * 0.25
+    t17 = t9 + t16
+    t18 = t9 * t16
+    t21 = (t17 + t18) * 2.0
+    t28 = (((t9 * t9) + t18) + (t16 * t16)) + (t17 * 3.0)
+    t30 = t9 + 2.0
+    t33 = t16 + 2.0
+    t36 = ((t28 + 2.0) / (t9 * t30)) * (1.0 / (t16 * t33))
+    t41 = t36 / t21
+    t42 = (((t17 + 3.0) / t30) * (2.0 / t33)) / t21
+    return (t41, t42)
 
 
 def _cycle_drift_block(
@@ -740,6 +935,7 @@ _CYCLE_DRIFT = Signature(
     ("alpha_drift_over_square", "beta_drift_over_square"),
     4,
     _cycle_drift_block,
+    numbers=_cycle_drift_of_numbers,
 )
 
 
@@ -813,9 +1009,53 @@ def mismatch_variances(
 
     Source: derivation updated-gains
     """
+    if (
+        type(nominal_index) is float
+        and type(tracking_index) is float
+        and 1e-12 <= nominal_index <= 1000000000000.0
+        and 1e-12 <= tracking_index <= 1000000000000.0
+        and out is None
+        and workers is ONE
+    ):
+        try:
+            return named(
+                MismatchVariances, _mismatch_variances_of_numbers(nominal_index, tracking_index)
+            )
+        except (ArithmeticError, ValueError):
+            pass  # arrays say what is wrong
     return MismatchVariances(
         *evaluate(_MISMATCH_VARIANCES, (nominal_index, tracking_index), out, workers)
     )
+
+
+def _mismatch_variances_of_numbers(
+    nominal_index: float,
+    tracking_index: float,
+    form: Form = Double,
+) -> tuple[float, ...]:
+    t6 = form.sqrt((8.0 / nominal_index) + 1.0)
+    t10 = (nominal_index * (t6 + 1.0)) * 0.25
+    t13 = form.sqrt((8.0 / tracking_index) + 1.0)
+    t16 = (tracking_index * (t13 + 1.0)) * 0.25
+    t17 = tracking_index / nominal_index
+    t18 = t17 * t17
+    t19 = t10 + 1.0
+    t20 = t16 + 1.0
+    t23 = t10 / (t10 + 2.0)
+    t24 = t23 / t19
+    t30 = ((t10 * 2.0) + 3.0) + (t18 * (t19 * t19))
+    t31 = t23 * t30
+    t32 = t10 + 3.0
+    t35 = t24 * (t32 + (t18 / t19))
+    t42 = (t24 * ((t10 * t10) * 2.0)) * ((t18 * (t32 / t19)) + 1.0)
+    t43 = t16 + 2.0
+    t45 = t16 / t20
+    t52 = t42 + (tracking_index * tracking_index)
+    t56 = t31 / (t16 * t43)
+    t57 = t35 / (t45 * (t43 / t20))
+    t58 = t42 / ((t45 * t45) * (t16 * 4.0))
+    t59 = t52 / (((t16 * t16) * t45) * 4.0)
+    return (t31, t35, t42, t52, t56, t57, t58, t59)
 
 
 def _mismatch_variances_block(
@@ -912,6 +1152,7 @@ _MISMATCH_VARIANCES = Signature(
     ),
     2,
     _mismatch_variances_block,
+    numbers=_mismatch_variances_of_numbers,
 )
 
 
@@ -968,9 +1209,42 @@ def line_of_sight_gains(
 
     Source: derivation updated-gains
     """
+    if (
+        type(along) is float
+        and type(across) is float
+        and type(cosine) is float
+        and type(sine) is float
+        and 1e-30 <= along <= 1e30
+        and 1e-30 <= across <= 1e30
+        and -2.0 <= cosine <= 2.0
+        and -2.0 <= sine <= 2.0
+        and out is None
+        and workers is ONE
+    ):
+        try:
+            return named(
+                LineOfSightGains, _line_of_sight_gains_of_numbers(along, across, cosine, sine)
+            )
+        except (ArithmeticError, ValueError):
+            pass  # arrays say what is wrong
     return LineOfSightGains(
         *evaluate(_LINE_OF_SIGHT_GAINS, (along, across, cosine, sine), out, workers)
     )
+
+
+def _line_of_sight_gains_of_numbers(
+    along: float,
+    across: float,
+    cosine: float,
+    sine: float,
+    _form: Form = Double,
+) -> tuple[float, ...]:
+    t4 = cosine * cosine
+    t5 = sine * sine
+    t8 = (along * t4) + (across * t5)
+    t11 = (along - across) * (cosine * sine)
+    t14 = (along * t5) + (across * t4)
+    return (t8, t11, t14)
 
 
 def _line_of_sight_gains_block(given: Arrays, out: Arrays, work: Arrays, _single: bool) -> None:
@@ -996,4 +1270,5 @@ _LINE_OF_SIGHT_GAINS = Signature(
     ("gain_xx", "gain_xy", "gain_yy"),
     6,
     _line_of_sight_gains_block,
+    numbers=_line_of_sight_gains_of_numbers,
 )

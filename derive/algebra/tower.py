@@ -14,7 +14,6 @@ import sympy as sp
 from sympy.polys.rings import PolyElement, PolyRing
 
 from gainproof.derive.algebra.common_factor import without_common_factor
-from gainproof.derive.algebra.sum_of_powers import sum_of_powers
 from gainproof.derive.algebra.variables import Fraction, Generator, Parameter, Poly, coupled
 
 __all__ = [
@@ -242,3 +241,24 @@ def shift_closed(poly: Poly, parameters: tuple[Parameter, ...]) -> Poly:
             generator = poly.ring.gens[number]
             poly = poly.compose(generator, generator + sp.QQ(int(entry.start)))
     return poly
+
+
+def sum_of_powers(value: sp.Expr, places: Mapping[sp.Symbol, int], ring: PolyRing) -> Poly | None:
+    """A sum of rational numbers times powers of variables; None for anything else.
+
+    `places` are the positions of the variables in the ring's monomials.
+    """
+    found: dict[tuple[int, ...], Any] = {}
+    for term in sp.Add.make_args(value):
+        exponents, number = [0] * len(ring.symbols), sp.QQ(1)
+        for factor in sp.Mul.make_args(term):
+            base, power = factor.as_base_exp()
+            if isinstance(factor, sp.Rational):
+                number *= sp.QQ(int(factor.p), int(factor.q))
+            elif base in places and isinstance(power, sp.Integer) and power > 0:
+                exponents[places[base]] += int(power)
+            else:
+                return None
+        key = tuple(exponents)
+        found[key] = found.get(key, sp.QQ(0)) + number
+    return ring.from_dict(found)

@@ -2,37 +2,30 @@
 
 from __future__ import annotations
 
+from pathlib import Path
+
 from gainproof.derive.any_three_state.context import Context
 from gainproof.derive.any_three_state.kernels import kernel_roots
 from gainproof.derive.any_three_state.module import module_of
+from gainproof.derive.any_three_state.page_slots import given
 from gainproof.derive.any_three_state.shape import shape_of
-from gainproof.derive.any_three_state.steps_forms import (
-    covariance_steps,
-    derivative_steps,
-    form_steps,
-)
-from gainproof.derive.any_three_state.steps_limits import limit_steps, root_steps
-from gainproof.derive.any_three_state.steps_proof import proof_steps
-from gainproof.derive.any_three_state.steps_spectrum import spectrum_steps
 from gainproof.derive.any_three_state.towers import roots_of
 from gainproof.derive.any_two_state.printed import require_kernels
+from gainproof.derive.any_two_state.programs import kernel_steps
 from gainproof.derive.any_two_state.scaling import scale_free
-from gainproof.derive.any_two_state.steps_kernels import kernel_steps
-from gainproof.derive.any_two_state.steps_model import model_steps
 from gainproof.derive.derivation import Derivation
 from gainproof.derive.model import Model, ModelError
+from gainproof.derive.pages.derivation import FOLDER, written
 from gainproof.derive.subject import Program, Subject
 
-OPENING = (
-    "The first of three states is measured at a fixed interval. How much of each innovation should "
-    "a Kalman filter in its steady state believe?"
-)
+PAGE = "first-measured-three-states"
 
 
-def derive_any_three_state(model: Model) -> Subject:
+def derive_any_three_state(model: Model, folder: Path = FOLDER) -> Subject:
     """Derive everything about the steady state of three states with the first one measured.
 
-    Raises ModelError, naming the reason, for a model outside the method's reach.
+    The steps are those of the page `first-measured-three-states` in `folder`. Raises ModelError,
+    naming the reason, for a model outside the method's reach; PageError for a mistake of the page.
     """
     c = Context(model, shape_of(model, scale_free(model)))
     if c.shape.sign(c.shape.determinant) == 0:
@@ -43,22 +36,13 @@ def derive_any_three_state(model: Model) -> Subject:
     roots = roots_of(c.shape)
     found = module_of(c)
     require_kernels(found, model)
-    steps = (
-        *model_steps(c),
-        *root_steps(c),
-        *spectrum_steps(c),
-        *covariance_steps(c),
-        *form_steps(c),
-        *proof_steps(c),
-        *derivative_steps(c),
-        *limit_steps(c),
-        *kernel_steps(kernel_roots(roots.known), found),
-    )
+    steps = kernel_steps(kernel_roots(roots.known), found)
+    page = written(PAGE, given(c, steps), folder)
     return Subject(
         name=model.name,
         title=model.title,
         model=c.model,
-        derivation=Derivation(OPENING, steps, (), c.latex()),
+        derivation=Derivation(page.opening, page.steps, (), c.latex()),
         towers={"main": c.tower},
         programs={
             entry.name: Program({given.name: given.name for given in entry.inputs}, entry.graph)

@@ -5,19 +5,20 @@ from __future__ import annotations
 from dataclasses import dataclass
 from functools import cached_property
 
+from gainproof.derive.algebra.leading import Edge
 from gainproof.derive.algebra.tower import Tower
 from gainproof.derive.any_three_state.basis import Basis, symbolic_basis
 from gainproof.derive.any_three_state.names import LATEX
 from gainproof.derive.any_three_state.quantities import Quantities
 from gainproof.derive.any_three_state.shape import Shape
-from gainproof.derive.any_three_state.towers import main_tower
+from gainproof.derive.any_three_state.towers import edges, main_tower
 from gainproof.derive.any_two_state.names import ODDS
 from gainproof.derive.model import Model, ScaledModel
 
 
 @dataclass(frozen=True)
 class Context:
-    """A model with its scaled shape; tower and forms are made once."""
+    """A model with its scaled shape; tower, forms and both ends of the index are made once."""
 
     original: Model
     shape: Shape
@@ -41,6 +42,11 @@ class Context:
     def quantities(self) -> Quantities:
         """The stable forms."""
         return Quantities(self.tower)
+
+    @cached_property
+    def edges(self) -> tuple[Edge, Edge]:
+        """Small and large index. Raises NoLeadingTerm."""
+        return edges(self.shape, self.tower)
 
     def latex(self) -> dict[str, str]:
         """LaTeX of all symbols, the model's own included."""

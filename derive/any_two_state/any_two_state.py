@@ -2,54 +2,42 @@
 
 from __future__ import annotations
 
+from pathlib import Path
+
 from gainproof.derive.any_two_state.context import Context
 from gainproof.derive.any_two_state.module import module_of
 from gainproof.derive.any_two_state.names import LATEX
+from gainproof.derive.any_two_state.page_slots import given
 from gainproof.derive.any_two_state.printed import require_kernels
+from gainproof.derive.any_two_state.programs import kernel_steps
 from gainproof.derive.any_two_state.scaling import scale_free
 from gainproof.derive.any_two_state.shape import shape_of
-from gainproof.derive.any_two_state.steps_covariances import covariance_steps
-from gainproof.derive.any_two_state.steps_derivatives import derivative_steps
-from gainproof.derive.any_two_state.steps_kernels import kernel_steps
-from gainproof.derive.any_two_state.steps_limits import limit_steps
-from gainproof.derive.any_two_state.steps_model import model_steps
-from gainproof.derive.any_two_state.steps_proof import proof_steps
-from gainproof.derive.any_two_state.steps_spectrum import spectrum_steps
 from gainproof.derive.any_two_state.towers import known_roots
 from gainproof.derive.derivation import Derivation
 from gainproof.derive.model import Model, ModelError
+from gainproof.derive.pages.derivation import FOLDER, written
 from gainproof.derive.subject import Program, Subject
 
-OPENING = (
-    "The first of two states is measured at a fixed interval. How much of each innovation should a "
-    "Kalman filter in its steady state believe?"
-)
+PAGE = "first-measured-two-states"
 
 
-def derive_any_two_state(model: Model) -> Subject:
+def derive_any_two_state(model: Model, folder: Path = FOLDER) -> Subject:
     """Derive everything about the steady state of a two-state model with its first state measured.
 
-    Raises ModelError, naming the reason, for a model outside the method's reach.
+    The steps are those of the page `first-measured-two-states` in `folder`. Raises ModelError,
+    naming the reason, for a model outside the method's reach; PageError for a mistake of the page.
     """
     c = Context(model, shape_of(model, scale_free(model)))
     if c.shape.sign(c.shape.entry(1, 2)) == 0:
         raise ModelError(f"model {model.name}: F12 should not vanish, the pair is unobservable")
     found = module_of(c)
     require_kernels(found, model)
-    steps = (
-        *model_steps(c),
-        *spectrum_steps(c),
-        *covariance_steps(c),
-        *proof_steps(c),
-        *derivative_steps(c),
-        *limit_steps(c),
-        *kernel_steps(known_roots(c.shape), found),
-    )
+    page = written(PAGE, given(c, kernel_steps(known_roots(c.shape), found)), folder)
     return Subject(
         name=model.name,
         title=model.title,
         model=c.model,
-        derivation=Derivation(OPENING, steps, (), {**LATEX, **c.latex()}),
+        derivation=Derivation(page.opening, page.steps, (), {**LATEX, **c.latex()}),
         towers={"main": c.tower},
         programs={
             name: Program({entry.name: entry.name for entry in kernel.inputs}, kernel.graph)

@@ -76,8 +76,8 @@ def graph_basis(builder: GraphBuilder, shape: Shape) -> tuple[Basis, dict[str, N
     number = Numbers(builder, shape)
     names: dict[str, Node] = {}
     blank = Basis(shape, index, (None, None, None), number)
-    first = _end_root(blank, builder, names, 0)
-    last = _end_root(blank, builder, names, 2)
+    first = graph_end_root(blank, builder, names, 0)
+    last = graph_end_root(blank, builder, names, 2)
     half = Basis(shape, index, (first, None, last), number)
     _, rise, _ = rises(half)
     middle = (half.signed(sp.factor(shape.open_loop[1] ** 2)) + rise).plus
@@ -85,7 +85,7 @@ def graph_basis(builder: GraphBuilder, shape: Shape) -> tuple[Basis, dict[str, N
     return Basis(shape, index, (first, names["d1"], last), number), names
 
 
-def _end_root(x: Basis, builder: GraphBuilder, names: dict[str, Node], number: int) -> Any:
+def graph_end_root(x: Basis, builder: GraphBuilder, names: dict[str, Node], number: int) -> Any:
     """d0 or d2."""
     own, noise = x.shape.open_loop[number], x.shape.noise_ends[number // 2]
     if noise == 0:

@@ -122,20 +122,7 @@ def _roots(shape: Shape) -> Roots:
     known: dict[str, sp.Expr] = {}
 
     def end(number: int, own: sp.Expr, noise: sp.Expr) -> sp.Expr:
-        """d0 or d2, times the denominator."""
-        if noise == 0:
-            return own if shape.sign(shape.open_loop[number]) > 0 else -own
-        if own == 0:
-            outside, inside = square_root(noise)
-            if inside != 1:
-                root = f"root_n{number // 2}"
-                generators.append(Generator(root, inside))
-                outside = outside * real(root)
-                known[root] = outside / below
-            return index * outside
-        symbol = f"d{number}" if below == 1 else f"d{number}_scaled"
-        generators.append(Generator(symbol, sp.expand(own**2 + index**2 * noise)))
-        return real(symbol)
+        return end_root(shape, number, (own, noise, below, index), generators, known)
 
     first = end(0, f0, n0)
     same = f0 * f2 * n0 * n1 != 0 and sp.expand(f0**2 * n1 - f2**2 * n0) == 0
@@ -164,6 +151,34 @@ def _roots(shape: Shape) -> Roots:
         "product": (first + last) * first * last,
     }
     return Roots(tuple(generators), (values[0], values[1], values[2]), known, likely)
+
+
+def end_root(
+    shape: Shape,
+    number: int,
+    values: tuple[sp.Expr, sp.Expr, sp.Expr, sp.Expr],
+    generators: list[Generator],
+    known: dict[str, sp.Expr],
+) -> sp.Expr:
+    """d0 or d2 (`number`), times the denominator.
+
+    values: f0 or f2 times the denominator, n0 or n1 times its square, the denominator, and the
+    index. What it needs is added to `generators`, roots of numbers that kernels take to `known`.
+    """
+    own, noise, below, index = values
+    if noise == 0:
+        return own if shape.sign(shape.open_loop[number]) > 0 else -own
+    if own == 0:
+        outside, inside = square_root(noise)
+        if inside != 1:
+            root = f"root_n{number // 2}"
+            generators.append(Generator(root, inside))
+            outside = outside * real(root)
+            known[root] = outside / below
+        return index * outside
+    symbol = f"d{number}" if below == 1 else f"d{number}_scaled"
+    generators.append(Generator(symbol, sp.expand(own**2 + index**2 * noise)))
+    return real(symbol)
 
 
 def _sized(shape: Shape, number: int) -> sp.Expr:

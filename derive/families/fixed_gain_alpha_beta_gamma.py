@@ -15,7 +15,7 @@ from gainproof.derive.fixed_gain.page_slots import page_slots
 from gainproof.derive.fixed_gain.three_curve_towers import curve_towers
 from gainproof.derive.fixed_gain.three_kernels import graphs
 from gainproof.derive.fixed_gain.three_module import SYMBOLS, kernel_module, kernel_steps
-from gainproof.derive.fixed_gain.three_steps_noise import noise_steps, noise_tower
+from gainproof.derive.fixed_gain.three_noises import noise_tower, noise_variances
 from gainproof.derive.fixed_gain.three_towers import LOOP, D, M, X, lecture_variance, main_tower
 from gainproof.derive.pages.derivation import Given, written
 from gainproof.derive.source import LECTURE
@@ -30,9 +30,8 @@ def build() -> Subject:
     given = Given(
         towers=(main_tower(), noise_tower(), *curve_towers()),
         models={"fixed_gains": LOOP.model},
-        slots={"": page_slots(LOOP, lecture_variance())},
+        slots={"": {**page_slots(LOOP, lecture_variance()), "noise_variances": noise_variances()}},
         hints={"predicted-definite": {"minors": _minors()}},
-        steps={"noises": noise_steps()},
     )
     page = written(NAME, given)
     return Subject(

@@ -6,13 +6,14 @@ from collections.abc import Mapping
 
 from gainproof.derive.catalogue_module import catalogue_module
 from gainproof.derive.fixed_gain.names import MEANINGS
-from gainproof.derive.fixed_gain.two_kernel_words import EQUATIONS, SUMMARIES
 from gainproof.derive.fixed_gain.two_kernels import (
     DISCRIMINANT,
     HALF_SUM,
     SCALE,
     difference,
 )
+from gainproof.derive.fixed_gain.two_noise_kernels import AFTER as NOISE_AFTER
+from gainproof.derive.fixed_gain.two_noise_kernels import AHEAD as NOISE_AHEAD
 from gainproof.derive.fixed_gain.two_noise_kernels import TURNING
 from gainproof.derive.printer.graph import Graph, symbols_of
 from gainproof.derive.printer.kernel import Input, Kernel, Module, Output, closed
@@ -39,6 +40,89 @@ LEAST_LAGS = {
     "random_velocity": "0.6036",  # stable from (1 + sqrt 2)/4 on, just below
 }
 LARGEST_LAG, SINGLE_LAG = "1e30", "1e9"
+SUMMARIES = {
+    "coordinates": "How far gains are inside the region of stability.",
+    "gains_of_coordinates": "Gains of any stable alpha-beta filter from its coordinates.",
+    "variances": "Covariances under measurement noise alone, from the gains.",
+    "variances_of_coordinates": "Covariances under measurement noise alone, any stable filter.",
+    "process_noise_variances": "What each entry of a process noise adds to covariances.",
+    "process_noise_variances_of_coordinates": "The same of the prediction, any stable filter.",
+    "lags": "Steady errors behind a constant acceleration a, over a T^2 (positions) and a T.",
+    "closed_loop_poles": "Closed-loop poles, half_sum +- sqrt(quarter_discriminant).",
+    "minimum_variance_by_lag": "The stable filter of least position variance at a lag (MV).",
+    "minimum_smoothed_variance_by_lag": "The stable filter of least smoothed variance (NP-S).",
+    "random_acceleration_by_lag": "The random acceleration filter (RA) of a lag.",
+    "random_velocity_by_lag": "The random velocity filter (RV) of a lag, where it is stable.",
+    "minimum_variance_by_gain": "Both minimum variance filters (MV) of one position gain.",
+    "minimum_smoothed_variance_by_gain": "The filter of least smoothed variance (NP-S) of a "
+    "position gain.",
+    "random_acceleration_by_gain": "The stable random acceleration filter (RA) of a position gain.",
+    "random_velocity_by_gain": "The random velocity filter (RV) of a position gain.",
+}
+MARGIN_TEXT = "margin = 4 - 2 alpha - beta, stable where alpha, beta and margin are positive"
+EQUATIONS: Mapping[str, tuple[str, ...]] = {
+    "coordinates": (
+        MARGIN_TEXT,
+        "linear_coefficient = 2 alpha/beta, quadratic_coefficient = margin/beta",
+    ),
+    "gains_of_coordinates": (
+        "alpha = 2 x/(1 + x + y), beta = 4/(1 + x + y), all x > 0 and y > 0 are stable",
+    ),
+    "variances": (
+        "predicted_11 = (2 alpha^2 + 2 beta + alpha beta)/(alpha margin),",
+        "predicted_12 = beta (2 alpha + beta)/(alpha margin),",
+        "predicted_22 = updated_22 = 2 beta^2/(alpha margin),",
+        "updated_11 = (2 alpha^2 - 3 alpha beta + 2 beta)/(alpha margin),",
+        "updated_12 = beta (2 alpha - beta)/(alpha margin), margin = 4 - 2 alpha - beta",
+    ),
+    "variances_of_coordinates": (
+        "predicted_11 = ((1 + x)^2 + y)/(x y), predicted_12 = 2 (1 + x)/(x y),",
+        "predicted_22 = updated_22 = 4/(x y),",
+        "updated_11 = ((x - 1)^2 + y)/(x y), updated_12 = 2 (x - 1)/(x y)",
+    ),
+    "process_noise_variances": NOISE_AFTER,
+    "process_noise_variances_of_coordinates": NOISE_AHEAD,
+    "lags": (
+        "predicted_position_lag = 1/beta, predicted_velocity_lag = alpha/beta + 1/2,",
+        "updated_position_lag = (1 - alpha)/beta, updated_velocity_lag = alpha/beta - 1/2;",
+        "none behind rest and constant velocity; behind a jerk j the position error grows by",
+        "j T^3/beta a sample",
+    ),
+    "closed_loop_poles": (
+        "half_sum = 1 - (alpha + beta)/2, modulus = sqrt(1 - alpha) (of a complex pair),",
+        "quarter_discriminant = (alpha + beta)^2/4 - beta",
+    ),
+    "minimum_variance_by_lag": (
+        "alpha + beta/2 = sqrt(beta), beta = 1/lag; with x = 2 sqrt(lag) - 1:",
+        "minimum_variance_predicted_11 = (1 + 1/x)^2 - 1",
+    ),
+    "minimum_smoothed_variance_by_lag": (
+        "2 sqrt(beta) (1 - alpha) = 2 alpha - beta, beta = 1/lag; with n = 2 sqrt(lag):",
+        "minimum_smoothed_variance_updated_11 = (2 n + 3)/(n + 1)^2,",
+        "minimum_smoothed_variance_predicted_11 = (2 n^3 + 7 n^2 + 8 n + 2)/((n + 1)^2 (n^2 - 2));",
+        "at a lag of 1/2 and below none smooths better than a single measurement",
+    ),
+    "random_acceleration_by_lag": (
+        "(alpha + beta/2)^2 = 2 beta, beta = 1/lag; with x = sqrt(8 lag) - 1:",
+        "random_acceleration_predicted_11 = (3 x + 1)/(x (x - 1))",
+    ),
+    "random_velocity_by_lag": (
+        "alpha (alpha + beta) = 2 beta, beta = 1/lag; with x = sqrt(8 lag + 1) - 1:",
+        "random_velocity_predicted_11 = ((1 + x)^2 + y)/(x y), y = (x^2 - 2)/2",
+    ),
+    "minimum_variance_by_gain": (
+        "(alpha + beta/2)^2 = beta: beta = (1 - m)^2 (slow), (1 + m)^2 (fast),",
+        "m = sqrt(1 - 2 alpha)",
+    ),
+    "minimum_smoothed_variance_by_gain": (
+        "beta = (2 alpha/(1 - alpha + v))^2, v = sqrt(1 + alpha^2), and with u = alpha/(1 + v):",
+        "minimum_smoothed_variance_updated_11 = u (2 + u)",
+    ),
+    "random_acceleration_by_gain": (
+        "(alpha + beta/2)^2 = 2 beta: beta = 2 (1 - w)^2, w = sqrt(1 - alpha)",
+    ),
+    "random_velocity_by_gain": ("alpha (alpha + beta) = 2 beta: beta = alpha^2/(2 - alpha)",),
+}
 
 
 def kernel_module(name: str, title: str, made: Mapping[str, Graph]) -> Module:

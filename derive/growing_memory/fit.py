@@ -72,18 +72,6 @@ def entry_names(prefix: str, size: int) -> list[list[str]]:
     ]
 
 
-def named(prefix: str, size: int) -> sp.ImmutableDenseMatrix:
-    """A symmetric matrix of named entries."""
-    return sp.ImmutableDenseMatrix(
-        [[real(name) for name in row] for row in entry_names(prefix, size)]
-    )
-
-
-def gain_vector(size: int) -> sp.ImmutableDenseMatrix:
-    """The gain as named entries."""
-    return sp.ImmutableDenseMatrix([[real(name)] for name in GAIN_NAMES[:size]])
-
-
 def _elements(f: Fit, predicted: bool) -> dict[str, sp.Expr]:
     elements: dict[str, sp.Expr] = {}
     matrices = [("information", f.information), ("updated", f.covariance)]

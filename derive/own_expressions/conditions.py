@@ -63,16 +63,16 @@ def _values(condition: Condition) -> Iterator[tuple[sp.Expr, str, str, str]]:
         left, right = right, left
     if isinstance(given, sp.Eq):
         yield from _equal(condition, left, right)
-    elif right.is_number:
-        yield left, words, *_least(condition, right, 1)
-    elif left.is_number:
-        yield -right, f"{words} with a minus sign", *_least(condition, left, -1)
-    else:
+        return
+    number, sign = right, 1
+    if left.is_number:
+        left, number, sign, words = -right, left, -1, f"{words} with a minus sign"
+    elif not right.is_number:
         number, rest = (left - right).as_coeff_Add()
-        value = rest if number else sp.factor(rest)
-        yield value, words, *_least(condition, -number, 1)
-    if isinstance(given, (sp.Ge, sp.Le)) and 0 in (left, right):
+        left, number = (rest if number else sp.factor(rest)), -number
+    if number == 0 and isinstance(given, (sp.Ge, sp.Le)):
         raise ExpressionError(f"{given}: of a value that may be 0 no digit is sure; write > or <")
+    yield left, words, *_least(condition, number, sign)
 
 
 def _equal(

@@ -7,13 +7,15 @@ from dataclasses import replace
 
 import sympy as sp
 
+from gainproof.derive.any_three_state import names as three_states
 from gainproof.derive.any_three_state.any_three_state import derive_any_three_state
+from gainproof.derive.any_two_state import names as two_states
 from gainproof.derive.any_two_state.any_two_state import derive_any_two_state
 from gainproof.derive.any_two_state.scaling import scale_free
 from gainproof.derive.any_two_state.shape import require_first_measured
 from gainproof.derive.model import Model, ModelError, ScaledModel, scale
 from gainproof.derive.own_model.checks import require_steady_state, require_written_well
-from gainproof.derive.own_model.parameter_names import require_names_of_their_own
+from gainproof.derive.own_model.one_state import derive_one_state
 from gainproof.derive.printer.together import prove_all
 from gainproof.derive.quantity import METRE, SECOND
 from gainproof.derive.steady_state.two_state import derive_two_state
@@ -25,6 +27,7 @@ KINEMATIC_3 = sp.ImmutableDenseMatrix([[1, 1, sp.Rational(1, 2)], [0, 1, 1], [0,
 KINEMATIC = sp.ImmutableDenseMatrix([[1, 1], [0, 1]])
 RATES = (METRE, METRE / SECOND, METRE / SECOND**2)
 """The units of a position and its rates: the powers of T that the catalogue's kernels speak of."""
+TAKEN = frozenset({*two_states.LATEX, *three_states.LATEX})
 
 
 def derive_own_model(model: Model) -> Subject:
@@ -36,15 +39,11 @@ def derive_own_model(model: Model) -> Subject:
     require_written_well(model)
     require_names_of_their_own(model)
     states, measured = model.transition.rows, model.measurement.rows
-    if (states, measured) not in ((2, 1), (3, 1), (2, 2)):
+    if (states, measured) not in ((1, 1), (2, 1), (3, 1), (2, 2)):
         raise ModelError(
-            f"model {model.name}: two or three states with one measured, or two with both "
-            f"measured, are in reach; {states} states and {measured} measurements came"
-            + (
-                "; claim files take a single state"
-                if states == 1
-                else ": of several axes that share nothing each is a model of its own"
-            )
+            f"model {model.name}: one to three states with one measured, or two with both "
+            f"measured, are in reach; {states} states and {measured} measurements came: of several "
+            "axes that share nothing each is a model of its own"
         )
     if measured > 1 and model.parameters:
         raise ModelError(
@@ -55,6 +54,8 @@ def derive_own_model(model: Model) -> Subject:
     require_steady_state(model, scaled)
     if measured == 2:
         return _both_measured(model, scaled)
+    if states == 1:
+        return derive_one_state(model)
     return _two_states(model, scaled) if states == 2 else _three_states(model, scaled)
 
 
@@ -130,3 +131,17 @@ def _three_states(model: Model, scaled: ScaledModel) -> Subject:
                 prove_all(subject.module.kernels)
                 return subject
     return derive_any_three_state(model)
+
+
+def require_names_of_their_own(model: Model) -> None:
+    """Raises ModelError for a free number with the name of a root, a gain, an entry, the index.
+
+    Two symbols of one name are one symbol: what is proved of the one would be said of the other.
+    """
+    for entry in model.parameters:
+        name = entry.quantity.name
+        if name in TAKEN:
+            raise ModelError(
+                f"model {model.name}: the parameter {name} should have another name, a quantity "
+                f"of the derivation is called {name}"
+            )

@@ -15,7 +15,7 @@ from gainproof.derive.algebra.tower import Generator, NoValue, Parameter, Tower
 from gainproof.derive.derivation import Step
 from gainproof.derive.expression import real
 from gainproof.derive.pages.evaluation import Definition, Meanings
-from gainproof.derive.pages.formula import Formula, FormulaError, read_formula
+from gainproof.derive.pages.formula import NAME, Formula, FormulaError, read_formula
 from gainproof.derive.pages.matrices import Letters, letters_of
 from gainproof.derive.pages.page import (
     Block,
@@ -23,6 +23,8 @@ from gainproof.derive.pages.page import (
     InWords,
     Item,
     Line,
+    Made,
+    Mark,
     Page,
     PageBlock,
     PageStep,
@@ -41,9 +43,11 @@ from gainproof.derive.words.statement import Statement as WordStatement
 FOLDER = Path(__file__).parent
 ENDS = {"0": End(), "infinity": End()}
 """Of a tower without roots."""
+REFERENCE = re.compile(r"@([a-z0-9]+(?:-[a-z0-9]+)*)")
+"""The number of another step, in sentences and reasons."""
 STATED = (
     *("left", "right", "expression", "value", "from", "to", "variable"),
-    *("matrix", "predicted", "updated", "gain", "index"),
+    *("matrix", "predicted", "updated", "gain", "index", "summand", "upper", "closed"),
 )
 """The parts of relations that are made of quantities."""
 
@@ -53,10 +57,10 @@ class Given:
     """What a page does not say.
 
     `towers`: settings that are not written on it. `models` by name. `slots`: values by group and
-    slot, text or expressions; those of the page itself have the group "". `hints`: what evidence
-    needs, by step (see `algebra.evidence`), formulas as text in the names of the page. `ends`: of
-    towers with roots. `programs`: the graphs of kernels; `roots`: what their named roots are.
-    `steps`: by name, that the program makes.
+    slot, text (in formulas one in the names of the page), numbers or expressions; those of the page
+    itself have the group "". `hints`: what evidence needs, by step (see `algebra.evidence`),
+    formulas as text in the names of the page. `ends`: of towers with roots. `programs`: the graphs
+    of kernels; `roots`: what their named roots are. `steps`: by name, that the program makes.
     """
 
     towers: tuple[Tower, ...] = ()
@@ -93,6 +97,10 @@ def written(name: str, given: Given, folder: Path = FOLDER) -> Written:
     unknown = sorted(set(given.hints) - {step.id for step in steps})
     if unknown:
         raise Place(page.file, 1).error(f"hints for steps that are not there: {unknown}")
+    shown = {step.id for step in steps if step.shown}
+    for place, name in making.references:
+        if name not in shown:
+            raise place.error(f"no step {name!r} is shown on this page")
     settings = {name: letters.setting for name, letters in making.letters.items()}
     return Written(head.head, head.text, steps, making.towers, making.latex, settings)
 
@@ -119,6 +127,7 @@ class _Making:
     latex: dict[str, str] = field(default_factory=dict)
     heading: str = ""
     ids: set[str] = field(default_factory=set)
+    references: list[tuple[Place, str]] = field(default_factory=list)
 
     def __post_init__(self) -> None:
         slots = self.given.slots.get("", {})
@@ -134,11 +143,16 @@ class _Making:
 
     def _block(self, block: PageBlock) -> Iterator[Step]:
         if isinstance(block, PageStep):
-            yield from self._step(block)
+            for step in self._step(block):
+                found = REFERENCE.findall(f"{step.sentence} {step.reason}")
+                self.references += [(block.place, name) for name in found]
+                yield step
         elif isinstance(block, Include):
-            yield from self._included(block) if block.kind == "include" else self._made(block)
+            yield from (
+                self._included(block) if block.kind == "include" else self._made(block.part)
+            )
         elif isinstance(block, Prose):
-            self.heading = self._filled(block.head) if block.mark == "##" else ""
+            self.heading = self._heading(block) if block.mark == "##" else ""
         elif block.kind == "kernel":
             yield self._kernel(block)
         elif block.kind == "setting":
@@ -233,28 +247,41 @@ class _Making:
         return found
 
     def _step(self, step: PageStep) -> Iterator[Step]:
+        """Its statements; the first that is there has the sentence and the reason."""
+        first = True
         for number, item in enumerate(step.items):
             mark, place = (item.mark, item.place) if number else (step.mark, step.place)
-            try:
-                made = Step(
-                    self._id(mark.id),
-                    "" if number else self._filled(step.sentence),
-                    described(""),
-                    "" if number else self._filled(step.reason),
-                    self._setting(mark.setting or step.mark.setting or "main"),
-                    shown=not mark.hidden,
-                    heading=self.heading,
-                    joins=number > 0,
-                    essential=mark.essential,
-                )
+            if not self._is_there(mark, place):
+                if number:
+                    continue
+                return
+            mark = replace(mark, setting=mark.setting or step.mark.setting or "main")
+            for each in self._statements(item, mark, place):
+                yield self._opened(each, step) if first else replace(each, joins=True)
+                first = False
+
+    def _opened(self, each: Step, step: PageStep) -> Step:
+        try:
+            sentence, reason = self._filled(step.sentence), self._filled(step.reason)
+        except FormulaError as error:
+            raise step.place.error(str(error)) from None
+        heading, self.heading = self.heading, ""
+        return replace(each, sentence=sentence, reason=reason, heading=heading, joins=False)
+
+    def _statements(self, item: Item, mark: Mark, place: Place) -> tuple[Step, ...]:
+        try:
+            if isinstance(item.said, Made):
                 place = item.place
-                if made.tower in self.letters and isinstance(item.said, Statement):
-                    yield self._of_matrices(made, item.said)
-                else:
-                    yield self._with_hint(replace(made, relation=self._relation(item, made.tower)))
-            except FormulaError as error:
-                raise place.error(str(error)) from None
-            self.heading = ""
+                return self._made(item.said.name)
+            name, setting = self._id(mark.id), self._setting(mark.setting)
+            made = Step(name, "", described(""), "", setting, shown=not mark.hidden)
+            made, place = replace(made, essential=mark.essential), item.place
+            if made.tower in self.letters and isinstance(item.said, Statement):
+                return (self._of_matrices(made, item.said),)
+            made = replace(made, relation=self._relation(item, made.tower))
+            return (self._with_hint(made),)
+        except FormulaError as error:
+            raise place.error(str(error)) from None
 
     def _of_matrices(self, step: Step, said: Statement) -> Step:
         letters = self.letters[step.tower]
@@ -264,6 +291,18 @@ class _Making:
         self.proved[step.id] = found
         made = found.step("")
         return replace(step, relation=made.relation, hint=made.hint)
+
+    def _is_there(self, mark: Mark, place: Place) -> bool:
+        try:
+            return not mark.condition or bool(self.meanings.slot(mark.condition))
+        except FormulaError as error:
+            raise place.error(str(error)) from None
+
+    def _heading(self, block: Prose) -> str:
+        match = re.fullmatch(rf"(.*) \(if ({NAME})\)", block.head)
+        head, condition = match.groups() if match else (block.head, "")
+        there = self._is_there(Mark(condition=condition), block.place)
+        return self._filled(head) if there else ""
 
     def _setting(self, text: str) -> str:
         name = self._filled(text)
@@ -284,13 +323,20 @@ class _Making:
             return described(self._filled(item.said.text))
         if isinstance(item.said, Theorem):
             return cited(self._filled(item.said.text), _source(item.said.source))
+        assert isinstance(item.said, Statement)  # what the program makes has its relation
         relation = relation_of(item.said, self.meanings)
         self._require_known(relation, setting)
         return relation
 
     def _require_known(self, relation: Relation, setting: str) -> None:
-        """Each quantity of a statement has to be one of its setting, or stand for any."""
+        """Each quantity of a statement has to be one of its setting, or stand for any; in a
+        definition there is nothing to decide.
+        """
+        if relation.kind == "definition":
+            return
         tower, free = self.towers[setting], relation.parts.get("free", ())
+        if relation.kind == "sum":
+            free = (relation.parts["index"],)
         known = {*tower.variables, *tower.expressions}
         for quantity in free:
             if quantity in known:
@@ -321,6 +367,8 @@ class _Making:
         return replace(step, hint={key: self._hint(value) for key, value in found.items()})
 
     def _hint(self, value: Any) -> Any:
+        if isinstance(value, list):
+            return [self._hint(each) for each in value]
         if not isinstance(value, str):
             return value
         try:
@@ -332,11 +380,15 @@ class _Making:
         graph = self.given.programs.get(block.name)
         if graph is None:
             raise FormulaError(f"no kernel {block.name!r}; known: {', '.join(self.given.programs)}")
-        outputs = {
-            line.name: self.meanings.value(line.meaning)
-            for line in block.lines
-            if isinstance(line.meaning, Formula)
-        }
+        tower = self.towers[self._setting(block.setting)]
+        known, outputs = {*tower.variables, *tower.expressions}, {}
+        for line in block.lines:
+            assert isinstance(line.meaning, Formula)
+            try:
+                outputs[line.name] = self.meanings.value(line.meaning)
+                self._require_in(known, outputs[line.name], tower.name)
+            except FormulaError as error:
+                raise line.place.error(str(error)) from None
         if list(outputs) != list(graph["outputs"]):
             raise FormulaError(
                 f"the outputs {', '.join(graph['outputs'])} are wanted, in this order"
@@ -353,11 +405,11 @@ class _Making:
             shown=False,
         )
 
-    def _made(self, block: Include) -> tuple[Step, ...]:
-        if block.part not in self.given.steps:
+    def _made(self, name: str) -> tuple[Step, ...]:
+        if name not in self.given.steps:
             known = ", ".join(self.given.steps)
-            raise FormulaError(f"no steps {block.part!r} of the program; known: {known}")
-        found = tuple(self.given.steps[block.part])
+            raise FormulaError(f"no steps {name!r} of the program; known: {known}")
+        found = tuple(self.given.steps[name])
         for step in found:
             self._id(step.id)
         return found
@@ -365,12 +417,15 @@ class _Making:
     def _included(self, block: Include) -> Iterator[Step]:
         if block.slots and block.slots not in self.given.slots:
             raise FormulaError(f"no slots {block.slots!r}; known: {', '.join(self.given.slots)}")
-        path = self.folder / f"{block.part}.md"
+        name = self._filled(block.part)
+        if not name:
+            return
+        path = self.folder / f"{name}.md"
         if not path.is_file():
             raise FormulaError(f"no file {path.name} beside this page")
         outside = self.meanings
         self.meanings = replace(outside, slots=self.given.slots.get(block.slots, {}))
-        part = page_of(block.part, self.folder, outside.primed)
+        part = page_of(name, self.folder, outside.primed)
         for each in part.blocks:
             if isinstance(each, Include) or (isinstance(each, Prose) and each.mark == "#"):
                 raise each.place.error("a part has no title and includes no other")
@@ -382,9 +437,9 @@ class _Making:
 
         def value(match: re.Match[str]) -> str:
             found = self.meanings.slots.get(match[1])
-            if not isinstance(found, str):
+            if not isinstance(found, (str, sp.Rational)):
                 raise FormulaError(f"{match[0]!r} is no slot of words here")
-            return found
+            return str(found)
 
         return re.sub(r"\{([^}]*)\}", value, text)
 

@@ -13,11 +13,13 @@ from typing import Any
 
 import sympy as sp
 
-from gainproof.derive.pages.formula import RESERVED, Formula, FormulaError
+from gainproof.derive.pages.formula import RESERVED, Formula, FormulaError, read_formula
 
 MAXIMUM_SIZE = 20_000
 """Nodes of a value, definitions written out."""
-BUILT_IN = ("sqrt", "determinant", "derivative", "at")
+FEW = 12
+"""Slots that an error lists all of."""
+BUILT_IN = ("sqrt", "determinant", "derivative", "at", "as_written")
 Model = Mapping[str, Any]
 
 
@@ -61,7 +63,9 @@ class Meanings:
     def slot(self, name: str) -> Any:
         """The value of a slot. Raises FormulaError for another name."""
         if name not in self.slots:
-            raise FormulaError(f"no slot {name!r}; known: {', '.join(self.slots)}")
+            near = get_close_matches(name, self.slots, 3) if len(self.slots) > FEW else None
+            known = ", ".join(near or self.slots)
+            raise FormulaError(f"no slot {name!r}; {'near it' if near else 'known'}: {known}")
         return self.slots[name]
 
     def model(self, name: str) -> Model:
@@ -136,7 +140,10 @@ class Meanings:
             case "name":
                 return self._named(formula.text)
             case "slot":
-                return self.slot(formula.text)
+                found = self.slot(formula.text)
+                if isinstance(found, str):
+                    return self._value(read_formula(found, self.primed), multiplied)
+                return found
             case "call":
                 return self._called(formula.text, parts, multiplied)
         values = [self._value(part, multiplied) for part in parts]
@@ -171,6 +178,21 @@ class Meanings:
         hint = f"; {near[0]!r} is one" if near else ""
         raise FormulaError(f"{name!r} is neither a quantity nor a definition of this page{hint}")
 
+    def _in_order(self, formula: Formula) -> Any:
+        """With sums, and products of these, in the order in which they are written."""
+        values = [self._in_order(part) for part in formula.parts if formula.kind != "call"]
+        sums = any(value.has(sp.Add) for value in values)
+        match formula.kind:
+            case "add":
+                return sp.Add(*values, evaluate=False)
+            case "pow":
+                return values[0] ** int(formula.text)
+            case "mul" if sums:
+                return sp.Mul(*values, evaluate=False)
+            case "div" if sums:
+                return sp.Mul(1 / values[1], values[0], evaluate=False)
+        return self._value(formula, multiplied=True)
+
     def _called(self, name: str, parts: tuple[Formula, ...], multiplied: bool) -> Any:
         if name in self.functions:
             definition = self.functions[name]
@@ -183,21 +205,24 @@ class Meanings:
             return inside._value(definition.formula, multiplied=True)
         if name not in BUILT_IN:
             raise self._no_function(name)
+        if name == "as_written" and len(parts) == 1:
+            return self._in_order(parts[0])
         first = self._value(parts[0], multiplied or name == "determinant")
         match name, parts[1:]:
             case "sqrt", ():
                 return sp.sqrt(first)
             case "determinant", ():
                 return first.det()
-            case "derivative", (by, *times) if len(times) < 2:
-                variable = self.symbol(by.text)
+            case "derivative", (by, *times) if not times or [x.kind for x in times] == ["number"]:
+                variable = self.symbol(str(by))
                 if times:
                     return sp.Derivative(first, (variable, int(times[0].text)))
                 return sp.Derivative(first, variable)
             case "at", (place, value):
-                return sp.Subs(first, self.symbol(place.text), self._value(value, multiplied))
+                return sp.Subs(first, self.symbol(str(place)), self._value(value, multiplied))
         raise FormulaError(
-            "sqrt(x), determinant(M), derivative(f, x), derivative(f, x, 2) or at(f, x, value)"
+            "wanted: sqrt(x), determinant(M), derivative(f, x), derivative(f, x, 2), at(f, x, a), "
+            "as_written(x)"
         )
 
     def _no_function(self, name: str) -> FormulaError:
@@ -223,6 +248,8 @@ def _sum(values: list[Any], multiplied: bool) -> Any:
 
 
 def _negative(value: Any) -> Any:
+    if isinstance(value, sp.MatAdd):
+        return sp.MatMul(-1, value, evaluate=False)
     return sp.MatMul(-1, *value.args, evaluate=False) if isinstance(value, sp.MatMul) else -value
 
 

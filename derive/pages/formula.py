@@ -35,6 +35,8 @@ RESERVED = frozenset(
         "in",
         "infinity",
         "is",
+        "over",
+        "stands",
         "to",
         "where",
         "with",

@@ -68,6 +68,8 @@ class Letters:
             case "mul":
                 return reduce(matmul, parts)
             case "div":
+                if formula.parts[1] == Formula("number", "0"):
+                    raise FormulaError(f"{str(formula)!r} divides by 0")
                 if all(part.kind == "number" for part in parts):
                     return number(Fraction(parts[0].value) / Fraction(parts[1].value))
                 return parts[0] / parts[1]

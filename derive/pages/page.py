@@ -8,14 +8,16 @@ A blank line stands between blocks; the first line of a block says what it is.
     setting NAME                      parameters, then what quantities are in them; with no line
                                       beneath one that the program makes
     matrices NAME                     letters of any size, and what some of them stand for
-    ## Heading
-    ### id (in NAME, hidden, essential)   one step, with its sentence beneath
+    ## Heading (if SLOT)
+    ### id (in NAME, if SLOT, hidden, essential)   one step, with its sentence beneath
         statement                     indented: what it says, see `statement`
         id (...): statement           more, shown together with the first
     because ...                       why it follows
     kernel NAME (in NAME)             what the outputs of a kernel are
-    include PART (SLOTS)              the blocks of another file, with values for its slots
-    steps NAME                        steps that the program makes, of that name
+    include PART (SLOTS)              the blocks of another file, with values for its slots; which
+                                      one a slot may say, {name}, and that it is none
+    steps NAME                        steps that the program makes, of that name; indented, in place
+                                      of a statement, they are shown with those of the step
 
 `in main` is not said, nor is that a step is not essential. Prose is filled to 100 columns, formulas
 are continued on lines that are indented further.
@@ -37,9 +39,11 @@ MAXIMUM_LINES = 5000
 WIDTH = 100
 _ID = r"[A-Za-z0-9{}_-]+"
 _MARK = re.compile(
-    rf"({_ID})(?: \((?=\w)(?:in ([A-Za-z0-9{{}}_]+))?(?:, |\b)?(hidden)?(?:, |\b)?(essential)?\))?"
+    rf"({_ID})(?: \((?=\w)(?:in ([A-Za-z0-9{{}}_]+))?(?:, |\b)?(?:if ({NAME}))?(?:, |\b)?(hidden)?"
+    r"(?:, |\b)?(essential)?\))?"
 )
 _ITEM = re.compile(rf"(?:({_ID}(?: \([^)]*\))?): )?(.+)")
+_MADE = re.compile(r"steps ([a-z0-9-]+)")
 _TOLD = ("theorem: ", "in words: ")
 _THEOREM = re.compile(r"theorem: (.+) \[([a-z0-9-]+)\]")
 _PLAIN = re.compile(rf"{NAME}'?(?:, {NAME}'?)*")
@@ -103,16 +107,31 @@ class InWords:
 
 
 @dataclass(frozen=True)
+class Made:
+    """Statements that the program makes, under the sentence of the page."""
+
+    name: str
+
+    def __str__(self) -> str:
+        return f"steps {self.name}"
+
+
+@dataclass(frozen=True)
 class Mark:
-    """The id of a statement and what is said of it; no setting: main, or that of the step."""
+    """The id of a statement and what is said of it; no setting: main, or that of the step.
+
+    `condition`: a slot; where that is empty the statement is not there, nor those of its step.
+    """
 
     id: str = ""
     setting: str = ""
+    condition: str = ""
     hidden: bool = False
     essential: bool = False
 
     def __str__(self) -> str:
         said = [f"in {self.setting}"] if self.setting else []
+        said += [f"if {self.condition}"] if self.condition else []
         said += ["hidden"] * self.hidden + ["essential"] * self.essential
         return f"{self.id} ({', '.join(said)})" if said else self.id
 
@@ -122,7 +141,7 @@ class Item:
     """One statement of a step; the first is marked by the step."""
 
     mark: Mark
-    said: Statement | Theorem | InWords
+    said: Statement | Theorem | InWords | Made
     place: Place
 
     def __str__(self) -> str:
@@ -350,13 +369,19 @@ class _Reading:
 
     def _mark(self, number: int, text: str) -> Mark:
         match = _MARK.fullmatch(text)
-        mark = match and Mark(match[1], match[2] or "", bool(match[3]), bool(match[4]))
+        mark = match and Mark(
+            match[1], match[2] or "", match[3] or "", bool(match[4]), bool(match[5])
+        )
         if mark is None or str(mark) != text:
-            self._at_error(number, f"'id (in NAME, hidden, essential)' is wanted, {text!r} came")
+            wanted = "id (in NAME, if SLOT, hidden, essential)"
+            self._at_error(number, f"{wanted!r} is wanted, {text!r} came")
         return mark
 
     def _items(self, chunk: Numbered) -> Iterator[Item]:
         for place, (number, text) in enumerate(self._lines(chunk)):
+            if made := _MADE.fullmatch(text):
+                yield Item(Mark(), Made(made[1]), self._at(number))
+                continue
             match = None if text.startswith(_TOLD) else _ITEM.fullmatch(text)
             named = match is not None and bool(match[1])
             if named is (place == 0):
@@ -469,7 +494,7 @@ class _Reading:
     def _include(self, kind: str, chunk: Numbered) -> Include:
         number, text = chunk[0]
         slots = rf"(?: \(({NAME})\))?" if kind == "include" else "()"
-        match = re.fullmatch(rf"{kind} ([a-z0-9-]+){slots}", text)
+        match = re.fullmatch(rf"{kind} ([a-z0-9-]+|{{{NAME}}}){slots}", text)
         if match is None or len(chunk) > 1:
             self._at_error(number, f"{kind} NAME is wanted, alone, {text!r} came")
         return Include(kind, match[1], match[2] or "", self._at(number))

@@ -15,6 +15,7 @@ from gainproof.derive.pages.evaluation import Meanings
 from gainproof.derive.pages.formula import Formula, FormulaError, Reader, whole
 from gainproof.derive.relation import (
     Relation,
+    definition,
     equal,
     increasing_onto,
     limit,
@@ -41,6 +42,8 @@ FORMS: Mapping[str, str] = {
     "increasing": "L grows with NAME",
     "decreasing": "L falls with NAME",
     "limit": "L -> B as NAME -> B",
+    "definition": "L stands for R",
+    "sum": "sum of L over NAME from 0 to NAME is R",
 }
 """By kind, the first that fits counts. NAMES: names apart by commas; B: a formula or `infinity`."""
 CONDITIONS = ("equal", "definite", "semidefinite", "symmetric", "invertible", "full rank")
@@ -112,7 +115,7 @@ def _part(reader: Reader, word: str) -> Formula:
         reader.place += 1
         return Formula("name", "infinity")
     if word == "NAME":
-        return Formula("name", reader.name())
+        return _name_or_slot(reader)
     if word == "NAMES":
         names = [_name_or_slot(reader)]
         while reader.next == ",":
@@ -134,13 +137,16 @@ def relation_of(said: Statement, meanings: Meanings) -> Relation:
 
 
 def _free(meanings: Meanings, left: Formula, right: Formula, names: Formula) -> Relation:
-    listed = [
-        name
-        for each in names.parts
-        for name in (meanings.slot(each.text).split(", ") if each.kind == "slot" else [each.text])
-    ]
-    free = tuple(meanings.symbol(name).name for name in listed)
+    free = tuple(name for each in names.parts for name in _free_names(meanings, each))
     return equal(meanings.value(left), meanings.value(right), free)
+
+
+def _free_names(meanings: Meanings, each: Formula) -> list[str]:
+    """Quantities by names of the page, or by symbols in a slot."""
+    value = meanings.slot(each.text) if each.kind == "slot" else each.text
+    if isinstance(value, str):
+        return [meanings.symbol(name).name for name in value.split(", ")]
+    return [symbol.name for symbol in value]
 
 
 def _positive(meanings: Meanings, left: Formula, right: Formula) -> Relation:
@@ -193,7 +199,7 @@ def _listed(meanings: Meanings, gain: Formula) -> list[Any]:
 
 def _monotone(trend: str) -> Callable[[Meanings, Formula, Formula], Relation]:
     def made(meanings: Meanings, value: Formula, name: Formula) -> Relation:
-        return monotone(meanings.value(value), trend, meanings.symbol(name.text).name)
+        return monotone(meanings.value(value), trend, _quantity(meanings, name))
 
     return made
 
@@ -202,8 +208,8 @@ def _limit(
     meanings: Meanings, value: Formula, at: Formula, name: Formula, point: Formula
 ) -> Relation:
     if str(point) not in ("0", "infinity"):
-        raise FormulaError(f"0 or infinity is wanted behind {name.text} ->, {point} came")
-    variable = meanings.symbol(name.text).name
+        raise FormulaError(f"0 or infinity is wanted behind {name} ->, {point} came")
+    variable = _quantity(meanings, name)
     return limit(meanings.value(value), str(point), _end(meanings, at), variable)
 
 
@@ -211,16 +217,39 @@ def _onto(
     meanings: Meanings, value: Formula, start: Formula, end: Formula, name: Formula
 ) -> Relation:
     first, last = (_end(meanings, each) for each in (start, end))
-    return increasing_onto(meanings.value(value), first, last, meanings.symbol(name.text).name)
+    return increasing_onto(meanings.value(value), first, last, _quantity(meanings, name))
+
+
+def _quantity(meanings: Meanings, name: Formula) -> str:
+    """What certificates call a quantity, which a slot may name."""
+    name_of = meanings.slot(name.text) if name.kind == "slot" else name.text
+    return str(meanings.symbol(name_of))
+
+
+def _sum(
+    meanings: Meanings, summand: Formula, index: Formula, upper: Formula, closed: Formula
+) -> Relation:
+    claim = {
+        "index": meanings.symbol(index.text).name,
+        "start": "0",
+        "upper": meanings.symbol(upper.text).name,
+        "summand": meanings.value(summand),
+        "closed": meanings.value(closed),
+    }
+    return Relation("sum", claim)
 
 
 def _end(meanings: Meanings, value: Formula) -> Any:
-    return "infinity" if value.text == "infinity" else meanings.value(value)
+    said = meanings.slot(value.text) if value.kind == "slot" else value.text
+    return "infinity" if said == "infinity" else meanings.value(value)
 
 
 _MADE: Mapping[str, Callable[..., Relation]] = {
     "free": _free,
     "equal": lambda meanings, left, right: equal(meanings.value(left), meanings.value(right)),
+    "definition": lambda meanings, left, right: definition(
+        meanings.value(left), meanings.value(right)
+    ),
     "positive": _positive,
     "definite": _definite,
     "stable": _stable,
@@ -229,6 +258,7 @@ _MADE: Mapping[str, Callable[..., Relation]] = {
         meanings.value(left), meanings.value(right)
     ),
     "onto": _onto,
+    "sum": _sum,
     "increasing": _monotone("increasing"),
     "decreasing": _monotone("decreasing"),
     "limit": _limit,

@@ -5,12 +5,15 @@ module. What a language writes otherwise than most is a method of its `Language`
 from __future__ import annotations
 
 import re
+from collections import Counter
 from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
+from functools import partial
+from typing import ClassVar
 
 from gainproof.derive.printer.affine import in_two_parts
 from gainproof.derive.printer.arithmetic import literal
-from gainproof.derive.printer.formats import FLOAT64, FORMATS, Format
+from gainproof.derive.printer.formats import FLOAT64, Format
 from gainproof.derive.printer.kernel import Kernel, least_admitted
 from gainproof.derive.printer.plain import plain
 from gainproof.derive.printer.program import Program, Step
@@ -25,10 +28,18 @@ class Language:
     """How a language writes numbers of a format, operations and statements."""
 
     form: Format = FLOAT64
+    nested: ClassVar[int] = 0
+    """How long the text of an operation may be that stands where its result is used, if that is at
+    one place; else it gets a name.
+    """
 
     def number(self, value: float) -> str:
         """A literal that is read as just that number."""
         return literal(value)
+
+    def constant(self, value: Callable[[Format], float]) -> str:
+        """A constant's number in the format."""
+        return self.number(value(self.form))
 
     def operation(self, sign: str, first: str, second: str) -> str:
         """One of + - * /."""
@@ -78,7 +89,7 @@ def required(
     return [
         (
             emitted(steps, [steps.outputs[each.name]], language, name),
-            language.number(least_admitted(each, language.form)),
+            language.constant(partial(least_admitted, each)),
         )
         for each in kernel.requirements
     ]
@@ -104,7 +115,8 @@ def emitted(
 ) -> Body:
     """The steps that some need, in the order in which the kernel computes them."""
     order = late(steps, ends)
-    printer = _Emitter(steps, language, name)
+    uses = Counter([*ends, *ends, *(part for each in order for part in steps.steps[each].operands)])
+    printer = _Emitter(steps, language, name, frozenset(n for n in order if uses[n] == 1))
     lines = tuple(printer.lines(order))
     operations = frozenset(steps.steps[number].operation for number in order)
     return Body(lines, tuple(printer.operand(end) for end in ends), operations)
@@ -115,19 +127,26 @@ class _Emitter:
     steps: Program
     language: Language
     name: Callable[[int, Step], str]
+    used_once: frozenset[int]
+    placed: dict[int, str] = field(default_factory=dict)
+    """Texts of operations that stand where their results are used."""
 
     def lines(self, order: Sequence[int]) -> Iterator[str]:
         for number in order:
             step = self.steps.steps[number]
             text = self._expression(number, step)
+            if number in self.used_once and len(text) <= self.language.nested:
+                operator = step.operation in (*SIGN, "select")
+                self.placed[number] = f"({text})" if operator else text
+                continue
             line = self.language.statement(self.name(number, step), text)
             yield line + (self.language.remark(step.label) if step.label else "")
 
     def operand(self, number: int) -> str:
         step = self.steps.steps[number]
         if step.constant is not None:
-            return self.language.number(step.constant.nearest(self.language.form))
-        return self.name(number, step)
+            return self.language.constant(step.constant.nearest)
+        return self.placed.get(number) or self.name(number, step)
 
     def _expression(self, number: int, step: Step) -> str:
         language = self.language
@@ -136,7 +155,7 @@ class _Emitter:
             return language.operation("*", parts[0], language.number(step.scale))
         if step.operation == "select":
             limit = threshold(self.steps, step, language.form)
-            value = language.number(limit.value)
+            value = language.constant(lambda form: threshold(self.steps, step, form).value)
             pair = (parts[0], value) if limit.input_first else (value, parts[1])
             return language.choice(*pair, *parts[2:])
         if step.operation not in SIGN:
@@ -145,6 +164,6 @@ class _Emitter:
         found = in_two_parts(self.steps, number)
         if found is None:
             return text
-        affine = found[FORMATS.index(language.form)]
-        rest = affine.sign * affine.constant.remainder(language.form)
-        return language.sum_in_two_parts(text, language.number(rest))
+        sign, whole = found[0].sign, found[0].constant
+        rest = language.constant(lambda form: sign * whole.remainder(form))
+        return language.sum_in_two_parts(text, rest)

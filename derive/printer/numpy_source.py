@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from itertools import chain
 
+from gainproof.derive.printer import one_number
 from gainproof.derive.printer.arithmetic import Arithmetic
 from gainproof.derive.printer.bound import KernelBound
 from gainproof.derive.printer.docstring import docstring
@@ -37,11 +38,15 @@ def printed(module: Module, bounds: Sequence[Sequence[KernelBound]], only: str =
     needed = [requirements(kernel, names) for kernel in module.kernels]
     numpys: set[str] = set().union(*(each.numpys for each in arithmetics))
     numpys |= set().union(*(each.numpys for each in chain(*needed)))
-    numpys |= {"np" for kernel in module.kernels if kernel.accurate}
+    accurate = any(kernel.accurate for kernel in module.kernels)
     chooses = any(arithmetic.chooses for arithmetic in arithmetics)
     nears = any(arithmetic.nears for arithmetic in arithmetics)
     bits = (["choose", "mask_of"] if chooses else []) + (["near_cbrt"] if nears else [])
     requires = "Required, " if any(needed) else ""
+    numpys |= {"errstate" for kernel in module.kernels if one_number.calls_functions(kernel)}
+    ones = ["Double"] if only == "float32" else ["ONE", "Double"]
+    ones += ["filled_by"] if accurate else []
+    ones += [] if only == "float32" else ["named"]
     lines = [
         f"# Made by: {_one_line(module.command)}",
         f"# From: {_one_line(module.derivation)}",
@@ -55,15 +60,16 @@ def printed(module: Module, bounds: Sequence[Sequence[KernelBound]], only: str =
         *_imported(sorted(numpys - {"np"})),
         "",
         *([f"from gainproof.generated._bits import {', '.join(bits)}"] if bits else ()),
+        f"from gainproof.generated._numbers import {', '.join(ones)}",
         "from gainproof.generated._runtime import evaluate",
         f"from gainproof.generated._signature import Domain, {requires}Signature",
         *(imported_results(module.results, results) if module.results else ()),
         "",
         "if TYPE_CHECKING:",
         *([] if module.results else ["    from typing import NamedTuple", ""]),
-        "    from numpy.typing import ArrayLike",
-        "",
-        "    from gainproof.generated._signature import Arrays, Real",
+        *(["    from gainproof.generated._double_word import Part"] if accurate else []),
+        "    from gainproof.generated._numbers import Form",
+        "    from gainproof.generated._signature import ArrayLike, Arrays, Real",
         *([] if module.results else NAMED),
         "",
         *_all(results + names),
@@ -109,8 +115,8 @@ def _kernel(
     only: str,
 ) -> Iterator[str]:
     block, signature = f"_{kernel.name}_block", f"_{kernel.name.upper()}"
-    yield from _function(kernel, bounds, signature)
-    yield from ("", "")
+    yield from _function(kernel, bounds, signature, only)
+    yield from ("", "", *one_number.function(kernel), "", "")
     yield from arithmetic.head(block)
     yield from (f"    {line}" for line in arithmetic.lines)
     for each in required:
@@ -128,13 +134,14 @@ def _kernel(
             yield from (f"        {line}" for line in each.entry)
         yield "    ),"
     yield from (f'    only="{only}",',) if only else ()
+    yield f"    numbers={one_number.function_name(kernel)},"
     yield ")"
 
 
 def _accurate(kernel: Kernel, domain: str) -> Iterator[str]:
     """The block in double-words and its signature."""
-    block, signature = f"_{kernel.name}_in_double_words", _accurate_signature(kernel)
-    yield f"def {block}(given: Arrays, out: Arrays, _work: Arrays, single: bool) -> None:"
+    function, signature = f"_{kernel.name}_in_double_words", _accurate_signature(kernel)
+    yield f"def {function}(given: Part, form: Form = Double) -> tuple[Part, ...]:"
     yield from (f"    {line}".rstrip() for line in double_word_lines(kernel))
     yield from ("", "")
     yield f"{signature} = Signature("
@@ -142,7 +149,8 @@ def _accurate(kernel: Kernel, domain: str) -> Iterator[str]:
     yield from row("    ", [domain], ",")
     yield from row("    ", [f'"{output.name}"' for output in kernel.outputs], ",")
     yield "    0,"
-    yield f"    {block},"
+    yield f"    filled_by({function}),"
+    yield f"    numbers={function},"
     yield ")"
 
 
@@ -150,7 +158,9 @@ def _accurate_signature(kernel: Kernel) -> str:
     return f"_ACCURATE_{kernel.name.upper()}"
 
 
-def _function(kernel: Kernel, bounds: Sequence[KernelBound], signature: str) -> Iterator[str]:
+def _function(
+    kernel: Kernel, bounds: Sequence[KernelBound], signature: str, only: str
+) -> Iterator[str]:
     inputs = [f"{given.name}: ArrayLike" for given in kernel.inputs]
     count = len(kernel.outputs)
     several = ", ".join(["Real"] * count) if count > 1 else "Real,"
@@ -173,6 +183,8 @@ def _function(kernel: Kernel, bounds: Sequence[KernelBound], signature: str) -> 
     quoted = f'r"""{text}' if "\\" in text else f'"""{text}'
     yield from (f"    {line}".rstrip() for line in (quoted + "\n").splitlines())
     yield '    """'
+    if only != "float32":
+        yield from (f"    {line}" for line in one_number.call(kernel, bounds[0]))
     if kernel.accurate:
         yield f"    kernel = {_accurate_signature(kernel)} if accurate else {signature}"
         signature = "kernel"

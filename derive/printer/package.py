@@ -16,6 +16,7 @@ CODE = (
     "_double_word.py",
     "_guards.py",
     "_inputs.py",
+    "_numbers.py",
     "_outputs.py",
     "_result.py",
     "_runtime.py",

@@ -4,13 +4,13 @@ from __future__ import annotations
 
 import sympy as sp
 
-from gainproof.derive.own_expressions.derivatives import derivatives
 from gainproof.derive.own_expressions.expressions import (
     Argument,
     Condition,
     ExpressionKernel,
     ExpressionSet,
     Result,
+    derivatives,
 )
 from gainproof.derive.own_expressions.subject import derive_expressions
 from gainproof.derive.quantity import METRE, ONE, Quantity

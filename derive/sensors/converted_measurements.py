@@ -1,47 +1,20 @@
-"""Converted measurements: polar ones made Cartesian, what that does to their noise."""
+"""Converted measurements: polar ones made Cartesian, what that does to their noise.
+
+The derivation is the page `converted-measurements` of `derive/pages`. There the value of a sine,
+cosine or exponential that a kernel calls stands as the quantity that it is, and what an exponential
+is taken of is claimed too (see `algebraic`).
+"""
 
 from __future__ import annotations
 
 from gainproof.derive.derivation import Derivation
+from gainproof.derive.pages.derivation import Given, written
 from gainproof.derive.printer.graph import symbols_of
 from gainproof.derive.sensors.algebraic import algebraic
-from gainproof.derive.sensors.converted_correlated_definite import correlated_definite_steps
-from gainproof.derive.sensors.converted_correlated_graphs import (
-    correlated_kernel_steps,
-)
 from gainproof.derive.sensors.converted_correlated_graphs import graphs as correlated_graphs
-from gainproof.derive.sensors.converted_correlated_steps import correlated_steps
-from gainproof.derive.sensors.converted_correlated_tower import LATEX as CORRELATED
-from gainproof.derive.sensors.converted_correlated_tower import (
-    correlated_tower,
-    turned_correlated_tower,
-)
 from gainproof.derive.sensors.converted_graphs import graphs
 from gainproof.derive.sensors.converted_module import kernel_module
-from gainproof.derive.sensors.converted_names import LATEX
-from gainproof.derive.sensors.converted_space_correlated import LATEX as BOTH_CORRELATED
-from gainproof.derive.sensors.converted_space_correlated import (
-    space_correlated_steps,
-    space_correlated_tower,
-)
 from gainproof.derive.sensors.converted_space_graphs import graphs as space_graphs
-from gainproof.derive.sensors.converted_space_kernels import space_kernel_steps
-from gainproof.derive.sensors.converted_space_names import LATEX as IN_SPACE
-from gainproof.derive.sensors.converted_space_steps import space_steps
-from gainproof.derive.sensors.converted_space_steps_conversions import space_conversion_steps
-from gainproof.derive.sensors.converted_space_steps_growth import space_growth_steps
-from gainproof.derive.sensors.converted_space_steps_signs import space_sign_steps
-from gainproof.derive.sensors.converted_space_towers import signs_tower, space_tower, turned_tower
-from gainproof.derive.sensors.converted_steps_conversions import conversion_steps
-from gainproof.derive.sensors.converted_steps_kernels import kernel_steps
-from gainproof.derive.sensors.converted_steps_noise import (
-    measurement_steps,
-    truth_steps,
-    turn_steps,
-)
-from gainproof.derive.sensors.converted_steps_range import range_steps
-from gainproof.derive.sensors.converted_steps_table import table_steps
-from gainproof.derive.sensors.converted_towers import main_tower, plane_tower
 from gainproof.derive.source import (
     DEBIASED,
     ELEMENTARY,
@@ -53,61 +26,67 @@ from gainproof.derive.source import (
 from gainproof.derive.subject import Program, Subject
 
 NAME = "converted-measurements"
-TITLE = "Converted measurements: range and angles made Cartesian, with their noise"
-OPENING = (
-    "A polar measurement made Cartesian is biased, and its noise depends on where the target is. "
-    "Four conversions are in use. What is each exact for, and what is its covariance?"
-)
+SOURCES = (DEBIASED, UNBIASED, MODIFIED, TRACKER_LIBRARY, PROBABILITY, ELEMENTARY)
+HINTS = {
+    "classical-radial": {"form": "(1 - L)/2"},
+    "estimate-limit": {"form": "1/(2 L^2)"},
+    "estimate-limit-across": {"form": "(1 - L) (1 + L) (r_m + sigma_r)/(2 L^2)"},
+    "crossing": {"form": "L"},
+    "crossing-classical": {"form": "r_m sigma_theta + sigma_r"},
+    "crossing-debiased": {"form": "L^3"},
+    "crossing-unbiased": {"form": "1/L"},
+    "space-definite-minor": {
+        "form": "L along(r_m, L_eta) crosswise(r_m, L_eta) + (1 - L)^2 whole C_1 W_uu/2"
+    },
+}
+"""Without the differences that hide a sign."""
+LATEX = {
+    "azimuth": r"\theta",
+    "measured_azimuth": r"\theta_m",
+    "elevation": r"\eta",
+    "azimuth_loss": r"\ell",
+    "elevation_loss": r"\ell_\eta",
+    "true_spread_radial": r"V_\rho(r)",
+    "true_spread_cross": r"V_\kappa(r)",
+    "covariance_more": "c_+",
+    "covariance_less": "c_-",
+    "azimuth_covariance_more": "c_+",
+    "azimuth_covariance_less": "c_-",
+    "elevation_covariance_more": "e_+",
+    "elevation_covariance_less": "e_-",
+    **{
+        f"{name}_{axis}": rf"{letter}_{{{short}}}"
+        for name, letter in (("correlated", "N"), ("correlated_unbiased", "B"))
+        for axis, short in (
+            ("radial", r"\rho\rho"),
+            ("cross", r"\kappa\kappa"),
+            ("mixed", r"\rho\kappa"),
+        )
+    },
+}
+"""Where the names on the page are no letters."""
 
 
 def build() -> Subject:
     """Derive the moments, the four conversions, what they are exact for, and their growth."""
     made = graphs() | space_graphs() | correlated_graphs()
     plain = {name: algebraic(graph) for name, graph in made.items()}
-    steps = (
-        *turn_steps(),
-        *truth_steps(),
-        *measurement_steps(),
-        *conversion_steps(),
-        *table_steps(),
-        *range_steps(),
-        *correlated_steps(),
-        *space_steps(),
-        *space_sign_steps(),
-        *space_conversion_steps(),
-        *space_growth_steps(),
-        *space_correlated_steps(),
-        *correlated_definite_steps(),
-        *kernel_steps(plain),
-        *space_kernel_steps(plain),
-        *correlated_kernel_steps(plain),
-    )
-    sources = (DEBIASED, UNBIASED, MODIFIED, TRACKER_LIBRARY, PROBABILITY, ELEMENTARY)
-    towers = (
-        main_tower(),
-        correlated_tower(),
-        space_tower(),
-        signs_tower(),
-        plane_tower(),
-        turned_tower(),
-        space_correlated_tower(),
-        turned_correlated_tower(),
-    )
+    page = written(NAME, Given(hints=HINTS, programs=plain))
     return Subject(
         name=NAME,
-        title=TITLE,
+        title=page.title,
         model=None,
         derivation=Derivation(
-            OPENING,
-            steps,
-            tuple(each.key for each in sources),
-            LATEX | CORRELATED | IN_SPACE | BOTH_CORRELATED,
+            page.opening,
+            page.steps,
+            tuple(each.key for each in SOURCES),
+            {**page.latex, **LATEX},
         ),
-        towers={tower.name: tower for tower in towers},
+        towers=page.towers,
         programs={
             name: Program({entry: entry for entry in symbols_of(graph)}, graph)
             for name, graph in plain.items()
         },
-        module=kernel_module(NAME, TITLE, made),
+        module=kernel_module(NAME, page.title, made),
         textbook=dict,
     )

@@ -1,59 +1,53 @@
-"""Polar coordinates: range, elevation, bearing from north; their derivatives, noise and rates."""
+"""Polar coordinates: range, elevation, bearing from north; their derivatives, noise and rates.
+
+The derivation is the page `polar-coordinates` of `derive/pages`. There the value of a sine, cosine
+or exponential that a kernel calls stands as the quantity that it is, and what an exponential or an
+atan2 is taken of is claimed too (see `algebraic`).
+"""
 
 from __future__ import annotations
 
 from gainproof.derive.derivation import Derivation
+from gainproof.derive.pages.derivation import Given, written
 from gainproof.derive.printer.graph import symbols_of
 from gainproof.derive.sensors.algebraic import algebraic
 from gainproof.derive.sensors.polar_graphs import graphs
 from gainproof.derive.sensors.polar_module import kernel_module
-from gainproof.derive.sensors.polar_names import LATEX
-from gainproof.derive.sensors.polar_steps_course import course_steps
-from gainproof.derive.sensors.polar_steps_jacobian import inverse_steps, jacobian_steps
-from gainproof.derive.sensors.polar_steps_kernels import definition_steps, kernel_steps
-from gainproof.derive.sensors.polar_steps_map import bearing_steps, elevation_steps, map_steps
-from gainproof.derive.sensors.polar_steps_noise import covariance_steps, mean_steps
-from gainproof.derive.sensors.polar_towers import course_tower, main_tower, plane_tower
 from gainproof.derive.source import ELEMENTARY, LECTURE, PROBABILITY
 from gainproof.derive.subject import Program, Subject
 
 NAME = "polar-coordinates"
-TITLE = "Polar coordinates: range, elevation and bearing from north"
-OPENING = (
-    "Sensors measure range and angles, filters run in Cartesian coordinates. The map between "
-    "them, its derivatives, what it makes of the noise, and how range and angles of a target on a "
-    "straight course change."
-)
+LATEX = {
+    "elevation_loss": r"\ell_E",
+    "bearing_loss": r"\ell_B",
+    "range_acceleration": "R''",
+    "elevation_acceleration": "E''",
+    "bearing_acceleration": "B''",
+}
+"""Where the names on the page are no letters."""
 
 
 def build() -> Subject:
     """Derive the map, its inverse, their derivatives, noise, bias and rates."""
     made = graphs()
     plain = {name: algebraic(graph) for name, graph in made.items()}
-    steps = (
-        *elevation_steps(),
-        *bearing_steps(),
-        *map_steps(),
-        *jacobian_steps(),
-        *inverse_steps(),
-        *covariance_steps(),
-        *mean_steps(),
-        *course_steps(),
-        *definition_steps(),
-        *kernel_steps(plain),
-    )
+    roots = {"horizontal_distance": "h", "slant_range": "R"}
+    page = written(NAME, Given(programs=plain, roots=roots))
     return Subject(
         name=NAME,
-        title=TITLE,
+        title=page.title,
         model=None,
         derivation=Derivation(
-            OPENING, steps, (LECTURE.key, PROBABILITY.key, ELEMENTARY.key), LATEX
+            page.opening,
+            page.steps,
+            (LECTURE.key, PROBABILITY.key, ELEMENTARY.key),
+            {**page.latex, **LATEX},
         ),
-        towers={tower.name: tower for tower in (main_tower(), course_tower(), plane_tower())},
+        towers=page.towers,
         programs={
             name: Program({entry: entry for entry in symbols_of(graph)}, graph)
             for name, graph in plain.items()
         },
-        module=kernel_module(NAME, TITLE, made),
+        module=kernel_module(NAME, page.title, made),
         textbook=dict,
     )

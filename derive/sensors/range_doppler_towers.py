@@ -1,9 +1,11 @@
 """The parameters under the kernels of range and Doppler: every target seen from every station.
 
 Directions are points of the unit circle or sphere, made of tangents of half angles. In the plane
-the bearing is that of polar coordinates, of two parts that are each below half a turn, so that it
-is any. In space the angle from the upward direction is one such part: straight down is left out in
-the tower `above`, straight up in its mirror image `below`, so that the two hold every direction.
+the bearing is B1 + B2 less half a turn, with g = tan(B1/2) and k = tan(B2/2) from 0 on: each part
+is below half a turn, so that the bearing is any. In space the angle from the upward direction is
+one such part: straight down is left out in the tower `above`, straight up in its mirror image
+`below`, so that the two hold every direction.
+
 A relative velocity is given by its parts along the line of sight and across it, the range rate and
 those of h along perpendicular unit vectors, each the difference of two numbers from 0 on. What else
 may have either sign is u - 1/u of a positive u of its own.
@@ -18,7 +20,6 @@ import sympy as sp
 from gainproof.derive.algebra.tower import Tower
 from gainproof.derive.algebra.variables import above_zero, from_zero
 from gainproof.derive.expression import real
-from gainproof.derive.sensors.polar_towers import bearing_circle
 from gainproof.derive.sensors.range_doppler_forms import Sight
 from gainproof.derive.sensors.range_doppler_names import (
     PLANE_AXES,
@@ -30,6 +31,7 @@ from gainproof.derive.sensors.range_doppler_names import (
 Elements = dict[str, sp.Expr]
 Axes = tuple[str, ...]
 RANGE, RATE = real("slant_range"), real("range_rate")
+G, K = real("g"), real("k")
 TILT, CARRIER = real("a"), real("carrier_frequency")
 COS_B, SIN_B = real("cos_bearing"), real("sin_bearing")
 COS_T, SIN_T = real("cos_tilt"), real("sin_tilt")
@@ -48,6 +50,16 @@ def towers() -> tuple[Tower, ...]:
             for name, circle in tilts.items()
         ),
     )
+
+
+def bearing_circle() -> Elements:
+    """Cosine of the bearing's first part, cosine and sine of the bearing."""
+    below = (1 + G**2) * (1 + K**2)
+    return {
+        "first_cosine": (1 - G**2) / (1 + G**2),
+        "cos_bearing": (4 * G * K - (1 - G**2) * (1 - K**2)) / below,
+        "sin_bearing": -(2 * G * (1 - K**2) + 2 * K * (1 - G**2)) / below,
+    }
 
 
 def tilt(side: int) -> Elements:

@@ -1,8 +1,12 @@
-"""SymPy expressions of square roots read into a tower: each root of an irreducible factor once."""
+"""SymPy expressions of square roots read into a tower: each root of an irreducible factor once.
+
+The root of a + b y, with y^2 = r, is with d^2 = a^2 - b^2 r the sum of those of (a + d)/2 and
+(a - d)/2 where b is positive, else their difference.
+"""
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 
 import sympy as sp
 
@@ -10,7 +14,7 @@ from gainproof.derive.algebra.leading_terms import prime_powers
 from gainproof.derive.algebra.tower import Generator, Parameter, Poly, Tower
 from gainproof.derive.expression import real
 from gainproof.derive.stable_form.coordinates import Coordinate
-from gainproof.derive.stable_form.denested import halves
+from gainproof.derive.stable_form.normal import linear
 from gainproof.derive.stable_form.product import Product
 from gainproof.derive.stable_form.products import Products, shown
 from gainproof.derive.stable_form.signs import plain
@@ -142,3 +146,30 @@ class Reading:
         self.generators = [*self.generators, Generator(symbol, radicand)]
         self.tower = self._tower()
         return real(symbol)
+
+
+def halves(tower: Tower, poly: Poly) -> Iterator[tuple[Poly, Poly]]:
+    """(a + d)/2 and (a - d)/2 for every generator y for which d is a polynomial."""
+    for position in reversed(range(len(tower.generators))):
+        index = len(tower.parameters) + position
+        if poly.degree(index) != 1:
+            continue
+        rooted = linear(poly, index)
+        free = poly - rooted
+        root = _root(tower.reduce(free * free - rooted * rooted))
+        if root is not None:
+            yield (free + root).quo_ground(2), (free - root).quo_ground(2)
+
+
+def _root(poly: Poly) -> Poly | None:
+    """The polynomial whose square this is, of either sign."""
+    if not poly:
+        return None
+    constant, factors = poly.factor_list()
+    number = sp.sqrt(poly.ring.domain.to_sympy(constant))
+    if not number.is_Rational or any(power % 2 for _, power in factors):
+        return None
+    found = poly.ring.ground_new(poly.ring.domain.from_sympy(number))
+    for factor, power in factors:
+        found *= factor ** (power // 2)
+    return found

@@ -2,20 +2,26 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from typing import Any
 
 import sympy as sp
 
 from gainproof.derive.expression import real
 from gainproof.derive.stable_form.atoms import Atom
 from gainproof.derive.stable_form.coordinates import Coordinate
-from gainproof.derive.stable_form.known_functions import exact, numbers
 from gainproof.derive.stable_form.reading import NoReading, Reading, shown
 from gainproof.derive.stable_form.real_values import Required, requirements
 
 BELOW_PI = sp.Integer(3)  # an angle up to here lies below pi
 GREATEST = sp.Integer(700)  # exponent: exp of it is a number of float64
 MOST_ANGLES = 6  # of cos(k u) as a polynomial of cos u
+_RATIOS: Mapping[Any, Callable[[sp.Expr], sp.Expr]] = {
+    sp.tan: lambda x: sp.sin(x) / sp.cos(x),
+    sp.cot: lambda x: sp.cos(x) / sp.sin(x),
+    sp.sec: lambda x: 1 / sp.cos(x),
+    sp.csc: lambda x: 1 / sp.sin(x),
+}
 
 
 class Rewriting:
@@ -191,3 +197,21 @@ class Rewriting:
         name = f"{self.prefix}_{kind}_{len(self.atoms) + 1}_"
         self.atoms[name] = Atom(name, kind, value, reading, argument)
         return real(name)
+
+
+def exact(expression: sp.Expr) -> sp.Expr:
+    """Hyperbolic functions by exponentials of single terms, tangents by sines and cosines."""
+    found = expression.rewrite([sp.sinh, sp.cosh, sp.tanh, sp.coth], sp.exp)
+    for function in (sp.tan, sp.cot, sp.sec, sp.csc):
+        found = found.replace(function, lambda x, f=function: _RATIOS[f](x))
+    return sp.expand_power_exp(found)
+
+
+def numbers(expressions: Iterable[sp.Expr]) -> dict[sp.Expr, set[sp.Rational]]:
+    """Of exponents and angles, number times a product: which numbers stand with each product."""
+    found: dict[sp.Expr, set[sp.Rational]] = {}
+    for expression in expressions:
+        for function in expression.atoms(sp.exp, sp.sin, sp.cos):
+            number, product = function.args[0].as_coeff_Mul()
+            found.setdefault(product, set()).add(number)
+    return found

@@ -10,8 +10,7 @@ ALPHA = real("alpha")
 BETA = real("beta")
 DEVIATION = real("innovation_deviation")
 PREDICTED = ("predicted_11", "predicted_12", "predicted_22")
-UPDATED = ("updated_11", "updated_12", "updated_22")
-GROWTH, BEND = real("psi"), real("chi")
+GROWTH = real("psi")
 Z = real("z")
 
 LATEX = {

@@ -23,13 +23,12 @@ class Spectrum:
 
     noise: numerator of the noise spectrum as a polynomial in v = 2 - z - 1/z.
     ratio: e = noise(4)/noise(0). closed_loop: c(z) in alpha, beta.
-    variance: S in alpha. relation: the polynomial in alpha and beta that vanishes.
+    relation: the polynomial in alpha and beta that vanishes.
     """
 
     noise: sp.Expr
     ratio: sp.Rational
     closed_loop: sp.Expr
-    variance: sp.Expr
     relation: sp.Expr
 
 
@@ -101,7 +100,6 @@ def factorise(model: ScaledModel) -> Spectrum:
         noise,
         sp.Rational(noise.subs(V, 4) / noise.subs(V, 0)),
         closed_loop,
-        1 / sp.expand(1 / innovation),
         _positive_lead(factors[-1].as_expr()),
     )
 

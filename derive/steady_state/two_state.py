@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
+from pathlib import Path
 from typing import Any
 
 import sympy as sp
@@ -10,6 +11,7 @@ import sympy as sp
 from gainproof.derive.derivation import Derivation, Step
 from gainproof.derive.expression import real
 from gainproof.derive.model import Model
+from gainproof.derive.pages.derivation import FOLDER, Given, written
 from gainproof.derive.printer.graph import Graph
 from gainproof.derive.relation import Relation
 from gainproof.derive.steady_state import forms
@@ -24,70 +26,72 @@ from gainproof.derive.steady_state.gain_towers import (
 )
 from gainproof.derive.steady_state.kernels import alpha_graph, beta_graph, index_graph, pole_graph
 from gainproof.derive.steady_state.module import ACCURATE_GAINS, INDEX_KERNELS, kernel_module
-from gainproof.derive.steady_state.names import DEVIATION, INDEX, LATEX
-from gainproof.derive.steady_state.steps_curvature import curvature_steps, second
-from gainproof.derive.steady_state.steps_curvature_ends import curvature_end_steps
-from gainproof.derive.steady_state.steps_ends import end_steps
-from gainproof.derive.steady_state.steps_gain_kernels import side_steps
-from gainproof.derive.steady_state.steps_gains import gain_steps
-from gainproof.derive.steady_state.steps_model import model_steps
-from gainproof.derive.steady_state.steps_pole_kernel import pole_programs
-from gainproof.derive.steady_state.steps_poles import pole_steps, pole_towers
-from gainproof.derive.steady_state.steps_proof import covariance_steps, proof_steps
-from gainproof.derive.steady_state.steps_turn import (
+from gainproof.derive.steady_state.names import ALPHA, BETA, DEVIATION, INDEX, LATEX
+from gainproof.derive.steady_state.page_slots import (
     ROOT_3,
     TURN_TOWER,
-    turn_steps,
-    turn_tower,
-)
-from gainproof.derive.steady_state.steps_use import (
-    derivative_steps,
+    ends,
+    hints,
     inverse_roots,
-    inverse_steps,
     inverse_tower,
+    pole_limit,
+    slots,
+    turn_towers,
 )
+from gainproof.derive.steady_state.pole_towers import (
+    ABOVE,
+    BELOW,
+    SIDE,
+    G,
+    complex_tower,
+    middle_size,
+    real_tower,
+    turning_root,
+)
+from gainproof.derive.steady_state.poles import half_width
 from gainproof.derive.steady_state.textbook import textbook_forms
 from gainproof.derive.steady_state.towers import at_once_roots, graph_roots
 from gainproof.derive.subject import Program, Subject
 
 ON_TWO_SIDES = ("gains", "predictor_gains")
-OPENING = (
-    "A position is measured at a fixed interval; the state holds the position and its rate. "
-    "How much of each innovation should a Kalman filter in its steady state believe?"
-)
+PAGE = "measured-position-two-states"
+POLES = "closed_loop_poles"
 
 
-def derive_two_state(model: Model, sources: tuple[str, ...]) -> Subject:
+def derive_two_state(model: Model, sources: tuple[str, ...], folder: Path = FOLDER) -> Subject:
     """Derive everything about the steady state of a two-state model with measured position.
 
-    Raises ModelError, naming the reason, for a model outside the method's reach.
+    The steps are those of the page `measured-position-two-states` in `folder`. Raises ModelError,
+    naming the reason, for a model outside the method's reach; PageError for a mistake of the page.
     """
     c = context(model)
     graphs, gain_sides = _graphs(c), sides(c.e, c.n)
-    steps = (
-        *model_steps(c),
-        *gain_steps(c),
-        *covariance_steps(c),
-        *proof_steps(c),
-        *pole_steps(c),
-        *derivative_steps(c),
-        *curvature_steps(c),
-        *turn_steps(c),
-        *end_steps(c),
-        *curvature_end_steps(c),
-        *inverse_steps(c),
-        *side_steps(c, gain_sides),
-        *_program_steps(c, graphs, gain_sides),
-        *pole_programs(c, graphs["closed_loop_poles"]),
+    towers = (c.tower, inverse_tower(c), *turn_towers(c))
+    if c.e != 1:
+        towers += (complex_tower(c.e, c.n), real_tower(c.e, c.n))
+    towers += (*(side.tower for side in gain_sides), *range_towers(c.e))
+    kernels = (
+        *_kernel_steps(c, graphs, gain_sides),
+        *_pole_steps(c, graphs[POLES]),
+    )
+    page = written(
+        PAGE,
+        Given(
+            towers=towers,
+            models={"model": c.model_data},
+            slots={"": slots(c)},
+            hints=hints(c),
+            ends=ends(c),
+            steps={"kernels": kernels},
+        ),
+        folder,
     )
     latex = {**LATEX, **{quantity.name: quantity.latex for quantity in model.quantities}}
-    towers = (c.tower, inverse_tower(c), *turn_tower(c), *pole_towers(c))
-    towers += (*(side.tower for side in gain_sides), *range_towers(c.e))
     return Subject(
         name=model.name,
         title=model.title,
         model=c.model,
-        derivation=Derivation(OPENING, steps, sources, latex),
+        derivation=Derivation(page.opening, page.steps, sources, latex),
         towers={tower.name: tower for tower in towers},
         programs={name: Program(_inputs(name), graph) for name, graph in graphs.items()},
         module=kernel_module(c, graphs),
@@ -107,7 +111,7 @@ def _graphs(c: Context) -> dict[str, Graph]:
     graphs[ACCURATE_GAINS] = index_graph(c.e, c.n, forms.gains)
     graphs |= second_derivative_graphs(c.e, c.n)
     return graphs | {
-        "closed_loop_poles": pole_graph(c.e, c.n),
+        POLES: pole_graph(c.e, c.n),
         "index_from_alpha": alpha_graph(c.e, "tracking_index"),
         "beta_from_alpha": alpha_graph(c.e, "beta"),
         "index_from_beta": beta_graph(c.e, "tracking_index"),
@@ -115,9 +119,9 @@ def _graphs(c: Context) -> dict[str, Graph]:
     }
 
 
-def _program_steps(
+def _kernel_steps(
     c: Context, graphs: Mapping[str, Graph], gain_sides: tuple[Side, ...]
-) -> list[Step]:
+) -> Iterator[Step]:
     """Every kernel but the poles computes what its outputs are called."""
     roots = {
         **graph_roots(c.e),
@@ -129,38 +133,34 @@ def _program_steps(
     towers = {"index_from_beta": inverse_tower(c).name}
     if c.e == 0:
         towers["predicted_covariance_second_derivatives"] = TURN_TOWER
-    found: list[Step] = []
     for name, graph in graphs.items():
-        if name == "closed_loop_poles":
-            continue
+        outputs = {output: _meant(name, output) for output in graph["outputs"]}
         if name in ON_TWO_SIDES and gain_sides:
-            found += [_on_one_side(name, graph, side) for side in gain_sides]
-            continue
-        sentence = f"The kernel {name} computes what it says."
-        hint = {"graph": graph, "roots": roots}
-        found.append(_program_step(name, graph, "", sentence, towers.get(name, "main"), hint))
-    return found
+            for side in gain_sides:
+                said = f"what it says, {side.tower.name.replace('_', ' ')}"
+                hint = {"roots": side.roots, "branches": side.branches, "gaps": side.gaps}
+                program = (name, graph, outputs)
+                yield _kernel(f"{name}_{side.tower.name}", said, program, side.tower.name, hint)
+        elif name != POLES:
+            program, tower = (name, graph, outputs), towers.get(name, "main")
+            yield _kernel(name, "what it says", program, tower, {"roots": roots})
 
 
-def _on_one_side(name: str, graph: Graph, side: Side) -> Step:
-    """A kernel that chooses, where it chooses so."""
-    where = side.tower.name.replace("_", "-")
-    sentence = f"The kernel {name} computes what it says, {where.replace('-', ' ')}."
-    hint = {"graph": graph, "roots": side.roots, "branches": side.branches, "gaps": side.gaps}
-    return _program_step(name, graph, f"-{where}", sentence, side.tower.name, hint)
-
-
-def _program_step(
-    name: str, graph: Graph, ending: str, sentence: str, tower: str, hint: Mapping[str, Any]
+def _kernel(
+    name: str,
+    said: str,
+    program: tuple[str, Graph, Mapping[str, sp.Expr]],
+    tower: str,
+    hint: Mapping[str, Any],
 ) -> Step:
-    outputs = {output: _meant(name, output) for output in graph["outputs"]}
+    kernel, graph, outputs = program
     return Step(
-        f"kernel-{name.replace('_', '-')}{ending}",
-        sentence,
-        Relation("program", {"program": name, "outputs": outputs}),
+        f"kernel-{name.replace('_', '-')}",
+        f"The kernel {kernel} computes {said}.",
+        Relation("program", {"program": kernel, "outputs": outputs}),
         "Evaluate the kernel's graph in the tower.",
         tower=tower,
-        hint=hint,
+        hint={"graph": graph, **hint},
         shown=False,
     )
 
@@ -169,9 +169,9 @@ def _meant(kernel: str, output: str) -> sp.Expr:
     """What an output of a kernel stands for."""
     named = {"position": "predictor_position", "velocity": "beta"}
     if output == SCALE:
-        return -second("alpha") * DEVIATION**4
+        return -_second("alpha") * DEVIATION**4
     if kernel.endswith("_second_derivatives"):
-        return second(named.get(output, output))
+        return _second(named.get(output, output))
     if output.startswith("d_"):
         return sp.Derivative(real(named.get(output[2:], output[2:])), INDEX)
     value = real(named.get(output, output))
@@ -180,3 +180,72 @@ def _meant(kernel: str, output: str) -> sp.Expr:
         if kernel.endswith("_derivatives") and (kernel != "gains_with_derivatives")
         else value
     )
+
+
+def _second(name: str) -> sp.Expr:
+    """The second derivative of a named quantity by the index."""
+    return sp.Derivative(real(name), (INDEX, 2))
+
+
+def _pole_steps(c: Context, graph: Graph) -> Iterator[Step]:
+    """The kernel of the poles computes those of the derivation, on each side of their limit."""
+    roots, limit = graph_roots(c.e), pole_limit(c.e)
+    if limit is None:
+        found = _pair(1 - (ALPHA + BETA) / 2, half_width(c.basis, None, None))
+        yield _kernel("poles", "them", (POLES, graph, found), "main", {"roots": roots})
+        return
+    roots |= {"turning_root": turning_root(c.e), "below": BELOW, "above": ABOVE}
+    choices, gap = [f"choice_{number}" for number in range(1, 7)], limit / SIDE
+    yield _kernel(
+        "complex_poles",
+        "the complex poles below the turning index",
+        (POLES, graph, _pair(real("pole_real"), real("pole_imaginary"))),
+        "complex_poles",
+        {
+            "roots": roots,
+            "branches": {**dict.fromkeys(choices, "then"), "distance": "positive"},
+            "gaps": {**dict.fromkeys(choices, gap), "distance": gap / 4},
+        },
+    )
+    yield _kernel(
+        "real_poles",
+        "the real poles above the turning index",
+        (POLES, graph, _real_poles()),
+        "real_poles",
+        {
+            "roots": roots,
+            "branches": {
+                **dict.fromkeys(choices, "else"),
+                "distance": "negative",
+                "middle_size": "negative",
+            },
+            "gaps": {
+                **dict.fromkeys(choices, G**2),
+                "distance": G**2 / 4,
+                "middle_size": middle_size(c.basis),
+            },
+        },
+    )
+
+
+def _pair(middle: sp.Expr, width: sp.Expr) -> dict[str, sp.Expr]:
+    return {
+        "first_real": middle,
+        "first_imaginary": width,
+        "second_real": middle,
+        "second_imaginary": -width,
+        "first_modulus": 1 / DEVIATION,
+        "second_modulus": 1 / DEVIATION,
+    }
+
+
+def _real_poles() -> dict[str, sp.Expr]:
+    first, second = real("first_pole"), real("second_pole")
+    return {
+        "first_real": first,
+        "first_imaginary": sp.Integer(0),
+        "second_real": second,
+        "second_imaginary": sp.Integer(0),
+        "first_modulus": -first,
+        "second_modulus": -second,
+    }

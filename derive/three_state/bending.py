@@ -10,9 +10,7 @@ from contextlib import suppress
 from gainproof.derive.algebra.tower import Tower
 from gainproof.derive.expression import real
 from gainproof.derive.three_state.context import Context
-from gainproof.derive.three_state.curvature import powers
-from gainproof.derive.three_state.forms import numbers
-from gainproof.derive.three_state.shown_signs import shown
+from gainproof.derive.three_state.curvature import numbers, powers
 
 NAME = "bending"
 
@@ -24,5 +22,5 @@ def bending_tower(c: Context) -> Tower:
         for name in found:
             # where lowest terms show no sign the tower finds a form
             with suppress(ArithmeticError):
-                found[name] = shown(c, c.quotients.of(real(name)))
+                found[name] = c.shown(c.quotients.of(real(name)))
     return Tower(NAME, c.tower.parameters, c.tower.generators, {**c.tower.expressions, **found})

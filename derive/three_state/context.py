@@ -12,9 +12,8 @@ from gainproof.derive.algebra.limits import End
 from gainproof.derive.algebra.tower import Tower
 from gainproof.derive.model import Model, ScaledModel, scale
 from gainproof.derive.steady_state.towers import rational
-from gainproof.derive.three_state.curvature import powers
-from gainproof.derive.three_state.forms import numbers
-from gainproof.derive.three_state.lowest_terms import Quotients, quotients
+from gainproof.derive.three_state.curvature import numbers, powers
+from gainproof.derive.three_state.lowest_terms import Quotient, Quotients, over_parameter, quotients
 from gainproof.derive.three_state.spectrum import Spectrum, factorise
 from gainproof.derive.three_state.tower_ends import end, start
 from gainproof.derive.three_state.towers import (
@@ -22,6 +21,7 @@ from gainproof.derive.three_state.towers import (
     constants,
     main_tower,
     named_elements,
+    scale_of_parameter,
 )
 
 
@@ -52,10 +52,13 @@ class Context:
         spectrum = self.spectrum
         return rational(spectrum.a1), rational(spectrum.a2), rational(spectrum.e)
 
-    @property
-    def running(self) -> str:
-        """The variable of limits: the index where it is rational in the parameter, else that."""
-        return "p" if self.spectrum.m2 else "tracking_index"
+    def shown(self, quotient: Quotient) -> sp.Expr:
+        """A positive quotient in xi over the parameter.
+
+        Raises ArithmeticError where lowest terms show no sign.
+        """
+        excess = self.constants.least, scale_of_parameter(self.spectrum)
+        return over_parameter(self.tower, excess, quotient)
 
 
 def context(model: Model) -> Context:

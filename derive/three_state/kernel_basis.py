@@ -13,7 +13,6 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from fractions import Fraction
-from typing import Any
 
 from gainproof.derive.printer.fixed_point import fixed_point_values, near_cbrt
 from gainproof.derive.printer.graph import GraphBuilder, Node
@@ -26,10 +25,7 @@ UNIT = Fraction(1, 2**26)  # times its square 1/Lambda is finite for every posit
 
 @dataclass(frozen=True)
 class KernelBasis:
-    """The nodes, the constants, and the numbers of the family.
-
-    `total` is N = (1 + xi + eta + delta) p/8. Numbers stand where they are rational.
-    """
+    """The nodes; `names` of what has a value in the tower."""
 
     index: Node
     p: Node
@@ -37,9 +33,6 @@ class KernelBasis:
     x: Node
     e: Node
     c: Node
-    b: Any
-    root_e: Any
-    spectrum: Spectrum
     names: dict[str, Node]
 
     @property
@@ -77,7 +70,7 @@ def kernel_basis(builder: GraphBuilder, spectrum: Spectrum) -> KernelBasis:
     start = near_cbrt((p * r) * (cube * Fraction(1, 8)) + 8 / r)
     x, e = fixed_point_values(start, step, START_WITHIN)
     names |= {"x": x, "e": e}
-    return KernelBasis(index, p, r, x, e, c, k.b, k.c, spectrum, names)
+    return KernelBasis(index, p, r, x, e, c, names)
 
 
 def scaled_delta(

@@ -5,9 +5,12 @@ from __future__ import annotations
 import sympy as sp
 
 from gainproof.derive.expression import real
-from gainproof.derive.three_state.kernel_curvature_covariances import SCALE
 from gainproof.derive.three_state.names import DEVIATION, INDEX, XI
 
+SCALE = "_scale"
+"""Ends the name of what an output of changing sign is measured by: its parts, added."""
+FIRST, SECOND = "d_", "dd_"
+"""Begin the names of formulas of derivatives."""
 NAMED = {
     "position": real("predictor_position"),
     "velocity": real("predictor_velocity"),
@@ -16,32 +19,38 @@ NAMED = {
 }
 
 
+def formula_of(kernel: str, output: str) -> str:
+    """The name of the formula by which a kernel computes an output."""
+    if kernel.endswith("_second_derivatives"):
+        return f"{SECOND}{output}"
+    if kernel.endswith("_derivatives") and kernel != "gains_with_derivatives":
+        return f"{FIRST}{output}"
+    return output
+
+
 def meant(kernel: str, output: str) -> sp.Expr:
     """What an output of a kernel stands for."""
-    if output.endswith(SCALE):
-        return _parts(output.removesuffix(SCALE))
-    if output.startswith("d_"):
-        return sp.Derivative(real(output.removeprefix("d_")), INDEX)
-    value = NAMED.get(output, real(output))
-    if kernel.endswith("_second_derivatives"):
-        return sp.Derivative(value, (INDEX, 2))
-    if kernel.endswith("_derivatives") and kernel != "gains_with_derivatives":
-        return sp.Derivative(value, INDEX)
-    return value
+    name = formula_of(kernel, output)
+    plain = name.removeprefix(SECOND).removeprefix(FIRST)
+    order = 2 if name.startswith(SECOND) else int(plain != name)
+    if plain.endswith(SCALE):
+        return _parts(plain.removesuffix(SCALE), order)
+    value = NAMED.get(plain, real(plain))
+    return sp.Derivative(value, (INDEX, order)) if order else value
 
 
-def _parts(name: str) -> sp.Expr:
-    """The sum of the parts whose difference a second derivative is.
+def _parts(name: str, order: int) -> sp.Expr:
+    """The sum of the parts whose difference a derivative is.
 
     Those of M11 are (sigma psi/Lambda)^2 and sigma^2 psi chi/Lambda^2; the falling part of M12 is
-    -M12' xi'/xi; those of X are M'' and what the update takes from it.
+    -M12' xi'/xi; those of X are the derivative of M and of what the update takes from it.
     """
     value = real(name)
-    second = sp.Derivative(value, (INDEX, 2))
+    own = sp.Derivative(value, (INDEX, order))
     if name == "predicted_11":
         return -sp.Derivative(real("alpha"), (INDEX, 2)) * DEVIATION**4
     if name == "predicted_12":
         slope = sp.Derivative(value, INDEX)
-        return second - 2 * slope * sp.Derivative(XI, INDEX) / XI
+        return own - 2 * slope * sp.Derivative(XI, INDEX) / XI
     before = real(name.replace("updated", "predicted"))
-    return 2 * sp.Derivative(before, (INDEX, 2)) - second
+    return 2 * sp.Derivative(before, (INDEX, order)) - own

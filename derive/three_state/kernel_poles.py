@@ -19,7 +19,6 @@ from gainproof.derive.printer.fixed_point import fixed_point_values, near_cbrt
 from gainproof.derive.printer.graph import Graph, GraphBuilder, Node
 from gainproof.derive.three_state.graph_constants import constant_root
 from gainproof.derive.three_state.kernel_basis import KernelBasis, kernel_basis, scaled_delta
-from gainproof.derive.three_state.kernel_forms import total, weighted
 from gainproof.derive.three_state.spectrum import Spectrum
 
 POLES = "closed_loop_poles"
@@ -145,3 +144,18 @@ def _share(
 
     names["z"] = z = fixed_point_values(start, step, WITHIN if flat < 8 else WITHIN_WIDELY)[0]
     return (z + h) / u, u / (z + h)
+
+
+def weighted(value: Any, number: Any) -> Any:
+    """value times a number, or None where that is zero."""
+    if number == 0:
+        return None
+    return value if number == 1 else value * number
+
+
+def total(*terms: Any) -> Any:
+    """The sum of those terms that are not None, from the left."""
+    first, *others = (term for term in terms if term is not None)
+    for term in others:
+        first = first + term
+    return first

@@ -2,67 +2,60 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from contextlib import suppress
 from fractions import Fraction
+from functools import cache
+from pathlib import Path
 from typing import Any
 
 import sympy as sp
 
 from gainproof.derive.expression import real
+from gainproof.derive.pages.kernel_formulas import Section, Value, kernel_values, read_sections
 from gainproof.derive.printer.graph import Graph, GraphBuilder
 from gainproof.derive.steady_state.towers import rational
-from gainproof.derive.three_state import (
-    inverses,
-    kernel_curvature_covariances,
-    kernel_curvature_gains,
-    kernel_derivatives,
-    kernel_forms,
-    kernel_updated,
-    pole_tower,
-)
+from gainproof.derive.three_state import inverses, pole_tower
 from gainproof.derive.three_state.context import Context
 from gainproof.derive.three_state.kernel_basis import UNIT, KernelBasis, kernel_basis
-from gainproof.derive.three_state.kernel_forms import Noise
+from gainproof.derive.three_state.kernel_meanings import FIRST, SCALE, formula_of
 from gainproof.derive.three_state.kernel_poles import POLES, pole_graph
-from gainproof.derive.three_state.names import DELTA, ETA, XI
+from gainproof.derive.three_state.names import DELTA, ETA, GAINS, PREDICTED, UPDATED, XI
 
-FormsOf = Callable[[KernelBasis, Noise], Mapping[str, Any]]
+FORMULAS = Path(__file__).with_name("kernels.md")
+"""What the outputs are computed by; says how a formula is checked and how to make another."""
 
-INDEX_KERNELS: Mapping[str, tuple[FormsOf, ...]] = {
-    "gains": (kernel_forms.gains,),
-    "gain_derivatives": (kernel_derivatives.gain_derivatives,),
-    "gains_with_derivatives": (kernel_forms.gains, kernel_derivatives.gain_derivatives),
-    "predictor_gains": (kernel_forms.predictor_gains,),
-    "predictor_gain_derivatives": (kernel_derivatives.predictor_gain_derivatives,),
-    "innovation_deviation": (kernel_forms.innovation,),
-    "pole_product": (kernel_forms.pole_product,),
-    "predicted_covariance": (kernel_forms.predicted_covariance,),
-    "predicted_covariance_derivatives": (kernel_derivatives.predicted_covariance_derivatives,),
-    "updated_covariance": (kernel_updated.updated_covariance,),
+PREDICTOR = ("position", "velocity", "acceleration")
+KERNELS: Mapping[str, tuple[str, ...]] = {
+    "gains": GAINS,
+    "gain_derivatives": GAINS,
+    "gains_with_derivatives": (*GAINS, *(f"{FIRST}{name}" for name in GAINS)),
+    "predictor_gains": PREDICTOR,
+    "predictor_gain_derivatives": PREDICTOR,
+    "innovation_deviation": ("innovation_deviation",),
+    "pole_product": ("pole_product",),
+    "predicted_covariance": PREDICTED,
+    "predicted_covariance_derivatives": PREDICTED,
+    "updated_covariance": UPDATED,
+    "updated_covariance_derivatives": UPDATED,
+    "gain_second_derivatives": GAINS,
+    "predictor_gain_second_derivatives": PREDICTOR,
+    "predicted_covariance_second_derivatives": PREDICTED[2:],
+    "predicted_position_second_derivatives": PREDICTED[:2],
+    "updated_covariance_second_derivatives": UPDATED[3:],
 }
-FURTHER: Mapping[str, FormsOf] = {
-    "updated_covariance_derivatives": kernel_updated.updated_covariance_derivatives,
-    "gain_second_derivatives": kernel_curvature_gains.gain_second_derivatives,
-    "predictor_gain_second_derivatives": kernel_curvature_gains.predictor_gain_second_derivatives,
-    "predicted_covariance_second_derivatives": kernel_curvature_covariances.predicted,
-    "predicted_position_second_derivatives": kernel_curvature_covariances.predicted_position,
-    "updated_covariance_second_derivatives": kernel_curvature_covariances.updated,
-}
-"""Kernels that all families of the catalogue have, and some noises of own models have not."""
-
-SCALE = kernel_curvature_covariances.SCALE
+"""Outputs of the kernels of the index."""
 TURN = "_turn"
 """Ends the name of a difference."""
 
 
 def kernel_graphs(c: Context) -> dict[str, Graph]:
     """Graphs by the names of their kernels."""
-    graphs = {name: _index_graph(c, parts) for name, parts in INDEX_KERNELS.items()}
-    for name, part in FURTHER.items():
+    graphs: dict[str, Graph] = {}
+    for name in KERNELS:
         # a noise without a form that has no subtraction has no such kernel
         with suppress(ArithmeticError):
-            graphs[name] = _index_graph(c, (part,))
+            graphs[name] = _index_graph(c, name)
     if pole_tower.within_reach(c.spectrum):
         graphs[POLES] = pole_graph(c.spectrum)
     if c.spectrum.rational_in_root:
@@ -76,14 +69,12 @@ def kernel_graphs(c: Context) -> dict[str, Graph]:
 def kernel_roots(c: Context, kernel: str) -> Mapping[str, sp.Expr]:
     """Tower values of the named square roots and of the fixed point.
 
-    The roots b and c stand in every start, which proves nothing, and in what holds xi - (1 + b).
+    The roots b and c stand in every start, which proves nothing.
     """
     if kernel == POLES:
         return pole_tower.kernel_roots(c)
-    r, k = real("fourth_root"), c.constants
-    held = kernel in ("updated_covariance", "updated_covariance_derivatives")
+    r = real("fourth_root")
     return {
-        **({"root_b": k.b, "root_c": k.c} if held else {}),
         "p": r**2,
         "r": r,
         "c_scaled": rational(UNIT) * DELTA * r**2 / 8,
@@ -94,26 +85,39 @@ def kernel_roots(c: Context, kernel: str) -> Mapping[str, sp.Expr]:
     }
 
 
-def _index_graph(c: Context, parts: tuple[FormsOf, ...]) -> Graph:
-    """The graph of the outputs of one or more forms; a name met again is prefixed d_.
-
-    A difference that a scale measures has a name.
-    """
+def _index_graph(c: Context, kernel: str) -> Graph:
+    """The graph of a kernel; a difference that a scale measures has a name."""
     builder = GraphBuilder()
     basis = kernel_basis(builder, c.spectrum)
-    noise = _noise(c)
-    outputs: dict[str, Any] = {}
-    for part in parts:
-        for key, value in part(basis, noise).items():
-            outputs[f"d_{key}" if key in outputs else key] = value
-    turns = {f"{key}{TURN}": value for key, value in outputs.items() if f"{key}{SCALE}" in outputs}
+    names = {output: formula_of(kernel, output) for output in _with_scales(KERNELS[kernel])}
+    found = kernel_values(_sections(FORMULAS), _known(c, basis), names.values())
+    # a scale of 0 says that nothing cancels
+    outputs = {output: found[name] for output, name in names.items() if found.get(name, 0) != 0}
+    turns = {
+        f"{output}{TURN}": builder.node(outputs[output])
+        for output in KERNELS[kernel]
+        if f"{output}{SCALE}" in outputs
+    }
     return builder.graph(outputs, basis.names | turns)
 
 
-def _noise(c: Context) -> Noise:
-    q = c.model.process_noise.applyfunc(sp.Rational)
+@cache
+def _sections(page: Path) -> tuple[Section, ...]:
+    return read_sections(page.read_text(encoding="utf-8"))
+
+
+def _with_scales(outputs: Iterable[str]) -> tuple[str, ...]:
+    return tuple(name for output in outputs for name in (output, f"{output}{SCALE}"))
+
+
+def _known(c: Context, k: KernelBasis) -> Mapping[str, Value]:
+    """The nodes and numbers that formulas are over."""
+    s, q = c.spectrum, c.model.process_noise.applyfunc(sp.Rational)
     rate = q[1, 1] - q[0, 1] - q[0, 2] / 2 - q[1, 2] / 4
-    return Noise(*(Fraction(str(entry)) for entry in (q[0, 2], q[1, 2], rate)))
+    nodes = {"Lambda": k.index, "p": k.p, "r": k.r, "x": k.x, "e": k.e, "c": k.c}
+    noise = {"q13": q[0, 2], "q23": q[1, 2], "rate": rate}
+    numbers = {"m1": s.m1, "m2": s.m2, "a1": s.a1, "a2": s.a2}
+    return nodes | numbers | {name: Fraction(str(number)) for name, number in noise.items()}
 
 
 def _alpha_graph(form: Callable[[Any, Any], Mapping[str, Any]]) -> Graph:

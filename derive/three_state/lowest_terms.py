@@ -61,7 +61,7 @@ class Quotients:
         raise ArithmeticError(f"no quotient in xi for {expression}")
 
     def along_index(self, quotient: Quotient) -> Quotient:
-        """Lambda d/dLambda of a quotient: as in `forms`, L xi = -64 xi/(Lambda^2 delta tau)."""
+        """Lambda d/dLambda of a quotient: L xi = -64 xi/(Lambda^2 delta tau)."""
         rate = self.of(-64 * XI / (INDEX**2 * DELTA * TAU))
         return rate * by(quotient, self.field.gens[0])
 

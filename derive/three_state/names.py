@@ -20,50 +20,16 @@ Z, S, U = real("z"), real("s"), real("u")
 ENTRIES = ("11", "12", "13", "22", "23", "33")
 PREDICTED = tuple(f"predicted_{entry}" for entry in ENTRIES)
 UPDATED = tuple(f"updated_{entry}" for entry in ENTRIES)
+HIDDEN = ("updated_22", "updated_23", "updated_33")
+"""The entries of the updated covariance that no gain shows."""
 GAINS = ("alpha", "beta", "gamma")
 
 LATEX = {
-    "tracking_index": r"\Lambda",
-    "p": "p",
-    "xi": r"\xi",
-    "eta": r"\eta",
-    "delta": r"\delta",
-    "nu": r"\nu",
-    "tau": r"\tau",
-    "alpha": r"\alpha",
-    "beta": r"\beta",
-    "gamma": r"\gamma",
-    "innovation_deviation": r"\sigma",
     "rest": r"(1 - \alpha)",
-    "omega": r"\omega",
-    "mu": r"\mu",
-    "psi": r"\psi",
-    "chi": r"\chi",
-    "w": "w",
-    "transition_matrix": "F",
-    "process_noise": "Q",
-    "measurement_matrix": "H",
-    "measurement_noise": "R",
     "predictor_position": r"(FK)_1",
     "predictor_velocity": r"(FK)_2",
-    "z": "z",
-    "s": "s",
-    "u": "u",
-    "b": "b",
-    "level": "G",
-    "t": "t",
-    "a": "a",
-    "g": "g",
-    "y": "y",
-    "real_pole": "z_1",
-    "modulus": r"\rho",
-    "half_sum": "m",
-    "quarter_discriminant": "h",
-    "middle_root": "k",
-    **{f"root_{n}": rf"\sqrt{{{n}}}" for n in (2, 3, 5, 6, 10, 15, 30)},
-    **{f"predicted_{entry}": rf"M_{{{entry}}}" for entry in ENTRIES},
-    **{f"updated_{entry}": rf"X_{{{entry}}}" for entry in ENTRIES},
 }
+"""What is printed otherwise than the page calls it."""
 
 
 def rows(kind: str) -> list[list[str]]:

@@ -1,14 +1,21 @@
-"""The indices at which half the sum of the pair of poles vanishes, and their distance."""
+"""The indices at which half the sum of the pair of poles vanishes, and their distance; and that at
+which the pair turns real.
+"""
 
 from __future__ import annotations
 
 from dataclasses import dataclass
+from fractions import Fraction
 
 import sympy as sp
 
 from gainproof.derive.algebra.tower import Generator, Tower
 from gainproof.derive.expression import real
+from gainproof.derive.model import ModelError
+from gainproof.derive.steady_state.spectrum import V
 from gainproof.derive.steady_state.towers import rational, surd
+from gainproof.derive.three_state.context import Context
+from gainproof.derive.three_state.names import INDEX
 from gainproof.derive.three_state.spectrum import Spectrum
 
 
@@ -62,3 +69,49 @@ def places(spectrum: Spectrum) -> tuple[Place, ...]:
     """Both, or the one."""
     other = turn(spectrum)
     return (middle(spectrum),) if other is None else (middle(spectrum), other)
+
+
+@dataclass(frozen=True)
+class Turning:
+    """The discriminant of v^3 + q noise(v), divided by q^2, as a polynomial in q = Lambda^2.
+
+    `value`: its positive root, at which the poles turn real, over `tower`; None where it is
+    negative for every q. `factor`: the polynomial over (q - value), positive.
+    """
+
+    quotient: sp.Expr
+    value: sp.Expr | None
+    factor: sp.Expr
+    tower: Tower
+
+
+def turning(c: Context) -> Turning:
+    """Where the discriminant changes its sign."""
+    q = sp.Symbol("q")
+    polynomial = sp.Poly(sp.cancel(sp.discriminant(V**3 + q * c.spectrum.noise, V) / q**2), q)
+    second, first, constant = (polynomial.coeff_monomial(q**n) for n in (2, 1, 0))
+    quotient = polynomial.as_expr().subs(q, INDEX**2)
+    if second <= 0 and first <= 0:
+        return Turning(quotient, None, sp.Integer(1), c.tower)
+    if second == 0:
+        return Turning(quotient, -constant / first, first, c.tower)
+    if second < 0:
+        raise ModelError(
+            f"model {c.model.name}: poles that turn real at one index at most are wanted, the "
+            f"discriminant {polynomial.as_expr()} may change its sign twice"
+        )
+    outside, names = surd(Fraction(str(first**2 - 4 * second * constant)))
+    generators = tuple(Generator(name, sp.Integer(number)) for name, number in names.items())
+    kept = {entry.symbol for entry in c.tower.generators}
+    generators = tuple(entry for entry in generators if entry.symbol not in kept)
+    tower = c.tower
+    if generators:
+        tower = Tower(
+            "turning",
+            tower.parameters,
+            (*generators, *tower.generators),
+            tower.expressions,
+        )
+    value = sp.expand((-first + outside) / (2 * second))
+    other = (first + outside) / (2 * second)
+    return Turning(quotient, value, second * (INDEX**2 + other), tower)

@@ -18,7 +18,7 @@ import sympy as sp
 from gainproof.derive.algebra.derivative import by
 from gainproof.derive.steady_state.towers import rational
 from gainproof.derive.three_state.context import Context
-from gainproof.derive.three_state.forms import numbers
+from gainproof.derive.three_state.curvature import numbers
 from gainproof.derive.three_state.names import INDEX
 
 Forms = Mapping[str, sp.Expr]

@@ -2,18 +2,21 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
+from pathlib import Path
 
 import sympy as sp
 
 from gainproof.derive.algebra.tower import Tower
 from gainproof.derive.derivation import Derivation, Step
-from gainproof.derive.model import Model, ScaledModel, scale
+from gainproof.derive.expression import real
+from gainproof.derive.model import Model, scale
+from gainproof.derive.pages.derivation import FOLDER, Given, written
 from gainproof.derive.printer.graph import Graph
 from gainproof.derive.relation import Relation
 from gainproof.derive.source import ALGEBRA
 from gainproof.derive.subject import Program, Subject
-from gainproof.derive.three_state import pole_tower
+from gainproof.derive.three_state import page_hints, page_slots, pole_tower
 from gainproof.derive.three_state.accurate_gains import (
     accurate_graph,
     accurate_inputs,
@@ -28,32 +31,16 @@ from gainproof.derive.three_state.kernel_poles import POLES
 from gainproof.derive.three_state.kernel_tower import kernel_tower, kernel_tower_steps
 from gainproof.derive.three_state.kernels import kernel_graphs, kernel_roots
 from gainproof.derive.three_state.module import ACCURATE_GAINS, kernel_module
-from gainproof.derive.three_state.names import LATEX
-from gainproof.derive.three_state.steps_change import change_steps
-from gainproof.derive.three_state.steps_curvature import curvature_steps
-from gainproof.derive.three_state.steps_curvature_ends import curvature_end_steps
-from gainproof.derive.three_state.steps_ends import end_steps
-from gainproof.derive.three_state.steps_gains import gain_steps
-from gainproof.derive.three_state.steps_inverse import inverse_steps, twin_steps
-from gainproof.derive.three_state.steps_model import model_steps
-from gainproof.derive.three_state.steps_poles import pole_steps, turning
-from gainproof.derive.three_state.steps_proof import covariance_steps, proof_steps
-from gainproof.derive.three_state.steps_single_poles import (
-    poles_meant,
-    single_pole_steps,
-    single_pole_towers,
-)
-from gainproof.derive.three_state.steps_spectrum import spectrum_steps
+from gainproof.derive.three_state.names import LATEX, XI
+from gainproof.derive.three_state.pole_places import turning
+from gainproof.derive.three_state.pole_tower import MEAN, MODULUS, REAL, SQUARE
 from gainproof.derive.three_state.textbook import textbook_forms
 
-OPENING = (
-    "A position is measured at a fixed interval; the state holds the position, its rate and the "
-    "rate of that. How much of each innovation should a Kalman filter in its steady state believe?"
-)
+PAGE = "measured-position-three-states"
 
 
 def derive_three_state(
-    model: Model, sources: tuple[str, ...], twin: Model | None = None
+    model: Model, sources: tuple[str, ...], twin: Model | None = None, folder: Path = FOLDER
 ) -> Subject:
     """Derive everything about the steady state of three kinematic states, position measured.
 
@@ -68,10 +55,28 @@ def derive_three_state(
     if within_reach(c.spectrum):
         graphs[ACCURATE_GAINS] = accurate_graph(c.spectrum)
     roots = kernel_tower(c)
-    bent, single = bending_tower(c), single_pole_towers(c)
+    bent, single = bending_tower(c), _pole_towers(c)
+    towers = {tower.name: tower for tower in (c.tower, bent, found.tower, roots, *single)}
+    hints = page_hints.hints(c)
+    page = written(
+        PAGE,
+        Given(
+            towers=tuple(towers.values()),
+            models={"scaled": c.model_data},
+            slots={"": page_slots.slots(c, bent, scale(twin) if twin else None, hints)},
+            hints=hints,
+            ends=page_slots.ends(c),
+            steps={
+                "equations-of-kernels": kernel_tower_steps(c),
+                "kernels": _program_steps(c, graphs),
+            },
+        ),
+        folder,
+    )
     latex = {
+        **page.latex,
         **LATEX,
-        **{name: rf"\sqrt{{{name[5:]}}}" for tower in single for name in _roots_of_numbers(tower)},
+        **{name: rf"\sqrt{{{name[5:]}}}" for name in _roots_of_numbers(towers.values())},
         **{quantity.name: quantity.latex for quantity in model.quantities},
     }
     return Subject(
@@ -79,39 +84,21 @@ def derive_three_state(
         title=model.title,
         model=c.model,
         derivation=Derivation(
-            OPENING,
-            (*_steps(c, bent, scale(twin) if twin else None), *_program_steps(c, graphs)),
+            page.opening,
+            page.steps,
             sources if found.value is None else (*sources, ALGEBRA.key),
             latex,
         ),
-        towers={tower.name: tower for tower in (c.tower, bent, found.tower, roots, *single)},
+        towers=page.towers,
         programs={name: Program(_inputs(name), graph) for name, graph in graphs.items()},
         module=kernel_module(c, graphs),
         textbook=lambda: textbook_forms(c),
     )
 
 
-def _steps(c: Context, bent: Tower, twin: ScaledModel | None) -> tuple[Step, ...]:
-    return (
-        *model_steps(c),
-        *spectrum_steps(c),
-        *gain_steps(c),
-        *covariance_steps(c),
-        *proof_steps(c),
-        *change_steps(c),
-        *curvature_steps(c),
-        *end_steps(c),
-        *curvature_end_steps(c, bent),
-        *pole_steps(c),
-        *single_pole_steps(c),
-        *inverse_steps(c),
-        *twin_steps(c, twin),
-        *kernel_tower_steps(c),
-    )
-
-
-def _roots_of_numbers(tower: Tower) -> list[str]:
-    return [entry.symbol for entry in tower.generators if entry.symbol.startswith("root_")]
+def _roots_of_numbers(towers: Iterable[Tower]) -> list[str]:
+    found = (entry.symbol for tower in towers for entry in tower.generators)
+    return [symbol for symbol in found if symbol.startswith("root_")]
 
 
 def _inputs(name: str) -> Mapping[str, str]:
@@ -150,10 +137,27 @@ def _roots(c: Context, name: str) -> Mapping[str, sp.Expr]:
 
 def _meanings(c: Context, name: str, graph: Graph) -> Mapping[str, sp.Expr]:
     if name == POLES:
-        return poles_meant(c)
+        return _poles_meant(c)
     if name == ACCURATE_GAINS:
         return {
             output: accurate_meaning(output) or meant("gains", output)
             for output in graph["outputs"]
         }
     return {output: meant(name, output) for output in graph["outputs"]}
+
+
+def _pole_towers(c: Context) -> tuple[Tower, ...]:
+    """That of the poles; none where the noise is out of reach."""
+    return (pole_tower.pole_tower(c),) if pole_tower.within_reach(c.spectrum) else ()
+
+
+def _poles_meant(c: Context) -> dict[str, sp.Expr]:
+    """What the outputs of the kernel stand for."""
+    if not c.spectrum.rational_in_root:
+        return {str(output): output for output in (REAL, MODULUS, MEAN, SQUARE)}
+    return {
+        "real_pole": real("w"),
+        "modulus": MODULUS,
+        "half_sum": (XI**2 - 8) / (XI * (XI + 2)),
+        "quarter_discriminant": 4 * (16 - 3 * XI**2) / (XI * (XI + 2)) ** 2,
+    }

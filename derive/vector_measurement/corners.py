@@ -21,7 +21,6 @@ from gainproof.derive.vector_measurement.towers import rational, steady_elements
 
 T, X = real("t"), real("x")
 W, GAMMA, HIGH, GAP = real("w"), real("gamma"), real("high"), real("gap")
-LATEX = {"t": "t", "x": "x", "w": "w", "gamma": r"\gamma", "b": "b"}
 
 
 def fixed_index_tower(noise: Noise) -> Tower:
@@ -64,6 +63,11 @@ def narrow_tower(noise: Noise) -> Tower:
     generators.append(Generator("gap", sp.expand(square / area)))
     roots = (W / X if noise.determinant else sp.Integer(1), HIGH / X, ROOT * GAP / X)
     return _tower("narrow", "x", ratio, generators, roots, noise)
+
+
+def outer_tower() -> Tower:
+    """x and sqrt(1 + 2 x^2): the shape of P11 where a small index forgets the velocity."""
+    return Tower("outer", (Parameter("x"),), (Generator("outer", 1 + 2 * X**2),), {})
 
 
 def _tower(

@@ -14,7 +14,7 @@ from gainproof.derive.algebra.limits import End
 from gainproof.derive.algebra.tower import Generator, Parameter, Tower
 from gainproof.derive.expression import real
 from gainproof.derive.steady_state import towers as position_only
-from gainproof.derive.vector_measurement.names import INDEX, ROOT
+from gainproof.derive.vector_measurement.names import INDEX, RATIO, ROOT
 from gainproof.derive.vector_measurement.noise import Noise
 from gainproof.derive.vector_measurement.towers import (
     rational,
@@ -22,20 +22,7 @@ from gainproof.derive.vector_measurement.towers import (
     steady_generators,
 )
 
-FAR, SLOPE = real("far"), real("s")
-LATEX = {
-    "far": r"\phi",
-    "s": "s",
-    **{f"only_predicted_{ij}": f"P_{{{ij}}}^{{o}}" for ij in ("11", "12", "22")},
-    **{f"only_updated_{ij}": f"U_{{{ij}}}^{{o}}" for ij in ("11", "12", "22")},
-    "only_innovation_deviation": r"\sigma^{o}",
-    "only_alpha": r"\alpha",
-    "only_beta": r"\beta",
-    "known_predicted_11": "P_{11}^{d}",
-    "known_updated_11": "U_{11}^{d}",
-    "improvement": "G",
-    **{f"root_{n}": rf"\sqrt{{{n}}}" for n in (2, 3, 6)},
-}
+FAR = real("far")
 
 
 def root_of_e(noise: Noise) -> tuple[sp.Expr, Mapping[str, int]]:
@@ -123,4 +110,47 @@ def ratio_ends(noise: Noise) -> Mapping[str, End]:
     return {
         "0": End(constants=constants, boundary={**held, **near}),
         "infinity": End(weights=weights, constants=constants, boundary={**held, **far}),
+    }
+
+
+def index_ends(noise: Noise) -> dict[str, End]:
+    """The main tower at both ends of the index, S held."""
+    root, names = root_of_e(noise)
+    near = {"eta_scaled": 4 * RATIO, "delta_scaled": RATIO * real("root_2")}
+    constants: dict[str, int | sp.Expr] = {}
+    if not noise.interval:
+        constants["wide"] = RATIO**2 + 4
+        wide = real("wide")
+        far = {"eta_scaled": wide, "delta_scaled": (RATIO + wide) / 2}
+        weights = {"eta_scaled": 2, "delta_scaled": 1}
+    elif not noise.e:
+        far = {"eta_scaled": sp.Integer(2), "delta_scaled": RATIO / 2 + 1}
+        weights = {"eta_scaled": 2, "delta_scaled": 1}
+    else:
+        constants |= {f"{name}_held": number for name, number in names.items()}
+        half = root.subs({real(name): real(f"{name}_held") for name in names}) / 2
+        far = {"eta_scaled": half, "delta_scaled": half}
+        weights = {"eta_scaled": 4, "delta_scaled": 3}
+        if noise.determinant:
+            near["level_scaled"], far["level_scaled"], weights["level_scaled"] = RATIO, half, 2
+    return {
+        "0": End(constants={"root_2": 2}, boundary=near),
+        "infinity": End(weights=weights, constants=constants, boundary=far),
+    }
+
+
+def improvement_ends(noise: Noise) -> dict[str, End]:
+    """The tower `without_ratio` at both ends of the index."""
+    root, names = root_of_e(noise)
+    held = {name: real(f"{name}_held") for name in names}
+    constants = {f"{name}_held": number for name, number in names.items()}
+    swap = {real(name): symbol for name, symbol in held.items()}
+    inverse = sp.expand(4 * root.subs(swap) / rational(noise.e))
+    # one root of 2, whether e has it or not: of two the checker does not know that they are one
+    root_two = held.get("root_2", real("root_2"))
+    near = {**held, "far": inverse, "s": root_two}
+    far = {**held, "far": sp.Integer(1), "s": (1 + root.subs(swap)) / 2}
+    return {
+        "0": End(constants={**constants, str(root_two): 2}, boundary=near),
+        "infinity": End(weights={"far": 2, "s": 1}, constants=constants, boundary=far),
     }

@@ -1,4 +1,4 @@
-"""The named quantities of a steady state with position and velocity measured, and their LaTeX."""
+"""The named quantities of a steady state with position and velocity measured."""
 
 from __future__ import annotations
 
@@ -26,28 +26,20 @@ GAINS = ("gain_11", "gain_12", "gain_21", "gain_22")
 GAIN_ROWS = (("gain_11", "gain_12"), ("gain_21", "gain_22"))
 
 LATEX = {
-    "tracking_index": r"\Lambda",
-    "velocity_ratio": "S",
-    "p": "p",
-    "level": "w",
-    "eta": r"\eta",
-    "mean_root": "m",
-    "delta": r"\delta",
-    "innovation_ratio": r"\sigma",
-    "velocity_index": "t",
-    "coupling": r"\kappa",
-    "cross_mean": "h",
-    "cross_rest": "g",
-    "transition_matrix": "F",
-    "process_noise": "Q",
-    "measurement_matrix": "H",
-    "measurement_noise": "R",
-    "z": "z",
     "v": "v",
-    **{f"predicted_{ij}": f"P_{{{ij}}}" for ij in ("11", "12", "22")},
-    **{f"updated_{ij}": f"U_{{{ij}}}" for ij in ("11", "12", "22")},
-    **{f"gain_{ij}": f"K_{{{ij}}}" for ij in ("11", "12", "21", "22")},
+    "pole_mean": "a",
+    "positive_from": "y_{+}",
+    "negative_up_to": "y_{-}",
+    **{f"only_predicted_{ij}": f"P_{{{ij}}}^{{o}}" for ij in ("11", "12", "22")},
+    **{f"only_updated_{ij}": f"U_{{{ij}}}^{{o}}" for ij in ("11", "12", "22")},
+    "only_innovation_deviation": r"\sigma^{o}",
+    "known_predicted_11": "P_{11}^{d}",
+    "known_updated_11": "U_{11}^{d}",
+    **{f"root_{n}": rf"\sqrt{{{n}}}" for n in (2, 3, 6)},
+    "source_k": r"\mathrm{k}",
+    **{f"source_p{n}": rf"\mathrm{{p}}_{n}" for n in (1, 2, 3)},
 }
+"""Of what the page cannot say: the other names are printed as it writes them."""
 
 
 def in_words(expression: sp.Expr) -> str:
@@ -55,17 +47,6 @@ def in_words(expression: sp.Expr) -> str:
     return str(sp.sstr(expression)).replace("**", "^").replace("*", " ")
 
 
-def symmetric(names: tuple[str, str, str]) -> sp.ImmutableDenseMatrix:
-    """The symmetric 2 x 2 matrix of three named entries 11, 12, 22."""
-    first, cross, second = map(real, names)
-    return sp.ImmutableDenseMatrix([[first, cross], [cross, second]])
-
-
 def gain_matrix() -> sp.ImmutableDenseMatrix:
     """The filter gain over its named entries."""
     return sp.ImmutableDenseMatrix([[real(name) for name in row] for row in GAIN_ROWS])
-
-
-def row(*entries: sp.Expr) -> sp.ImmutableDenseMatrix:
-    """Several expressions of which one step speaks, as a matrix of one row."""
-    return sp.ImmutableDenseMatrix([list(entries)])

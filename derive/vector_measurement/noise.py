@@ -45,3 +45,8 @@ class Noise:
     def interval(self) -> bool:
         """Whether n = 1/2: the noise acts all through the interval, and eta is a product."""
         return self.n == HALF
+
+    @property
+    def settles(self) -> bool:
+        """Whether K21 tends to a positive value with the index; else it rises and falls."""
+        return self.interval and not self.e

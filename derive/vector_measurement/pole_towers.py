@@ -24,12 +24,6 @@ from gainproof.derive.vector_measurement.towers import (
 
 X = real("x")
 POLES, BELOW, ABOVE, TURNING = "poles", "poles_below", "poles_above", "turning"
-LATEX = {
-    "pole_mean": "a",
-    "spread_root": "r",
-    POSITIVE: "y_{+}",
-    NEGATIVE: "y_{-}",
-}
 
 
 def place(noise: Noise) -> sp.Expr:

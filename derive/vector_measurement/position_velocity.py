@@ -1,127 +1,103 @@
-"""The whole derivation of a family with position and velocity measured."""
+"""The whole derivation of a family with position and velocity measured.
+
+The steps are the page `position-velocity` of `derive/pages`; here is what it does not say.
+"""
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass, replace
+from pathlib import Path
+from typing import Any
 
 import sympy as sp
 
+from gainproof.derive.algebra.derivative import derivative
 from gainproof.derive.algebra.tower import Tower
 from gainproof.derive.derivation import Derivation, Step
+from gainproof.derive.expression import real
 from gainproof.derive.model import Model
-from gainproof.derive.printer.graph import symbols_of
+from gainproof.derive.pages.derivation import FOLDER, Given, written
+from gainproof.derive.printer.graph import Graph, symbols_of
+from gainproof.derive.relation import Relation
 from gainproof.derive.subject import Program, Subject
-from gainproof.derive.vector_measurement import module
+from gainproof.derive.vector_measurement import module, pole_kernels, pole_towers, poles
 from gainproof.derive.vector_measurement.context import Context, context
-from gainproof.derive.vector_measurement.corners import LATEX as CORNER_LATEX
-from gainproof.derive.vector_measurement.corners import fixed_index_tower, narrow_tower
-from gainproof.derive.vector_measurement.ends import LATEX as END_LATEX
-from gainproof.derive.vector_measurement.ends import ends_tower, index_tower
-from gainproof.derive.vector_measurement.names import LATEX
-from gainproof.derive.vector_measurement.pole_towers import LATEX as POLE_LATEX
-from gainproof.derive.vector_measurement.pole_towers import pole_towers
-from gainproof.derive.vector_measurement.steps_bending import (
-    BENDING_LATEX,
-    bending_steps,
-    bending_tower,
+from gainproof.derive.vector_measurement.corners import (
+    fixed_index_tower,
+    narrow_tower,
+    outer_tower,
 )
-from gainproof.derive.vector_measurement.steps_corners import corner_steps
-from gainproof.derive.vector_measurement.steps_derivatives import derivative_steps
-from gainproof.derive.vector_measurement.steps_entries import cross_steps
-from gainproof.derive.vector_measurement.steps_limits import limit_steps
-from gainproof.derive.vector_measurement.steps_model import model_steps
-from gainproof.derive.vector_measurement.steps_poles import pole_steps
-from gainproof.derive.vector_measurement.steps_position import position_steps
-from gainproof.derive.vector_measurement.steps_program import program_steps
-from gainproof.derive.vector_measurement.steps_proof import form_steps, proof_steps
-from gainproof.derive.vector_measurement.steps_ratio import improvement_steps
-from gainproof.derive.vector_measurement.steps_spectrum import spectrum_steps
-from gainproof.derive.vector_measurement.steps_trends import trend_steps
-from gainproof.derive.vector_measurement.steps_width import width_steps
-from gainproof.derive.vector_measurement.steps_width_small import LATEX as WIDTH_LATEX
-from gainproof.derive.vector_measurement.steps_width_small import outer_tower
-from gainproof.derive.vector_measurement.steps_without_trend import without_trend_steps
+from gainproof.derive.vector_measurement.derivative_kernels import DERIVATIVES, SCALE
+from gainproof.derive.vector_measurement.ends import FAR, ends_tower, index_tower
+from gainproof.derive.vector_measurement.evidence_hints import hints, tower_ends
+from gainproof.derive.vector_measurement.module import KNOWN
+from gainproof.derive.vector_measurement.names import DELTA, INDEX, LATEX, RATIO, SIGMA, UPDATED
+from gainproof.derive.vector_measurement.page_slots import page_slots
+from gainproof.derive.vector_measurement.pole_kernels import MEAN, MODULUS, SQUARE
+from gainproof.derive.vector_measurement.pole_module import is_of_poles
+from gainproof.derive.vector_measurement.pole_towers import X
+from gainproof.derive.vector_measurement.rates import Rates
 from gainproof.derive.vector_measurement.textbook import textbook_forms
+from gainproof.derive.vector_measurement.towers import graph_roots, rational
 
-OPENING = (
-    "A radar measures a target's position and, by its Doppler shift, the velocity, at a fixed "
-    "interval. How accurate is the track in the steady state, and what does the velocity add?"
-)
+NAME = "position-velocity"
+"""The page, for every process noise in reach."""
 
 
 @dataclass(frozen=True)
 class Printed:
-    """What a source prints: its symbols as elements of the main tower, its equations, their LaTeX,
-    and what it says at steps of the derivation, by their ids.
+    """What a source prints: its symbols as elements of the main tower, what the page's steps on it
+    leave open, and what it says at steps of the derivation, by their ids.
     """
 
     elements: Callable[[Tower], Mapping[str, sp.Expr]]
-    steps: Callable[[Context], Sequence[Step]]
-    latex: Mapping[str, str]
-    places: Mapping[str, str]
+    slots: Callable[[Tower], Mapping[str, object]]
+    remarks: Mapping[str, str]
 
     def beside(self, step: Step) -> Step:
         """The step with what the source says there after its sentence."""
-        place = self.places.get(step.id)
-        return replace(step, sentence=f"{step.sentence} {place}") if place else step
+        remark = self.remarks.get(step.id)
+        return replace(step, sentence=f"{step.sentence} {remark}") if remark else step
 
 
-NOTHING = Printed(lambda _: {}, lambda _: (), {}, {})
+NOTHING = Printed(lambda _: {}, lambda _: {"source": ""}, {})
 
 
 def derive_position_velocity(
     model: Model,
     sources: tuple[str, ...],
     printed: Printed = NOTHING,
+    folder: Path = FOLDER,
 ) -> Subject:
     """Derive everything about the steady state of a model with position and velocity measured.
 
-    Raises ModelError, naming the reason, for a model outside the method's reach.
+    `folder`: where the page is. Raises ModelError, naming the reason, for a model outside the
+    method's reach, and PageError with the line of a mistake on the page.
     """
     c = context(model, printed.elements)
     graphs = module.graphs(c.noise)
-    steps = (
-        *model_steps(c),
-        *spectrum_steps(c),
-        *cross_steps(c),
-        *position_steps(c),
-        *proof_steps(c),
-        *form_steps(c),
-        *printed.steps(c),
-        *limit_steps(c),
-        *corner_steps(c),
-        *derivative_steps(c),
-        *trend_steps(c),
-        *without_trend_steps(c),
-        *bending_steps(c),
-        *improvement_steps(c),
-        *width_steps(c),
-        *pole_steps(c),
-        *program_steps(c, graphs),
+    given = Given(
+        towers=_towers(c),
+        models={"model": c.model_data},
+        slots={"": {**page_slots(c), **printed.slots(c.tower)}},
+        hints=hints(c),
+        ends=tower_ends(c.noise),
     )
-    symbols = {quantity.name: quantity.latex for quantity in model.quantities}
-    towers = _towers(c)
+    page = written(NAME, given, folder)
+    steps = (*map(printed.beside, page.steps), *kernel_steps(c, graphs))
+    latex = {
+        **{
+            name: shown for name, shown in {**page.latex, **LATEX}.items() if _occurs(c.tower, name)
+        },
+        **{quantity.name: quantity.latex for quantity in model.quantities},
+    }
     return Subject(
         name=model.name,
         title=model.title,
         model=c.model,
-        derivation=Derivation(
-            OPENING,
-            tuple(printed.beside(step) for step in steps),
-            sources,
-            {
-                **LATEX,
-                **END_LATEX,
-                **CORNER_LATEX,
-                **WIDTH_LATEX,
-                **POLE_LATEX,
-                **BENDING_LATEX,
-                **printed.latex,
-                **symbols,
-            },
-        ),
-        towers={tower.name: tower for tower in towers},
+        derivation=Derivation(page.opening, steps, sources, latex),
+        towers=page.towers,
         programs={
             name: Program({entry: entry for entry in symbols_of(graph)}, graph)
             for name, graph in graphs.items()
@@ -131,15 +107,141 @@ def derive_position_velocity(
     )
 
 
+def _occurs(tower: Tower, name: str) -> bool:
+    """Whether a name is that of something here: a source's symbols are on its own page alone."""
+    return not name.startswith("source_") or name in tower.expressions
+
+
 def _towers(c: Context) -> tuple[Tower, ...]:
     """All towers of a family."""
     noise = c.noise
     towers = (
         c.tower,
-        bending_tower(c),
+        _bending_tower(c.tower),
         ends_tower(noise),
         fixed_index_tower(noise),
         narrow_tower(noise),
-        *pole_towers(noise),
+        *pole_towers.pole_towers(noise),
     )
     return (*towers, index_tower(noise), outer_tower()) if noise.determinant else towers
+
+
+def _bending_tower(main: Tower) -> Tower:
+    """The main tower with D, the derivative of the updated covariance by Lambda^2, by name."""
+    changes = {
+        entry.replace("updated", "change"): derivative(main, real(entry), "tracking_index")
+        for entry in UPDATED
+    }
+    named = {name: main.expression(value) / (2 * INDEX) for name, value in changes.items()}
+    return Tower("bending", main.parameters, main.generators, {**main.expressions, **named})
+
+
+A = real("pole_mean")
+
+
+def kernel_steps(c: Context, graphs: Mapping[str, Graph]) -> list[Step]:
+    """One step for each kernel; the position's limits live in the tower over the index alone."""
+    known = "without_ratio" if c.noise.determinant else "ends"
+    roots = {**graph_roots(c.noise), "far": FAR}
+    steps = [
+        _program(name, "", _meant(c, name, graph), known if name == KNOWN else "main", graph, roots)
+        for name, graph in graphs.items()
+        if not is_of_poles(name)
+    ]
+    return steps + _pole_steps(c, graphs)
+
+
+def _meant(c: Context, kernel: str, graph: Graph) -> dict[str, sp.Expr]:
+    """What each output stands for; a scale is the sum of the terms whose difference it measures."""
+    if kernel == KNOWN:
+        return {output: real(f"known_{output}") for output in graph["outputs"]}
+    _, by, variable = kernel.partition("_by_")
+    if not by:
+        return {output: real(output) for output in graph["outputs"]}
+    found = DERIVATIVES[kernel](Rates(c.basis))
+    return {
+        output: sp.Add(*found[output.removesuffix(SCALE)])
+        if output.endswith(SCALE)
+        else sp.Derivative(real(output), real(variable))
+        for output in graph["outputs"]
+    }
+
+
+def _pole_steps(c: Context, graphs: Mapping[str, Graph]) -> list[Step]:
+    """One step for each kernel of the poles, and one on each side for what an absolute value has
+    part in.
+    """
+    graph = graphs[pole_kernels.POLES]
+    squared: sp.Expr = sp.Integer(1)
+    if c.noise.determinant:
+        squared += rational(poles.spread(c.noise)) * INDEX**2
+    near = INDEX**2 * (1 / RATIO**2 - rational(poles.centre(c.noise)))
+    outputs = {
+        MEAN: A,
+        MODULUS: 1 / SIGMA,
+        SQUARE: A**2 - 1 / SIGMA**2,
+        SQUARE + SCALE: (near**2 + (2 * INDEX) ** 2 * squared) / (2 * SIGMA * DELTA) ** 2,
+    }
+    roots, places = graph_roots(c.noise), {}
+    if c.noise.e != 1:
+        roots["slope_place"] = pole_towers.place(c.noise)
+        places["centre_place"] = pole_towers.centre_place(c.noise)
+    return [
+        _program(pole_kernels.POLES, "", outputs, pole_towers.POLES, graph, roots | places),
+        *_sides(c, graph, roots),
+        _turning(c, graphs[pole_kernels.REAL]),
+    ]
+
+
+def _sides(c: Context, graph: Graph, roots: Mapping[str, sp.Expr]) -> list[Step]:
+    """What half the sum is measured by is itself while 1/S^2 is above f; then its terms' sum."""
+    if c.noise.e == 1:
+        return []
+    place = pole_towers.place(c.noise)
+    x = c.basis
+    both = x.index * x.width + x.eta_scaled
+    size = x.index / both * x.index / x.sigma_scaled * rational(poles.slope(c.noise))
+    sides: tuple[tuple[str, sp.Expr, str, sp.Expr], ...] = (
+        (pole_towers.BELOW, A, "negative", place * X / (1 + X)),
+        (pole_towers.ABOVE, 4 / (SIGMA**2 + 1) - A, "positive", X),
+    )
+    return [
+        _program(
+            pole_kernels.POLES,
+            f"-{tower.removeprefix('poles_')}",
+            {MEAN + SCALE: scale},
+            tower,
+            graph,
+            roots,
+            {"second_size": branch},
+            {"second_size": size * distance * (RATIO + place)},
+        )
+        for tower, scale, branch, distance in sides
+    ]
+
+
+def _turning(c: Context, graph: Graph) -> Step:
+    outputs = {output: real(output) for output in graph["outputs"]}
+    roots = {"spread_root": pole_towers.spread_root(c.noise)}
+    return _program(pole_kernels.REAL, "", outputs, pole_towers.TURNING, graph, roots)
+
+
+def _program(
+    kernel: str,
+    suffix: str,
+    outputs: Mapping[str, sp.Expr],
+    tower: str,
+    graph: Graph,
+    roots: Mapping[str, sp.Expr],
+    branches: Mapping[str, str] | None = None,
+    gaps: Mapping[str, Any] | None = None,
+) -> Step:
+    return Step(
+        f"kernel-{kernel.replace('_', '-')}{suffix}",
+        f"The kernel {kernel} computes what it says.",
+        Relation("program", {"program": kernel, "outputs": outputs}),
+        "Evaluate the kernel's graph in the tower.",
+        tower=tower,
+        hint={"graph": graph, "roots": roots, "branches": branches or {}, "gaps": gaps or {}},
+        shown=False,
+    )

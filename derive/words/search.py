@@ -8,10 +8,9 @@ from fractions import Fraction
 from functools import cached_property
 from typing import TYPE_CHECKING, Any
 
-from gainproof.derive.words.expression import Expression
-from gainproof.derive.words.gathered import gathered
+from gainproof.derive.words.expression import Expression, symbol
 from gainproof.derive.words.hypotheses import Hypothesis
-from gainproof.derive.words.polynomial import Polynomial
+from gainproof.derive.words.polynomial import Polynomial, Word
 from gainproof.derive.words.rewriting import (
     Cofactor,
     Order,
@@ -24,12 +23,13 @@ from gainproof.derive.words.rewriting import (
     rule_of,
 )
 from gainproof.derive.words.setting import Setting
-from gainproof.derive.words.sources import element_rules, equations, units
 
 if TYPE_CHECKING:
     from gainproof.derive.words.statement import Statement
 
 SHOWN_TERMS = 6
+SYMMETRIC = ("symmetric", "definite", "semidefinite")
+Equations = list[tuple[Polynomial, Source]]
 
 
 @dataclass
@@ -193,3 +193,104 @@ class Search:
         if source[0] == "number":
             return ["number", source[1].value.data()]
         return list(source)
+
+
+def gathered(cofactors: Sequence[Cofactor], words: Words) -> list[Cofactor]:
+    """Cofactors of one source with one right factor are one."""
+    by_right: dict[tuple[Any, ...], Cofactor] = {}
+    for cofactor in cofactors:
+        for (word, powers), coefficient in cofactor.right.terms.items():
+            key = (cofactor.source, cofactor.flipped, word)
+            scale = Polynomial({((), powers): coefficient}, None)
+            single = words(word, cofactor.right.shape or ("", ""))
+            left = scale @ cofactor.left
+            if key in by_right:
+                left = left + by_right[key].left
+            by_right[key] = Cofactor(cofactor.source, cofactor.flipped, left, single)
+    return _by_left(list(by_right.values()))
+
+
+def _by_left(cofactors: Sequence[Cofactor]) -> list[Cofactor]:
+    """Cofactors of one source with one left factor are one."""
+    by_left: dict[tuple[Any, ...], Cofactor] = {}
+    for cofactor in cofactors:
+        if cofactor.left.terms:
+            key = (cofactor.source, cofactor.flipped, str(cofactor.left.data()))
+            right = cofactor.right
+            if key in by_left:
+                right = right + by_left[key].right
+            by_left[key] = Cofactor(cofactor.source, cofactor.flipped, cofactor.left, right)
+    return list(by_left.values())
+
+
+def element_rules(setting: Setting, name: str) -> list[Rule]:
+    """A letter and its transpose are replaced by what they stand for."""
+    meaning = setting.meanings[name]
+    made = []
+    for flag in (False, True):
+        tail = meaning.T if flag else meaning
+        word: Word = ((name, flag),)
+        proof = Cofactor(("element", name), flag, *units(setting, tail))
+        made.append(Rule(word, tail, (proof,)))
+    return made
+
+
+def equations(
+    setting: Setting, pool: Sequence[Hypothesis], numbers: Sequence[Expression]
+) -> tuple[Equations, Equations]:
+    """Left less right of blocks and symmetric letters, and of single numbers and hypotheses."""
+    plain, last = _blocks(setting), Equations()
+    for entry in numbers:
+        value = setting.expand(entry)
+        last.append((value - value.T, ("number", Exact(value))))
+    for number, hypothesis in enumerate(pool):
+        if hypothesis["kind"] in SYMMETRIC:
+            letter = setting.letter(hypothesis["matrix"])
+            plain.append((letter.T - letter, ("given", number)))
+        elif hypothesis["kind"] == "equal":
+            left, right = setting.pair(_read(hypothesis["left"]), _read(hypothesis["right"]))
+            last.append((left - right, ("given", number)))
+    return plain, last
+
+
+def units(setting: Setting, value: Polynomial) -> tuple[Polynomial, Polynomial]:
+    """The unit matrices on both sides of a matrix."""
+    assert value.shape is not None
+    return setting.unit(value.shape[0]), setting.unit(value.shape[1])
+
+
+def _blocks(setting: Setting) -> Equations:
+    found = Equations()
+    for size, columns in setting.blocks.items():
+        letters = [setting.letter(name) for name in columns]
+        for i, one in enumerate(letters):
+            for j, other in enumerate(letters):
+                value = one.T @ other
+                if i == j:
+                    value = value - setting.unit(setting.shape(columns[i])[1])
+                found.append((value, ("blocks", size, i, j)))
+        total = -setting.unit(size)
+        for letter in letters:
+            total = total + letter @ letter.T
+        found.append((total, ("blocks", size)))
+    return found
+
+
+@dataclass(frozen=True, eq=False)
+class Exact:
+    """A polynomial as part of a source, told from others by which object it is."""
+
+    value: Polynomial
+
+
+def _read(graph: Mapping[str, Any]) -> Expression:
+    """The formula of a graph."""
+    made: list[Expression] = []
+    for kind, *rest in graph["nodes"]:
+        if kind == "pow":
+            made.append(made[rest[0]] ** int(rest[1]))
+        elif kind in ("number", "symbol"):
+            made.append(Expression(kind, rest[0]) if kind == "number" else symbol(rest[0]))
+        else:
+            made.append(Expression(kind, "", tuple(made[number] for number in rest)))
+    return made[-1]

@@ -2,13 +2,13 @@
 
 import sympy as sp
 
-from gainproof.derive.own_expressions.derivatives import derivatives
 from gainproof.derive.own_expressions.expressions import (
     Argument,
     Condition,
     ExpressionKernel,
     ExpressionSet,
     Result,
+    derivatives,
 )
 from gainproof.derive.quantity import METRE, ONE, SECOND, Quantity
 

@@ -12,34 +12,38 @@ import sympy as sp
 from catalogue_subjects import certificate, subject
 from one_of_each import cases
 
+from gainproof.derive.algebra.limits import End
 from gainproof.derive.derivation import PageError, Step
+from gainproof.derive.expression import real
 from gainproof.derive.relation import Relation, equal, limit, monotone, positive, same_sign
-from gainproof.derive.sensors import converted_correlated_tower as correlated
-from gainproof.derive.sensors import converted_space_correlated as both
 from gainproof.derive.sensors.converted_graphs import graphs
-from gainproof.derive.sensors.converted_names import (
-    COS2,
-    FACTOR,
-    KEPT,
-    SIGMA_A,
-    SIGMA_R,
-    SIN2,
-    SPREAD,
-    STATED,
-    L,
-    R,
-)
 from gainproof.derive.sensors.converted_space_graphs import graphs as space_graphs
-from gainproof.derive.sensors.converted_space_names import BOTH, COS_E, ENTRY, LA, LE, SIN_E
-from gainproof.derive.sensors.converted_steps_range import ENDS
-from gainproof.derive.sensors.converted_steps_table import ESTIMATE
 from gainproof.derive.subject import Subject
 from gainproof.verify.certificate import check, check_statement
 
 Plain = dict[str, Any]
 NAME = "converted-measurements"
+R, SIGMA_R, SIGMA_A, KEPT = map(
+    real, ("slant_range", "range_deviation", "azimuth_deviation", "kept_azimuth")
+)
+COS2, SIN2, COS_E, SIN_E, KEPT_E = map(
+    real, ("cosine_square", "sine_square", "cos_elevation", "sin_elevation", "kept_elevation")
+)
+L, LE, BOTH = KEPT**2, KEPT_E**2, KEPT * KEPT_E
 WHOLE = R**2 + SIGMA_R**2
-RADIAL, CROSS = SPREAD
+RADIAL, CROSS = real("spread_radial"), real("spread_cross")
+STATED = {
+    name: (real(f"{name}_radial"), real(f"{name}_cross"))
+    for name in ("classical", "debiased", "unbiased", "average")
+}
+MODIFIED, UNBIASED = (
+    [real(f"space_{name}_{entry}") for entry in ("ahead", "across", "up", "tilt")]
+    for name in ("modified", "unbiased")
+)
+ESTIMATE = R**2 / L - (R**2 - SIGMA_R**2) * (1 + L**2) / (2 * L**2)
+"""Whose mean given the truth is the unbiased conversion's variance along the line of sight."""
+TOGETHER, BESIDE = real("noise_covariance"), real("correlated_beside")
+ENDS = {"0": End(), "infinity": End()}
 
 
 @pytest.fixture(scope="module")
@@ -118,8 +122,8 @@ FALSE = {
         STATED["unbiased"][0], (1 / L + 2) * R**2 + WHOLE * (1 + L**2) / 2
     ),
     "both transcriptions are one": equal(STATED["unbiased"][0], STATED["average"][0]),
-    "debiased is unbiased given the truth": equal(FACTOR["debiased"] * KEPT, sp.Integer(1)),
-    "debiased is unbiased given the measurement": equal(FACTOR["debiased"], KEPT),
+    "debiased is unbiased given the truth": equal(real("factor_debiased") * KEPT, sp.Integer(1)),
+    "debiased is unbiased given the measurement": equal(real("factor_debiased"), KEPT),
     "classical across is exact": equal(CROSS, R**2 * SIGMA_A**2),
     "(13a) with cosh of twice the noise once": equal(
         STATED["debiased"][0],
@@ -130,7 +134,7 @@ FALSE = {
         ),
     ),
     "cosine and sine of the noise exchanged": equal(RADIAL, WHOLE * SIN2 - (KEPT * R) ** 2),
-    "the estimate is always a variance": positive(ESTIMATE[0]),
+    "the estimate is always a variance": positive(ESTIMATE),
     "classical is too large": positive(STATED["classical"][0] - RADIAL),
     "across is always larger": positive(CROSS - RADIAL),
     "the modified place is beyond the measured": positive(KEPT - 1),
@@ -143,7 +147,6 @@ FALSE = {
 
 
 FAR = limit(CROSS / RADIAL, "infinity", (1 + L) / (1 + L), "slant_range")
-MODIFIED, UNBIASED = ENTRY["space_modified"], ENTRY["space_unbiased"]
 ELSEWHERE = {
     "a limit of 1": ("main", FAR, {"ends": ENDS}),
     "the height is less certain": ("signs", positive(MODIFIED[2] - MODIFIED[0]), {}),
@@ -159,24 +162,24 @@ ELSEWHERE = {
     ),
     "the azimuth's noise tilts twice": (
         "space",
-        equal(MODIFIED[3], LA * COS_E * SIN_E * (LE**2 * WHOLE - LE * R**2)),
+        equal(MODIFIED[3], L * COS_E * SIN_E * (LE**2 * WHOLE - LE * R**2)),
         {},
     ),
     "identities have no noise to speak of": ("space", positive(1 - LE), {}),
-    "across nothing is off": ("correlated", equal(correlated.MEAN[1], sp.Integer(0)), {}),
+    "across nothing is off": ("correlated", equal(BESIDE, sp.Integer(0)), {}),
     "it is off to the other side": (
         "correlated",
-        equal(correlated.MEAN[1], -KEPT * correlated.C),
+        equal(BESIDE, -KEPT * TOGETHER),
         {},
     ),
     "correlation leaves the variance along": (
         "correlated",
-        equal(correlated.SPREAD[0], (R**2 * (1 - L) ** 2 + SIGMA_R**2 * (1 + L**2)) / 2),
+        equal(real("correlated_radial"), (R**2 * (1 - L) ** 2 + SIGMA_R**2 * (1 + L**2)) / 2),
         {},
     ),
     "correlated with the elevation it is ahead": (
         "space_correlated",
-        equal(both.MEAN[0], BOTH * (R * COS_E + both.CE * SIN_E)),
+        equal(real("both_ahead"), BOTH * (R * COS_E + real("elevation_covariance") * SIN_E)),
         {},
     ),
 }
@@ -193,7 +196,7 @@ def test_a_true_statement_passes_in_other_towers() -> None:
     assert status(true, {"ends": ENDS}) == "proved"
     tilt = KEPT * COS_E * SIN_E * (LE**2 * WHOLE - LE * R**2)
     assert status(equal(MODIFIED[3], tilt), tower="space") == "proved"
-    assert status(equal(correlated.MEAN[1], KEPT * correlated.C), tower="correlated") == "proved"
+    assert status(equal(BESIDE, KEPT * TOGETHER), tower="correlated") == "proved"
 
 
 @pytest.mark.parametrize("name", FALSE)

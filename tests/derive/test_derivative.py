@@ -11,8 +11,7 @@ import sympy as sp
 import gainproof.derive
 from gainproof.derive.algebra.derivative import along, by
 from gainproof.derive.expression import real
-from gainproof.derive.own_expressions.derivatives import derivatives
-from gainproof.derive.own_expressions.expressions import Result
+from gainproof.derive.own_expressions.expressions import Result, derivatives
 from gainproof.derive.quantity import METRE, ONE, SECOND, Quantity
 
 HOME = Path(gainproof.derive.__file__).parent

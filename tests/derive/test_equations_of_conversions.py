@@ -9,7 +9,7 @@ import pytest
 import sympy as sp
 from docstring_formulas import DIGITS, Text, Values, drawn, exact, expression, near, value
 
-from gainproof.derive.sensors import converted_words
+from gainproof.derive.sensors import converted_module
 from gainproof.generated import converted_measurements
 
 PLANE = {
@@ -31,7 +31,7 @@ def polar(seed: int) -> dict[str, float]:
 @pytest.mark.parametrize("seed", range(4))
 @pytest.mark.parametrize("name", PLANE)
 def test_conversions_in_the_plane(name: str, seed: int) -> None:
-    text = Text(converted_words.EQUATIONS[name])
+    text = Text(converted_module.EQUATIONS[name])
     given = polar(seed)
     known = exact(**given)
     if "k = " in text.text:
@@ -50,7 +50,7 @@ def test_conversions_in_the_plane(name: str, seed: int) -> None:
 @pytest.mark.parametrize("seed", range(4))
 @pytest.mark.parametrize("name", [each.removesuffix("_in_plane") for each in PLANE])
 def test_conversions_in_space(name: str, seed: int) -> None:
-    text = Text(converted_words.EQUATIONS[name])
+    text = Text(converted_module.EQUATIONS[name])
     given = polar(seed)
     known = exact(**given)
     if "ke = " in text.text:
@@ -87,9 +87,9 @@ def _first_order(text: Text, formulas: dict[str, str], known: Values) -> Values:
 
 
 @pytest.mark.parametrize("seed", range(4))
-@pytest.mark.parametrize("name", [each for each in converted_words.EQUATIONS if "correl" in each])
+@pytest.mark.parametrize("name", [each for each in converted_module.EQUATIONS if "correl" in each])
 def test_conversions_of_correlated_noises(name: str, seed: int) -> None:
-    text = Text(converted_words.EQUATIONS[name])
+    text = Text(converted_module.EQUATIONS[name])
     given = polar(seed)
     known = exact(**given)
     known["k"] = value(text.formula(" k = "), known)
@@ -114,7 +114,7 @@ def test_conversions_of_correlated_noises(name: str, seed: int) -> None:
 )
 def test_what_is_said_of_the_bias(name: str, start: str, seed: int) -> None:
     """The mean of cos(a) at a noisy azimuth is exp(-sa^2/2) times that at the true one."""
-    text = Text(converted_words.EQUATIONS[name])
+    text = Text(converted_module.EQUATIONS[name])
     known = exact(**polar(seed))
     known["k"] = sp.exp(-(known["sa"] ** 2) / 2)
     place = value(text.formula("x = "), known) / known["r"] / sp.cos(known["a"])
@@ -125,8 +125,8 @@ def test_what_is_said_of_the_bias(name: str, start: str, seed: int) -> None:
 @pytest.mark.parametrize("seed", range(4))
 def test_where_the_classical_covariance_is_too_small(seed: int) -> None:
     """What misses is a positive factor times the difference of both sides, by the exact one."""
-    text = Text(converted_words.EQUATIONS["classical_conversion_in_plane"])
-    exactly = Text(converted_words.EQUATIONS["modified_unbiased_conversion_in_plane"])
+    text = Text(converted_module.EQUATIONS["classical_conversion_in_plane"])
+    exactly = Text(converted_module.EQUATIONS["modified_unbiased_conversion_in_plane"])
     known = exact(**polar(seed))
     left, right = (value(text.formula(start).strip(), known) for start in ("where ", "> "))
     known["k"] = value(exactly.formula("k = "), known)
@@ -138,4 +138,4 @@ def test_where_the_classical_covariance_is_too_small(seed: int) -> None:
 
 def test_every_kernel_is_read() -> None:
     uncorrelated = {*PLANE, *(each.removesuffix("_in_plane") for each in PLANE)}
-    assert {each for each in converted_words.EQUATIONS if "correl" not in each} == uncorrelated
+    assert {each for each in converted_module.EQUATIONS if "correl" not in each} == uncorrelated

@@ -17,13 +17,13 @@ import sympy as sp
 
 import gainproof.generated
 from gainproof.derive.own_expressions.as_written import as_written
-from gainproof.derive.own_expressions.choosing import chosen_forms
 from gainproof.derive.own_expressions.expressions import (
     Argument,
     Condition,
     ExpressionKernel,
     Result,
 )
+from gainproof.derive.own_expressions.subject import chosen_forms
 from gainproof.derive.printer.bound import prove
 from gainproof.derive.printer.formats import FORMATS
 from gainproof.derive.printer.kernel import Input, Kernel

@@ -20,7 +20,7 @@ from one_of_each import further
 
 import gainproof.answers
 from gainproof.answers.judge import Judge
-from gainproof.answers.question import Options
+from gainproof.answers.possible_filters import Options
 from gainproof.bad_input import BadInputError
 from gainproof.claims.judgements import shipped_models
 from gainproof.cli import main

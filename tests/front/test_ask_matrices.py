@@ -17,7 +17,7 @@ import pytest
 
 import gainproof
 from gainproof.answers.judge import Judge
-from gainproof.answers.question import Options
+from gainproof.answers.possible_filters import Options
 from gainproof.bad_input import BadInputError
 
 OPTIMAL = "K = P H^T (H P H^T + R)^{-1}"

@@ -6,6 +6,7 @@ import math
 import pkgutil
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
+from fractions import Fraction
 from importlib import import_module
 from importlib.util import find_spec
 from pathlib import Path
@@ -18,7 +19,7 @@ from graph_kernels import module_of, several_of
 
 import gainproof.generated
 from gainproof.bad_input import BadInputError
-from gainproof.bench import against, errors, measure, rivals
+from gainproof.bench import against, errors, measure, one_number, rivals
 from gainproof.bench.accuracy import terms
 from gainproof.bench.arguments import sample, with_constants
 from gainproof.bench.compiler import compiled, compiler
@@ -32,7 +33,7 @@ from gainproof.derive.printer.c_language.loop import c_loop
 from gainproof.derive.printer.c_language.module import c_function
 from gainproof.derive.printer.formats import FLOAT64
 from gainproof.derive.printer.graph import GraphBuilder
-from gainproof.derive.printer.kernel import closed
+from gainproof.derive.printer.kernel import Input, Output, closed
 from gainproof.generated import filter_step
 from gainproof.generated._blocks import BLOCK, Span
 from gainproof.generated._runtime import Call, run
@@ -76,6 +77,7 @@ def test_a_kernel_of_two_inputs_is_measured(
     monkeypatch.setattr(measure, "SIZE", 2 * BLOCK)
     found = measure.figures(item(), tmp_path, measure.Options())
     wanted = {"kernel", "shared", "fresh", "passes", "memory", "lambdify", "SciPy"}
+    wanted |= {"one number", "formula"}
     in_c = {*measure.COMPILED, *measure.IN_C} if compiler() else set()
     assert set(found.seconds) == wanted | in_c
     assert all(0 < seconds < math.inf for seconds in found.seconds.values()), found.seconds
@@ -198,6 +200,25 @@ def test_what_is_compared_computes_the_same(tmp_path: Path) -> None:
         with pytest.raises(ValueError, match="refuses"):
             guarded([given[0], np.array([16.0, 2.0, -1.0])], outputs)
         assert np.isnan(outputs).all(), "nothing is written"
+
+
+def test_the_plain_formula_of_a_graph(tmp_path: Path) -> None:
+    """What a kernel of single numbers is measured beside: the graph by `math`, nothing else."""
+    plain = one_number.formula(item().kernel, tmp_path / "made")
+    assert plain(3.0, 16.0) == (5.0, 5.0 / 16.0)
+    builder = GraphBuilder()
+    x, exp = builder.symbol("x"), builder.symbol("exp")
+    ends = {name: builder.call(name, x) for name in ("sin", "expm1")}
+    chosen = builder.select(x, 2, Fraction(1, 10), -x)
+    ends |= {"atan2": builder.call("atan2", x, exp), "chosen": chosen * exp}
+    outputs = tuple(Output(name, "a number") for name in ends)
+    kernel = replace(item().kernel, graph=builder.graph(ends), outputs=outputs)
+    kernel = replace(kernel, inputs=tuple(Input(name, "a number") for name in ("x", "exp")))
+    plain = one_number.formula(kernel, tmp_path)
+    assert plain(1.0, 4.0) == (math.sin(1.0), math.expm1(1.0), math.atan2(1.0, 4.0), 0.1 * 4.0)
+    assert plain(3.0, 4.0)[-1] == -12.0
+    source = one_number.formula_source(kernel)
+    assert "form" not in source.replace("formula", "")
 
 
 def test_a_wrong_value_is_seen() -> None:

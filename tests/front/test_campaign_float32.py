@@ -163,7 +163,7 @@ def harmed(kernel: Swept, old: str, new: str) -> str:
     block = kernel.signature.block
     text = inspect.getsource(block)
     assert text.count(old) == 1
-    space = dict(block.__globals__)
+    space = {**block.__globals__, "np": np}
     exec(compile(text.replace(old, new), "made.py", "exec"), space)  # noqa: S102
     changed = kernel.signature._replace(block=space[block.__name__])
     return replace(kernel, signature=changed).digest()

@@ -133,7 +133,7 @@ def test_arrays_are_mixed_from_inside_and_beyond() -> None:
             single = function(alpha[place], beta[place])
             assert [np.asarray(x)[place] for x in whole] == list(single)
     assert two_states.poles(alpha, beta).shape == (2, 2, 2)
-    assert two_states.variances(np.empty(0), 0.5).predicted_11.shape == (0,)
+    assert np.shape(two_states.variances(np.empty(0), 0.5).predicted_11) == (0,)
 
 
 @pytest.mark.parametrize("function", [two_states.variances, two_states.lags])

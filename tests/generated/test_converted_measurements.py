@@ -168,9 +168,9 @@ def test_numbers_of_the_derivation() -> None:
     assert far.radial_variance < far.cross_variance
     unbiased = converted_measurements.unbiased_conversion_in_plane
     wide = unbiased([1e3, 1e6, 1e12], 0.3, sr, golden + 1e-3)
-    assert (wide.radial_variance > wide.cross_variance).all()
+    assert np.all(wide.radial_variance > wide.cross_variance)
     narrow = unbiased([1e3, 1e6, 1e12], 0.3, sr, golden - 1e-2)
-    assert (narrow.radial_variance < narrow.cross_variance).all()
+    assert np.all(narrow.radial_variance < narrow.cross_variance)
 
 
 @pytest.mark.parametrize("name", [*KERNELS, *CORRELATED])

@@ -9,13 +9,11 @@ import flint
 import numpy as np
 import pytest
 import sympy as sp
+from catalogue_subjects import subject
 from converted_definite import definite, definite_correlated, is_definite
 from converted_monte_carlo import Normalised, Scene, normalised
 from samples import samples
 
-from gainproof.derive.sensors import converted_space_correlated as both
-from gainproof.derive.sensors.converted_names import KEPT, SIGMA_R, R
-from gainproof.derive.sensors.converted_space_names import COS_E, KEPT_E, SIN_E
 from gainproof.verify.oracles import converted
 
 DEGREE = math.radians(1)
@@ -89,11 +87,22 @@ def test_determinants_are_exact() -> None:
 def test_moments_of_noises_correlated_in_space() -> None:
     """The derivation's closed forms at numbers, to 30 digits, and sums over all three noises."""
     r, e, sr, se, sa, up, around = (sp.Rational(*pair) for pair in NUMBERS)
-    values = {R: r, SIGMA_R: sr, COS_E: sp.cos(e), SIN_E: sp.sin(e)}
-    values |= {both.CE: up * sr * se, both.CA: around * sr * sa}
-    values |= {KEPT: sp.exp(-(sa**2) / 2), KEPT_E: sp.exp(-(se**2) / 2)}
-    ahead, across, rising = (each.subs(values).n(60) for each in both.means())
-    aa, ac, cc, au, cu, uu = (each.subs(values).n(60) for each in both.products())
+    values = {
+        "slant_range": r,
+        "range_deviation": sr,
+        "cos_elevation": sp.cos(e),
+        "sin_elevation": sp.sin(e),
+        "elevation_covariance": up * sr * se,
+        "azimuth_covariance": around * sr * sa,
+        "kept_azimuth": sp.exp(-(sa**2) / 2),
+        "kept_elevation": sp.exp(-(se**2) / 2),
+    }
+    symbols = {sp.Symbol(name, real=True): value for name, value in values.items()}
+    forms = subject("converted-measurements").towers["space_correlated"].expressions
+    ahead, across, rising, aa, ac, cc, au, cu, uu = (
+        forms[f"both_{entry}"].subs(symbols).n(60)
+        for entry in ("ahead", "across", "up", "aa", "ac", "cc", "au", "cu", "uu")
+    )
     wanted = [
         [aa - ahead * ahead, ac - ahead * across, au - ahead * rising],
         [ac - ahead * across, cc - across * across, cu - across * rising],

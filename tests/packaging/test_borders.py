@@ -47,8 +47,8 @@ ARROWS = (
         tuple(
             f"gainproof.generated.{name}"
             for name in (
-                *("_bits", "_blocks", "_double_word", "_guards", "_inputs", "_outputs"),
-                *("_result", "_runtime", "_signature", "_threads"),
+                *("_bits", "_blocks", "_double_word", "_guards", "_inputs", "_numbers"),
+                *("_outputs", "_result", "_runtime", "_signature", "_threads"),
                 "_two_state_results",
             )
         ),

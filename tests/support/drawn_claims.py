@@ -101,7 +101,8 @@ def _expression(chance: Random, names: tuple[str, ...], depth: int) -> str:
         return rf"{chance.choice(FUNCTIONS)}({inner[0]})"
     if form == 5:
         by = chance.choice(names)
-        return rf"\frac{{\partial}}{{\partial {by}}} ({inner[0]} \cdot \left|{by}\right|)"
+        # in brackets of its own: a factor may follow
+        return rf"(\frac{{\partial}}{{\partial {by}}} ({inner[0]} \cdot \left|{by}\right|))"
     if form == 6:
         return rf"\sum_{{j=1}}^{{3}} ({inner[0]})^{{j-1}}"
     return f"{inner[0]} + {inner[1]}" if form == 7 else f"({inner[0]})^{chance.choice((2, 3))}"

@@ -217,18 +217,19 @@ def test_the_start_and_the_steps_are_those_of_the_printed_recursion() -> None:
     gain = np.zeros((1, 4, 2))
     for axis in (0, 1):
         factors = recursion_two_states.start_random_acceleration(t, sigma**2, r[axis])
-        whole = recursion_two_states.covariance(*factors)
+        whole = np.array(recursion_two_states.covariance(*factors))
         place = slice(2 * axis, 2 * axis + 2)
         assert np.allclose(two.covariance[0, place, place].ravel()[[0, 1, 3]], whole, rtol=1e-12)
         ahead = recursion_two_states.predict_random_acceleration(*factors, t, sigma**2)
-        whole = recursion_two_states.covariance(*ahead)
+        whole = np.array(recursion_two_states.covariance(*ahead))
         assert np.allclose(before.covariance[0, place, place].ravel()[[0, 1, 3]], whole, rtol=1e-12)
         gain[0, place, axis] = recursion_two_states.gains(*ahead, r[axis])[:2]
     after = updated(before, gain, measured([9.0, 9.0], noise))
     ahead = recursion_two_states.predict_random_acceleration(
         *recursion_two_states.start_random_acceleration(t, sigma**2, r[1]), t, sigma**2
     )
-    whole = recursion_two_states.covariance(*recursion_two_states.update(*ahead, r[1]))
+    updated_factors = recursion_two_states.update(*ahead, r[1])
+    whole = np.array(recursion_two_states.covariance(*updated_factors))
     assert np.allclose(after.covariance[0, 2:, 2:].ravel()[[0, 1, 3]], whole, rtol=1e-12)
 
 

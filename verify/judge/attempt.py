@@ -7,8 +7,9 @@ from collections.abc import Callable, Iterator
 from dataclasses import replace
 
 from gainproof.verify.judge.charted import judge_in
-from gainproof.verify.judge.cited import cited
 from gainproof.verify.judge.claim.record import Claim, Setting
+from gainproof.verify.judge.convention import Convention
+from gainproof.verify.judge.convention_effect import Chosen
 from gainproof.verify.judge.dimensions.claim import (
     claim_readings,
     degrees_are_open,
@@ -16,14 +17,25 @@ from gainproof.verify.judge.dimensions.claim import (
 )
 from gainproof.verify.judge.exact.limits import Malformed, Undecided
 from gainproof.verify.judge.formula import Reading
+from gainproof.verify.judge.kinds.catalogue import judge_reading
 from gainproof.verify.judge.kinds.framing import where_model_is
 from gainproof.verify.judge.kinds.printed_decimal import decimals_read, with_rounded
-from gainproof.verify.judge.pruning import seen_to_fail
-from gainproof.verify.judge.scope import UndefinedSymbol
-from gainproof.verify.judge.setting.environment import Environment, NotEstablished
+from gainproof.verify.judge.meaning.reach import Reach
+from gainproof.verify.judge.pruning import seen_false, seen_to_fail
+from gainproof.verify.judge.reach import graphs_of_claim, reached
+from gainproof.verify.judge.scope import Scope, UndefinedSymbol
+from gainproof.verify.judge.setting.environment import Environment, NotEstablished, algebra
 from gainproof.verify.judge.source_symbols import in_source_symbols
-from gainproof.verify.judge.tautology import holds_for_any_filter
 from gainproof.verify.judge.verdict import Finding
+
+WITH_MODEL = ("steady_state", "growing_memory", "fading_memory", "kalman_bucy", "fixed_gain")
+EQUATIONS, ORDERS = "identity", "inequality"
+FEW = 2
+"""Symbols of an order that is looked at: it is decided over cells, which takes time."""
+NORMAL_MEANS = (
+    "moments of a normal noise v of mean 0 and variance s, by parts of its density: "
+    "E[v f(v)] = s E[f'(v)], hence E[e^(i k v)] = e^(-k^2 s/2); of independent noises they multiply"
+)
 
 
 def judge_claim(claim: Claim, setting: Setting, environment: Environment) -> Finding:
@@ -133,3 +145,47 @@ def _attempt(work: Callable[[], Finding]) -> Finding:
         return Finding("undecided", str(reason))
     except (RecursionError, ArithmeticError, ValueError) as reason:  # lack of memory is no finding
         return Finding("undecided", f"the arithmetic stopped: {type(reason).__name__}: {reason}")
+
+
+def holds_for_any_filter(claim: Claim, reading: Reading | None, setting: Setting) -> bool:
+    """Whether a claim that is proved of a filter is proved of any numbers in place of its
+    quantities too; False also where that is not known, and where the claim differentiates, since
+    what a quantity changes with is a matter of the filter.
+    """
+    if reading is None or setting.kind not in WITH_MODEL or reading.connective != "if":
+        return False
+    used = reached(claim, setting)
+    plain = claim.kind == EQUATIONS or (claim.kind == ORDERS and len(used) <= FEW)
+    if not plain or any(n[0] == "derivative" for g in graphs_of_claim(claim) for n in g["nodes"]):
+        return False
+    symbols = {
+        token: replace(entry, role="free", quantity=None) if entry.quantity else entry
+        for token, entry in setting.symbols.items()
+    }
+    free = replace(setting, kind="algebra", model=None, own_model=None, symbols=symbols)
+    try:
+        # most are false at two points of their own: no more is asked of these
+        if seen_false(claim, Convention(algebra(), free, open=False, chosen=Chosen())) is not None:
+            return False
+        found = judge_reading(claim, reading, Scope(free, algebra(), held=claim.held))
+    except (Undecided, Malformed, NotEstablished, UndefinedSymbol, ArithmeticError, ValueError):
+        return False
+    return found.verdict == "proved"
+
+
+def cited(claim: Claim, setting: Setting) -> list[str]:
+    """What is used where the claim, or a definition that it uses, takes means of normal noises."""
+    if claim.formula is None:
+        return []
+    reach = Reach(setting.symbols)
+    met = {token: None for name in claim.formula.symbols for token in (name, *reach.of(name))}
+    entries = [setting.symbols[token] for token in met if token in setting.symbols]
+    formulas = [claim.formula, *(e.definition for e in entries if e.definition is not None)]
+    takes_means = any(
+        node[:2] == ["call", "expectation"]
+        for formula in formulas
+        for relation in formula.readings[0].relations
+        for graph in (relation.left, relation.right)
+        for node in map(list, graph["nodes"])
+    )
+    return [NORMAL_MEANS] if takes_means and any(e.normal for e in entries) else []

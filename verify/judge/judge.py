@@ -1,5 +1,8 @@
 """Judges claim files: every claim under every convention its setting admits, the choice made once
 for the setting; then the nearest true formulas for what is not true.
+
+Verdicts that rest on an accident are told: what was broken off may have chosen a convention, said
+what a symbol is, or offered a repair, so that another run may come to something else.
 """
 
 from __future__ import annotations
@@ -10,13 +13,13 @@ from functools import partial
 from itertools import count
 from typing import Any
 
-from gainproof.verify.judge.accident import Lost, noted, with_accidents
 from gainproof.verify.judge.choice import choose, verdict_of
 from gainproof.verify.judge.claim.record import Claim, ClaimFile, Setting
 from gainproof.verify.judge.definition_use import contradicted, with_blame
 from gainproof.verify.judge.dimensions.claim import claim_readings, degrees_are_open
 from gainproof.verify.judge.kinds.definition import compared_token, is_as_declared, is_compared
 from gainproof.verify.judge.matrices.decide import decide
+from gainproof.verify.judge.repair.offer import NOT_TRUE
 from gainproof.verify.judge.setting.environment import Environment
 from gainproof.verify.judge.stages import (
     Done,
@@ -28,7 +31,6 @@ from gainproof.verify.judge.stages import (
 from gainproof.verify.judge.task import Models, Task, TrialTask
 from gainproof.verify.judge.trial import Trial
 from gainproof.verify.judge.undefined.choice import Fixed, fixed_symbols
-from gainproof.verify.judge.undefined.told import used_up_verdict, with_symbols
 from gainproof.verify.judge.verdict import ClaimVerdict, Finding
 from gainproof.verify.judge.worker import Judges, OnTrial, Workers
 
@@ -41,6 +43,8 @@ WITHOUT_DECISION = {
     "remark": "no decidable content",
 }
 FAILED = ("refuted", "conditional")
+Lost = list[tuple[Task, str]]
+"""Tasks of which nothing is known, and why."""
 
 
 def judge_file(
@@ -216,3 +220,69 @@ def _of_definition(claim: Claim, setting: Setting, compared: Trial | None) -> Cl
         method = f"equal to what {token} stands for"
         reason = f"{reason}; it is what {token} stands for in this setting"
     return verdict_of(claim, Finding("definition", reason, method=method), None, seconds)
+
+
+def used_up_verdict(claim: Claim, fixed: Sequence[Fixed]) -> ClaimVerdict:
+    """A claim that says what a symbol is defines it: it is not true or false beyond that."""
+    symbol = next(s for s in fixed if s.consumed == claim.id)
+    others = ", ".join(name for name in symbol.users if name != claim.id)
+    reason = (
+        f"used up to say what {symbol.token} is, which the source never defines: "
+        f"{symbol.solution}, the only solution ({symbol.reason}); judged with it: {others}"
+    )
+    return verdict_of(claim, Finding("definition", reason), None, 0.0)
+
+
+def with_symbols(verdict: ClaimVerdict, fixed: Sequence[Fixed]) -> ClaimVerdict:
+    """The verdict with the undefined symbols that its claim uses."""
+    mine = [symbol for symbol in fixed if verdict.id in symbol.users]
+    if not mine:
+        return verdict
+    entries = tuple(symbol.entry() for symbol in mine)
+    reason = verdict.reason
+    if verdict.verdict == "undefined":
+        reason = "; ".join(symbol.reason for symbol in mine if symbol.consumed is None)
+    return replace(verdict, undefined=entries, reason=reason or verdict.reason)
+
+
+def noted(done: Done, lost: Lost) -> Done:
+    """The same; what came to an accident is noted."""
+
+    def run(tasks: Sequence[Task]) -> Mapping[str, Trial]:
+        found = done(tasks)
+        for task in tasks:
+            accident = found[task.claim.id].accident
+            if accident is not None:
+                lost.append((task, accident))
+        return found
+
+    return run
+
+
+def with_accidents(
+    stage: Stage, lost: Lost, *, undefined_symbols: bool
+) -> tuple[ClaimVerdict, ...]:
+    """The verdicts on a setting, with the accident on which each rests that may rest on one."""
+    mine = [(task, why) for task, why in lost if task.claim.setting == stage.setting.name]
+    own = {task.claim.id: why for task, why in reversed(mine)}
+    trials = {trial.claim.id: trial for trial in stage.tried}
+    found = []
+    for verdict in stage.verdicts:
+        why = own.get(verdict.id)
+        touched = undefined_symbols or _rests_on_others(verdict, trials.get(verdict.id), stage)
+        if why is None and mine and touched:
+            task, what = mine[0]
+            why = f"claim {task.claim.id}, of the same setting, was not judged: {what}"
+        found.append(replace(verdict, accident=why))
+    return tuple(found)
+
+
+def _rests_on_others(verdict: ClaimVerdict, trial: Trial | None, stage: Stage) -> bool:
+    """Whether the other claims of the setting had a part in a verdict: in the choice among
+    conventions, or in what is true instead, which may be another definition.
+    """
+    if stage.setting.matrices is not None:
+        return False
+    if verdict.verdict in (*NOT_TRUE, "definition"):
+        return True
+    return trial is not None and (trial.is_open or len(trial.findings) != 1)

@@ -36,10 +36,7 @@ def single_units(kernel: Kernel, plain: KernelBound) -> float:
 
 
 def single_lines(kernel: Kernel) -> Iterator[str]:
-    """Statements of a block in double-words that do what is asked in float32."""
-    yield "if single:"
+    """Statements that give in double-words what is asked in float32."""
+    yield "if form.single:"
     yield "    # float64 keeps 29 bits more than come out"
-    yield f"    found = evaluate(_{kernel.name.upper()}, (given[0].astype(np.float64),), None, 1)"
-    yield "    for result, value in zip(out, found, strict=True):"
-    yield "        result[...] = value"
-    yield "    return"
+    yield f"    return evaluate(_{kernel.name.upper()}, exact(given)[:1], None, 1)"

@@ -1,4 +1,4 @@
-"""The block of a kernel in double-words, as text."""
+"""The arithmetic of a kernel in double-words, as text; of arrays and of one number alike."""
 
 from __future__ import annotations
 
@@ -8,20 +8,21 @@ from fractions import Fraction
 from gainproof.derive.printer.arithmetic import literal
 from gainproof.derive.printer.double_word.single import single_lines
 from gainproof.derive.printer.kernel import Kernel
+from gainproof.derive.printer.layout import row
 from gainproof.derive.printer.program import Step
 
 FUNCTIONS = {"input": "exact", "add": "add", "mul": "multiply", "div": "divide", "sqrt": "root"}
 
 
 def lines(kernel: Kernel) -> Iterator[str]:
-    """Statements from `given` to `out`, one a step; results are rounded once, to their type."""
+    """Statements from the input to float64 results, one a step."""
     program = kernel.accurate_program
-    yield from single_lines(kernel)
     used = {_function(step) for step in program.steps if step.operation != "constant"}
     used |= {"refined"} if kernel.refinement else set()
     yield "# loaded when it is asked for"
     yield f"from gainproof.generated._double_word import {', '.join(sorted(used))}"
     yield ""
+    yield from single_lines(kernel)
     names: list[str] = []
     for number, step in enumerate(program.steps):
         if step.operation == "constant":
@@ -37,9 +38,9 @@ def lines(kernel: Kernel) -> Iterator[str]:
             image, slope = (names[program.outputs[end]] for end in ends)
             yield f"{names[-1]} = refined({near}, {image}, {slope})"
         else:
-            yield f"{names[-1]} = {_call(step, program.inputs, names)}"
-    for place, output in enumerate(kernel.outputs):
-        yield f"out[{place}][...] = {names[program.outputs[output.name]]}[0]"
+            yield f"{names[-1]} = {_call(step, names)}"
+    values = [f"{names[program.outputs[output.name]]}[0]" for output in kernel.outputs]
+    yield from row("return ", values)
 
 
 def _start(kernel: Kernel, name: str) -> Iterator[str]:
@@ -50,7 +51,7 @@ def _start(kernel: Kernel, name: str) -> Iterator[str]:
     over, under = (outputs.index(each) for each in (wanted.over, wanted.under))
     yield "# what the plain kernel gives is near the root"
     signature = f"_{kernel.name.upper()}"
-    yield f"near = evaluate({signature}, (given[0].astype(np.float64),), None, 1)"
+    yield f"near = evaluate({signature}, exact(given)[:1], None, 1)"
     yield f"{name} = exact({literal(float(wanted.factor))} * near[{over}] / near[{under}])"
 
 
@@ -58,10 +59,10 @@ def _function(step: Step) -> str:
     return "scale" if step.scale is not None else FUNCTIONS[step.operation]
 
 
-def _call(step: Step, inputs: tuple[str, ...], names: list[str]) -> str:
+def _call(step: Step, names: list[str]) -> str:
     given = [names[number] for number in step.operands]
     if step.operation == "input":
-        given = [f"given[{inputs.index(step.label)}]"]
+        given = ["given"]
     elif step.scale is not None:
         given.append(literal(step.scale))
     return f"{_function(step)}({', '.join(given)})"

@@ -29,6 +29,8 @@ class NamedTuple(tuple[Any, ...], metaclass=_Named):
 
     def __new__(cls, *values: Any, **named: Any) -> Self:
         """One value for each field, by place or by name. TypeError if they do not fit."""
+        if not named and len(values) == len(cls._fields):
+            return super().__new__(cls, values)
         rest = cls._fields[len(values) :]
         if len(values) > len(cls._fields) or named.keys() != set(rest):
             given = [*cls._fields[: len(values)], *named]

@@ -8,11 +8,13 @@ from typing import TYPE_CHECKING, Any, NamedTuple, TypeAlias
 import numpy as np
 
 if TYPE_CHECKING:
+    import numpy.typing as npt
     from numpy.typing import NDArray
 
+    ArrayLike: TypeAlias = npt.ArrayLike | float  # a complex number is a float to some, not to all
     Array: TypeAlias = NDArray[np.floating[Any]]
     Arrays: TypeAlias = Sequence[Array]
-    Real: TypeAlias = np.floating[Any] | NDArray[np.floating[Any]]
+    Real: TypeAlias = float | np.floating[Any] | NDArray[np.floating[Any]]
     Block: TypeAlias = Callable[[Arrays, Arrays, Arrays, bool], None]
 
 
@@ -51,7 +53,9 @@ class Signature(NamedTuple):
 
     `block(inputs, outputs, work, single)`, a function, fills arrays of one shape and type; it may
     use the outputs as buffers before it fills them. Its numbers are the defaults of further
-    arguments. `only`: the one type of inputs and results, where others are refused.
+    arguments. `only`: the one type of inputs and results, where others are refused. `numbers`: its
+    arithmetic for one number each, followed by what they are (see `_numbers`); it raises
+    ArithmeticError or ValueError where it is for arrays to say what is wrong.
     """
 
     name: str
@@ -61,3 +65,4 @@ class Signature(NamedTuple):
     block: Block
     required: tuple[Required, ...] = ()
     only: str = ""
+    numbers: Callable[..., Sequence[Any]] | None = None

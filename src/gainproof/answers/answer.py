@@ -8,7 +8,8 @@ from math import prod
 from typing import Any
 
 from gainproof.answers.matrix_question import ANY_SIZE
-from gainproof.answers.question import DEFINITION, FILTER, NO_FILTER, SEARCHED, Assumed, Question
+from gainproof.answers.possible_filters import NO_FILTER, SEARCHED
+from gainproof.answers.question import DEFINITION, FILTER, Assumed, Question
 from gainproof.notebook.markup import html_escaped
 from gainproof.terminal_text import WIDTH, filled
 from gainproof.verdicts import witness_text

@@ -13,7 +13,8 @@ from typing import Any
 from xml.etree.ElementTree import Element
 
 from gainproof.answers.judge import Judge
-from gainproof.answers.question import FILTER, Assumed, Options, Question
+from gainproof.answers.possible_filters import Options
+from gainproof.answers.question import FILTER, Assumed, Question
 from gainproof.bad_input import BadInputError, harmless
 from gainproof.claims.judgements import shipped_models
 from gainproof.claims.judging import judge_text

@@ -8,7 +8,8 @@ from types import TracebackType
 from typing import Any
 
 from gainproof.answers.answer import Answer, answer_of
-from gainproof.answers.question import Options, Question, question
+from gainproof.answers.possible_filters import Options
+from gainproof.answers.question import Question, question
 from gainproof.bad_input import BadInputError
 from gainproof.claims.judgements import shipped_models
 from gainproof.claims.judging import KeptTrials, judge_text

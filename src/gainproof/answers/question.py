@@ -7,14 +7,14 @@ several filters may be meant, the text has a setting and a claim for each.
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
-from dataclasses import dataclass, field, replace
+from collections.abc import Collection, Iterator, Mapping, Sequence
+from dataclasses import dataclass, replace
 from typing import Any
 
-from gainproof.answers.densities import densities, order_of
 from gainproof.answers.matrix_question import MATRICES, matrix_question
 from gainproof.answers.matrix_reading import transposes
 from gainproof.answers.matrix_shapes import says_matrix
+from gainproof.answers.possible_filters import WHOLE, Candidate, Options, candidates, order_of
 from gainproof.answers.typed import Typed, condition, definition, symbol_name, typed
 from gainproof.bad_input import BadInputError, unknown_name
 from gainproof.claims.template import FORMAT_LINE
@@ -26,22 +26,12 @@ from gainproof.verify.judge.claim.settings import CONVENTIONS
 from gainproof.verify.judge.claim.units import read_unit
 from gainproof.verify.judge.formula import Formula, Graph
 from gainproof.verify.judge.quantity_names import quantity_names
-from gainproof.verify.judge.setting.growing_memory import MOST_DEGREE
 
 DEFINITION = "definition"
-WHOLE = "whole number"
-SEARCHED = "process noise searched"
-NO_FILTER = "none: about real numbers"
-EULER = Meaning("free", "Euler's number", definition=r"\exp(1)")
-"""Of a letter e that stands for itself; with an exponent the reader knows it."""
 MOST_SAID = 1000
 """Characters of what is said of a symbol."""
-ANGLES = frozenset({"sin", "cos", "tan", "asin", "acos", "atan", "cot", "sec", "csc"})
-SEARCH, NONE, FIXED = "search", "none", "fixed"
 FILTER = "filter"
 """What is assumed of no symbol."""
-
-
 _DELIMITERS = re.compile(r"(?s)^(?:\$\$?|\\\[|\\\()((?:(?!\$).)*?)(?:\$\$?|\\\]|\\\))$")
 """What LaTeX puts round a formula."""
 
@@ -56,42 +46,6 @@ class Assumed:
     meaning: str
     guessed: bool
     option: str
-
-
-@dataclass(frozen=True)
-class Options:
-    """What a user says of a formula; all may be left out.
-
-    Attributes
-    ----------
-    symbols : mapping
-        By symbol as written: a quantity ("filter_gain.1"), a unit with a condition ("m > 0",
-        "m^2/s"), "integer" with a condition, or a definition ("= a + b").
-    model : str
-        A name of `gainproof list`, "search", "none" (no filter), "fixed" (any gains); empty: what
-        the letters suggest.
-    domain : str
-        Conditions under which the formula is claimed.
-    given : sequence of str
-        Equations and inequalities that are hypotheses.
-    conventions : mapping
-        By name: gain, third_gain, power_of_T, covariance, noise, index_origin.
-    """
-
-    symbols: Mapping[str, str] = field(default_factory=dict)
-    model: str = ""
-    domain: str = ""
-    given: Sequence[str] = ()
-    conventions: Mapping[str, str] = field(default_factory=dict)
-
-
-@dataclass(frozen=True)
-class Candidate:
-    """One way to understand a formula: lines of a setting, and what they assume of the filter."""
-
-    lines: tuple[str, ...]
-    symbols: Mapping[str, Meaning]
-    title: str
 
 
 @dataclass(frozen=True)
@@ -155,12 +109,13 @@ def question(formula: str, options: Options, models: Sequence[Mapping[str, objec
         options, domain=domain.text if domain else "", given=tuple(each.text for each in given)
     )
     bounded = domain.symbols if domain else ()
-    candidates = _candidates(tokens, said, options, models, read.formula, bounded)
-    text = _text(read, candidates, options, stated)
+    counted = _counted(read.formula)
+    ways = candidates(tokens, said, options, models, read.formula, bounded, counted)
+    text = _text(read, ways, options, stated)
     parts = [Assumed(part, how, True, f"--symbol '{part}: ...'") for part, how in taken.items()]
     assumed = {
         str(number): (*parts, *_assumed(candidate, said, options))
-        for number, candidate in enumerate(candidates, 1)
+        for number, candidate in enumerate(ways, 1)
     }
     return Question(formula.strip(), text, assumed)
 
@@ -188,16 +143,6 @@ def _about_matrices(formula: str, names: Mapping[str, str], options: Options) ->
         for number, each in found.assumed.items()
     }
     return Question(formula.strip(), found.text, assumed)
-
-
-def _has_angles(formula: Formula) -> bool:
-    """Whether there are sines and their like, whose arguments are no gains."""
-    return any(
-        node[0] == "call" and node[1] in ANGLES
-        for relation in formula.readings[0].relations
-        for graph in (relation.left, relation.right)
-        for node in graph["nodes"]
-    )
 
 
 def _in_exponent(formula: Formula, token: str) -> bool:
@@ -242,198 +187,6 @@ def _meaning_of(token: str, text: str, names: Collection[str], read: Typed) -> M
     domain = f"{token} {found[3]}" if found[3] else ""
     words = WHOLE if found[1] else "number" if unit == "1" else f"number in {unit}"
     return Meaning("free", words, unit=unit, domain=domain, integer=bool(found[1]))
-
-
-def _candidates(
-    tokens: Sequence[str],
-    said: Mapping[str, Meaning],
-    options: Options,
-    models: Sequence[Mapping[str, object]],
-    formula: Formula,
-    bounded: Collection[str],
-) -> list[Candidate]:
-    """The ways to understand the formula, the likeliest first; the domain speaks of the `bounded`
-    symbols.
-    """
-    known = {**letters.filter_meanings(tokens), **said}
-    about_filter = (
-        all(token in known for token in tokens)
-        and letters.is_sound([known[token] for token in tokens])
-        and not _has_angles(formula)
-    )
-    told = any(meaning.role != "free" for meaning in said.values())
-    model = options.model or (SEARCH if about_filter or told else NONE)
-    names = [str(each["name"]) for each in models]
-    if model not in (SEARCH, NONE, FIXED, *names):
-        raise unknown_name("model", model, [SEARCH, NONE, FIXED, *names])
-    whole = _counted(formula)
-    free = {
-        token: EULER
-        if token == "e" and not _alone(formula, token)
-        else Meaning("free", WHOLE, integer=True)
-        if token in whole
-        else Meaning("free", REAL)
-        for token in tokens
-    }
-    if model == NONE:
-        for token, meaning in said.items():
-            if meaning.role != "free":
-                said_to_be = f"{token} is said to be {meaning.quantity}, a quantity of a filter"
-                raise BadInputError(f"{said_to_be}: --model none has none")
-        if options.conventions:
-            raise BadInputError(
-                f"--convention {next(iter(options.conventions))}: the formula is understood as one "
-                "about real numbers, which has none; say --model search, or what its symbols are"
-            )
-        algebra = ('kind = "algebra"',)
-        return [Candidate(algebra, {**free, **said}, NO_FILTER)]
-    meant = {**free, **known}
-    orders = [
-        int(each.quantity[-1]) for each in meant.values() if each.quantity.startswith("gain.")
-    ]
-    if model == FIXED:
-        states = max([2, *orders])
-        fixed = ('kind = "fixed_gain"', f"states = {states}", *_conventions(options, meant))
-        return [Candidate(fixed, meant, f"a filter of {states} states with any gains")]
-    said_densities = densities(meant) if model == SEARCH else None
-    if said_densities is not None:
-        if options.conventions:
-            name = next(iter(options.conventions))
-            raise BadInputError(f"--convention {name}: a Kalman-Bucy filter has none")
-        declared = said_densities.symbols(meant, options.domain, bounded)
-        return [Candidate(said_densities.lines(), declared, said_densities.title)]
-    fading = any(each.quantity == "forgetting_factor" for each in meant.values())
-    if (fading or any(map(letters.is_numbered, tokens))) and model == SEARCH:
-        kind = "fading_memory" if fading else "growing_memory"
-        words = "fading-memory filter" if fading else "least squares over all samples"
-        least = max(1, _states(meant)) - 1
-        return [
-            Candidate(
-                (f'kind = "{kind}"', f"degree = {degree}", *_conventions(options, meant)),
-                meant,
-                f"{words}, polynomial of degree {degree}",
-            )
-            for degree in range(least, MOST_DEGREE + 1)
-        ]
-    strengths = [token for token in tokens if meant[token].role in ("deviation", "density")]
-    if not strengths:
-        words = f"process noise {model}" if model != SEARCH else SEARCHED + _searched(meant)
-        steady = ('kind = "steady_state"', f'model = "{model}"', *_conventions(options, meant))
-        return [Candidate(steady, meant, f"Kalman filter in its steady state, {words}")]
-    if len(strengths) > 1:
-        raise BadInputError(
-            f"{' and '.join(strengths)} both look like the strength of the process noise: say what "
-            "one of them is with --symbol"
-        )
-    role = meant[strengths[0]].role
-    suited = [
-        each
-        for each in models
-        if model in (SEARCH, each["name"])
-        and letters.NOISE_ORDERS.get(str(each["name"]), ("",))[0] == role
-        and len(_rows(each, "transition")) >= max(orders, default=2)
-    ]
-    fewest = min((len(_rows(each, "transition")) for each in suited), default=0)
-    found = [
-        _with_strength(strengths[0], meant, each, options)
-        for each in suited
-        if len(_rows(each, "transition")) == fewest
-    ]
-    if not found:
-        raise BadInputError(
-            f"{strengths[0]} is taken for the {meant[strengths[0]].meaning}, which model {model} "
-            f"does not have: say what it is with --symbol '{strengths[0]}: ...'"
-        )
-    return found
-
-
-def _searched(meant: Mapping[str, Meaning]) -> str:
-    """Among which models the judge searches: as many states as the highest component named."""
-    states = _states(meant)
-    return f" among models of {states} states" if states > 1 else ""
-
-
-def _states(meant: Mapping[str, Meaning]) -> int:
-    """The highest number of a component; 0 if there is none."""
-    parts = (part for each in meant.values() for part in each.quantity.split(".") if part.isdigit())
-    return max(map(int, parts), default=0)
-
-
-def _alone(formula: Formula, token: str) -> bool:
-    """Whether a symbol is a whole side."""
-    sides = (
-        graph
-        for relation in formula.readings[0].relations
-        for graph in (relation.left, relation.right)
-    )
-    return any(each["nodes"][each["outputs"]["value"]][:2] == ["symbol", token] for each in sides)
-
-
-def _rows(model: Mapping[str, object], name: str) -> list[list[str]]:
-    rows = model[name]
-    assert isinstance(rows, list)
-    return rows
-
-
-def _with_strength(
-    token: str, meant: Mapping[str, Meaning], model: Mapping[str, object], options: Options
-) -> Candidate:
-    """A model of the catalogue, written out with the symbols of its noises."""
-    name = str(model["name"])
-    role, power, unit = letters.NOISE_ORDERS[name]
-
-    def symbol_of(quantity: str, usual: str) -> str:
-        return next((t for t, m in meant.items() if m.quantity == quantity), usual)
-
-    interval = symbol_of("sampling_interval", "T")
-    variance = symbol_of("measurement_noise_variance", "")
-    deviation = symbol_of("measurement_noise_deviation", r"\sigma_v")
-    noise = variance or rf"{deviation}^2"
-    strength = rf"{token}^2" if role == "deviation" else token
-    declared = {
-        **meant,
-        token: Meaning("free", meant[token].meaning, unit=unit, domain=f"{token} > 0"),
-    }
-    for symbol, quantity in (
-        (interval, "sampling_interval"),
-        *([] if variance else [(deviation, "measurement_noise_deviation")]),
-    ):
-        declared.setdefault(symbol, letters.quantity(quantity, quantity_names()[quantity].meaning))
-
-    def matrix(field_name: str, factor: str, power_at: Callable[[int, int], int]) -> str:
-        rows = [
-            [_times(str(value), factor, interval, power_at(i, j)) for j, value in enumerate(row)]
-            for i, row in enumerate(_rows(model, field_name))
-        ]
-        return f"{field_name} = [{', '.join('[' + ', '.join(map(quoted, r)) + ']' for r in rows)}]"
-
-    lines = (
-        'kind = "steady_state"',
-        matrix("transition", "", lambda i, j: j - i),
-        matrix("process_noise", strength, lambda i, j: power - i - j),
-        matrix("measurement", "", lambda i, j: 0),  # noqa: ARG005 (a table of no powers)
-        matrix("measurement_noise", noise, lambda i, j: 0),  # noqa: ARG005
-        *_conventions(options, meant),
-    )
-    return Candidate(lines, declared, f"Kalman filter in its steady state, process noise {name}")
-
-
-def _times(value: str, factor: str, interval: str, power: int) -> str:
-    """An entry of a model in units, from its number: that times a factor and a power of T."""
-    if value == "0":
-        return value
-    number = re.sub(r"^(-?\d+)/(\d+)$", r"\\frac{\1}{\2}", value)
-    time = interval if power == 1 else f"{interval}^{power}" if power else ""
-    parts = [part for part in (number if number != "1" else "", factor, time) if part]
-    return " ".join(parts) or "1"
-
-
-def _conventions(options: Options, meant: Mapping[str, Meaning]) -> list[str]:
-    """Those that the user states, and a search for those that the symbols leave open."""
-    lines = [f'{name} = "{value}"' for name, value in options.conventions.items()]
-    if any(each.quantity == "gain.3" for each in meant.values()):
-        lines += [] if "third_gain" in options.conventions else ['third_gain = "search"']
-    return lines
 
 
 def _entry(token: str, meaning: Meaning) -> str:

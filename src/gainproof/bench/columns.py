@@ -84,6 +84,14 @@ KERNEL_OVER = (
         "the kernel's time over that of reading its input arrays once and filling its output "
         "arrays once: what memory alone takes",
     ),
+    Column(
+        "one number",
+        "formula",
+        "one number / formula",
+        "1/py",
+        "the kernel called with Python floats, a call a point, over the plain Python formula of "
+        "its graph by `math`, without guards and names",
+    ),
 )
 OVER_KERNEL = (
     Column(

@@ -13,6 +13,7 @@ from gainproof.bench.arguments import Arguments, sample, with_constants
 from gainproof.bench.compiler import Arrays, compiled, compiler, loaded
 from gainproof.bench.errors import OutputError, worst_errors
 from gainproof.bench.memory import touched
+from gainproof.bench.one_number import seconds_of_numbers
 from gainproof.bench.solver import solver_seconds
 from gainproof.bench.subjects import Measured
 from gainproof.bench.timing import best_times
@@ -56,7 +57,8 @@ class Figures:
     arrays read and filled once; C: a bare loop of the graph; C function: the one that is shipped,
     which looks at all inputs first as the kernel does; in C, in C shared: the kernel of a package
     that is compiled, without and with threads; lambdify, numexpr, Numba, JAX: the textbook
-    form; SciPy: its Riccati solver, a call a point.
+    form; SciPy: its Riccati solver, a call a point; one number, formula: the kernel and the plain
+    Python formula of its graph, a call a point.
     """
 
     seconds: Mapping[str, float]
@@ -105,6 +107,8 @@ def figures(item: Measured, folder: Path, options: Options) -> Figures:
         if item.textbook is not None:
             _add_rivals(calls, missing, item, given, folder, options.every_rival)
         seconds = best_times(calls, seconds=SECONDS, threaded=THREADED)
+    for name, a_call in seconds_of_numbers(item, columns, folder).items():
+        seconds[name] = a_call * SIZE
     if item.model is not None:
         a_point = solver_seconds(item.model, [each.name for each in item.kernel.inputs])
         if a_point is not None:

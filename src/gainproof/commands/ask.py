@@ -10,7 +10,7 @@ from gainproof.claims import time_limit
 
 if TYPE_CHECKING:
     from gainproof.answers.answer import Answer
-    from gainproof.answers.question import Options
+    from gainproof.answers.possible_filters import Options
 
 HELP = "say whether a formula is right"
 DESCRIPTION = """\
@@ -169,7 +169,7 @@ def _formulas(words: list[str]) -> Iterator[str]:
 
 def _options(options: argparse.Namespace) -> Options:
     """What the options say. Raises BadInputError."""
-    from gainproof.answers.question import Options
+    from gainproof.answers.possible_filters import Options
     from gainproof.bad_input import BadInputError
 
     def pairs(option: str, words: list[str], sign: str) -> dict[str, str]:

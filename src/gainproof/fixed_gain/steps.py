@@ -14,7 +14,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from gainproof.generated import filter_step
 
-Real = np.floating[Any] | NDArray[np.floating[Any]]
+Real = float | np.floating[Any] | NDArray[np.floating[Any]]
 
 
 class Moving(NamedTuple):
@@ -52,8 +52,7 @@ def step_two_states(
     Domain, types, proved bounds and errors are those of `gainproof.generated.filter_step`;
     TypeError where `detected` is not true or false. Inputs are checked before `out` is touched.
     """
-    seen = _detections(detected)
-    gains, observations = _masked(seen, (alpha, beta), (observed,))
+    gains, observations = _masked(detected, (alpha, beta), (observed,))
     return Moving(
         *filter_step.step_two_states(position, velocity, interval, *observations, *gains, out=out)
     )
@@ -73,8 +72,7 @@ def step_three_states(
     out: tuple[Any, Any, Any] | None = None,
 ) -> Accelerating:
     """The same with an acceleration (m/s^2); gamma takes the innovation over t^2."""
-    seen = _detections(detected)
-    gains, observations = _masked(seen, (alpha, beta, gamma), (observed,))
+    gains, observations = _masked(detected, (alpha, beta, gamma), (observed,))
     return Accelerating(
         *filter_step.step_three_states(
             position, velocity, acceleration, interval, *observations, *gains, out=out
@@ -104,8 +102,7 @@ def step_interacting(
     states = [_axes(name, x) for name, x in (("position", position), ("velocity", velocity))]
     matrices = (("position_gain", position_gain), ("velocity_gain", velocity_gain))
     gains = [entry for name, x in matrices for row in _axes(name, x) for entry in _axes(name, row)]
-    seen = _detections(detected)
-    gains, observations = _masked(seen, gains, _axes("observed", observed))
+    gains, observations = _masked(detected, gains, _axes("observed", observed))
     given = (*states[0], *states[1], interval, *observations, *gains)
     if out is None:
         found = filter_step.step_interacting(*given)
@@ -121,17 +118,13 @@ def step_interacting(
     return Moving(*out)
 
 
-def _detections(detected: ArrayLike) -> NDArray[np.bool_]:
+def _masked(detected: Any, gains: Any, observed: Any) -> tuple[list[ArrayLike], list[ArrayLike]]:
+    """Gains and observations, 0 where nothing was observed: exactly the prediction is left."""
+    if detected is True:
+        return list(gains), list(observed)
     seen = np.asarray(detected)
     if seen.dtype != np.bool_:
         raise TypeError(f"detected must be true or false, got {seen.dtype}")
-    return seen
-
-
-def _masked(
-    seen: NDArray[np.bool_], gains: Any, observed: Any
-) -> tuple[list[ArrayLike], list[ArrayLike]]:
-    """Gains and observations, 0 where nothing was observed: exactly the prediction is left."""
     if seen.all():
         return list(gains), list(observed)
     return [_kept(seen, gain) for gain in gains], [_kept(seen, z) for z in observed]

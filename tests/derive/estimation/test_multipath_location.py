@@ -19,7 +19,9 @@ from samples import samples
 from word_values import completed, holds, true
 
 import gainproof.generated
-from gainproof.verify.certificate import check
+from gainproof.derive.estimation.multipath_location import NAME, build
+from gainproof.derive.pages.derivation import FOLDER
+from gainproof.verify.certificate import check, check_statement
 from gainproof.verify.certificate.alteration import Campaign
 from gainproof.verify.certificate.document import read_document, read_statement
 from gainproof.verify.certificate.plain import plain
@@ -97,3 +99,23 @@ def test_what_is_altered_is_rejected() -> None:
     campaign = Campaign(certificate())
     chosen = random.Random(0).sample(campaign.alterations(), samples(20))
     assert campaign.run(chosen).accepted == ()
+
+
+WRONG = [
+    ("kernel-bias-deviation", "    deviation = sigma_b\n", "    deviation = 2 sigma_b\n"),
+    ("example-2", "course_2 = [1500/41, 300/41,", "course_2 = [1500/41, 301/41,"),
+    ("example-0-whole", "all_0 = [75, 75,", "all_0 = [75, 76,"),
+    ("kernel-bias-deviation", "    share = 1/(1 + rho)\n", "    share = 1/(2 + rho)\n"),
+]
+
+
+@pytest.mark.parametrize(("step", "right", "wrong"), WRONG)
+def test_a_number_of_the_page_that_is_not_true_is_rejected(
+    tmp_path: Path, step: str, right: str, wrong: str
+) -> None:
+    text = (FOLDER / f"{NAME}.md").read_text(encoding="utf-8")
+    assert text.count(right) == 1
+    (tmp_path / f"{NAME}.md").write_text(text.replace(right, wrong), encoding="utf-8")
+    found = json.loads(json.dumps(build(tmp_path).certificate()))
+    statuses = [check_statement(found, name).status for name in (step, "example-4")]
+    assert statuses == ["rejected", "proved"]

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 from collections.abc import Mapping
+from pathlib import Path
 from typing import Any
 
 import pytest
@@ -11,7 +12,9 @@ from catalogue_subjects import certificate
 
 from gainproof.derive.filter_step.forms import AXES
 from gainproof.derive.filter_step.kernels import KERNELS, inputs
-from gainproof.verify.certificate import check
+from gainproof.derive.filter_step.subject import build
+from gainproof.derive.pages.derivation import FOLDER
+from gainproof.verify.certificate import check, check_statement
 
 NAME = "filter-step"
 
@@ -96,3 +99,26 @@ def test_the_arguments_of_a_kernel_are_its_symbols() -> None:
     for name in KERNELS:
         graph = data["programs"][name]["graph"]
         assert {node[1] for node in graph["nodes"] if node[0] == "symbol"} == set(inputs(name))
+
+
+WRONG = [
+    ("step-two", "v + beta r(x, v, z)/t]", "v - beta r(x, v, z)/t]"),
+    ("step-three", "mean + t a/2 + beta e/t", "mean + t a + beta e/t"),
+    ("missed-3", "    mean = v + t a/2\n", "    mean = v + t a\n"),
+    ("step-interacting-y", "v_2 + row(B21, B22, B23)", "v_2 + row(B22, B21, B23)"),
+    ("non-interacting-z", "A33, t B33)\n", "A33, B33)\n"),
+]
+
+
+@pytest.mark.parametrize(("step", "right", "wrong"), WRONG)
+def test_a_formula_of_the_page_that_is_not_true_is_rejected(
+    tmp_path: Path, step: str, right: str, wrong: str
+) -> None:
+    for part in FOLDER.glob("*.md"):
+        text = part.read_text(encoding="utf-8")
+        if part.stem == NAME:
+            assert text.count(right) == 1
+            text = text.replace(right, wrong)
+        (tmp_path / part.name).write_text(text, encoding="utf-8")
+    found = json.loads(json.dumps(build(tmp_path).certificate()))
+    assert check_statement(found, step).status == "rejected"

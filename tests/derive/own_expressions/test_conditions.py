@@ -149,6 +149,8 @@ def test_the_message_of_an_angle_says_which_condition_would_do() -> None:
         (Condition(sp.Integer(1) > 0, "a"), "this one is always True"),
         (Condition(x**2 + 1 > 0, "a"), "this one is always True"),
         (Condition(x * y >= 0, "a"), r"write > or <"),
+        (Condition(x * y >= z, "a"), r"write > or <"),
+        (Condition(x * y + 1 <= z + 1, "a"), r"write > or <"),
         (Condition(x * y > sp.pi, "a"), "an exact number"),
         (Condition(x * y > 0.5, "a"), "an exact number"),
         (Condition(0.5 * x * y > z, "a"), "holds a float"),

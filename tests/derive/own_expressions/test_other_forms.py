@@ -14,7 +14,7 @@ import sympy as sp
 from graph_kernels import module_of
 
 from gainproof.derive.expression import real
-from gainproof.derive.own_expressions.equal_forms import difference
+from gainproof.derive.own_expressions.as_written import difference
 from gainproof.derive.own_expressions.expressions import (
     Argument,
     Condition,

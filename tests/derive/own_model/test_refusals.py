@@ -205,7 +205,6 @@ REFUSED: list[tuple[Model, str]] = [
         ),
         "4 states and 2 measurements came: of several axes .* each is a model of its own",
     ),
-    (own_model([[1]], [[1]]), "1 states and 1 measurements came; claim files take a single state"),
     (
         own_model(
             [[1, 1], [0, R]],

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import pytest
 import sympy as sp
 
@@ -48,6 +50,35 @@ def test_a_formula_means_what_it_says(text: str) -> None:
     assert sp.expand(MEANINGS.value(read) - FORMULAS[text]) == 0
 
 
+ORDERS = {
+    "as_written(b + a)": (B, A),
+    "as_written((b + a) (a - 1))": (B + A, A - 1),
+    "as_written(x ((1 + a)/2))": (X, (1 + A) / 2),
+    "as_written(sum_of_both^2 x + 1)": ((A + 1) ** 2 * X, sp.Integer(1)),
+}
+
+
+@pytest.mark.parametrize("text", ORDERS)
+def test_what_is_to_stay_as_written_keeps_its_order(text: str) -> None:
+    meanings = MEANINGS.define("sum_of_both", Definition((), read_formula("a + 1")))
+    value = meanings.value(read_formula(text))
+    wanted = ORDERS[text]
+    assert [sp.expand(part - other) for part, other in zip(value.args, wanted, strict=True)] == [
+        0,
+        0,
+    ]
+    assert isinstance(value, sp.Add if " + " in text.split("(")[1] else sp.Mul)
+
+
+def test_a_slot_may_name_a_quantity() -> None:
+    said = read_statement("a -> b as {running} -> 0")
+    slots = {"running": "x"}
+    relation = relation_of(said, replace(MEANINGS, slots=slots))
+    assert relation.parts["variable"] == "x"
+    with pytest.raises(FormulaError, match="'y' is no quantity of this page"):
+        relation_of(said, replace(MEANINGS, slots={"running": "y"}))
+
+
 def test_matrices_are_left_as_written_and_definitions_are_multiplied_out() -> None:
     square = read_formula("M M' + k k'", MEANINGS.primed)
     value = MEANINGS.value(square)
@@ -55,6 +86,9 @@ def test_matrices_are_left_as_written_and_definitions_are_multiplied_out() -> No
         (MATRIX, MATRIX.T),
         (sp.ImmutableDenseMatrix([A, B]), sp.ImmutableDenseMatrix([[A, B]])),
     ]
+    less = MEANINGS.value(read_formula("M - (M' + k k')", MEANINGS.primed))
+    assert less.args[1].args[0] == -1
+    assert [len(part.args) for part in less.args[1].args[1].args] == [3, 2]
     named = MEANINGS.define("N", Definition((), square)).defined["N"]
     assert named == sp.ImmutableDenseMatrix([[2 * A**2 + B**2, A * B + B], [A * B + B, 1 + B**2]])
 
@@ -94,6 +128,11 @@ STATEMENTS = {
         "limit",
         {"expression": A, "variable": "x", "point": "0", "value": "infinity"},
     ),
+    "sum of a x^2 over x from 0 to b is c": (
+        "sum",
+        {"index": "x", "start": "0", "upper": "b", "summand": A * X**2, "closed": C},
+    ),
+    "a^2 stands for b c": ("definition", {"left": A**2, "right": B * C}),
     "gain [a, b] is stable in model": (
         "stable",
         {"model": {"name": "a model"}, "gain": ["a", "b"]},

@@ -115,6 +115,7 @@ WRONG = [
     ("    I: unit of n", "    P: unit of n", 11, "'P' has a meaning already"),
     ("    I: unit of n", "    I: unit", 11, "'name = formula' is wanted"),
     ("P H' S^-1", "P H' R^-1", 14, "a letter 'with inverse' is wanted"),
+    ("trace(Phi P) =", "trace((1/0) P) =", 33, "'1/0' divides by 0"),
     ("trace(Phi P)", "trace(Psi P)", 33, "'Psi' is no letter of setting update"),
     ("means-s: where S", "means-s: where P", 29, "'P' stands for nothing in setting update"),
     ("trace(Phi P) =", "sqrt(Phi P) =", 33, "is no formula of matrices of every size"),

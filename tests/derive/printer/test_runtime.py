@@ -38,7 +38,13 @@ def counted() -> Any:
 
 
 def test_numbers_give_numbers() -> None:
-    for given, kind in ((4.0, np.float64), (4, np.float64), (np.float32(4), np.float32)):
+    for given, kind in (
+        (4.0, float),
+        (4, float),
+        (np.float64(4), np.float64),
+        (np.uint8(4), np.float64),
+        (np.float32(4), np.float32),
+    ):
         found = two()(given)
         assert [type(each) for each in found] == [kind, kind]
         assert found == (2, 16)

@@ -34,8 +34,10 @@ def wanted(x: Any, z: Any) -> tuple[Any, Any]:
 
 def test_numbers_give_numbers() -> None:
     for x, z, kind in (
-        (4.0, 2.0, np.float64),
-        (4, 2, np.float64),
+        (4.0, 2.0, float),
+        (4, 2.0, float),
+        (np.float64(4), 2.0, np.float64),
+        (4, np.int8(2), np.float64),
         (np.float32(4), np.float32(2), np.float32),
         (np.float32(4), 2.0, np.float64),
         (4, np.float32(2), np.float64),

@@ -8,20 +8,16 @@ from itertools import product
 
 import pytest
 import sympy as sp
-from catalogue_subjects import certificate, derived
+from catalogue_subjects import certificate, derived, subject
 from kernel_truth import truth_at
 from one_of_each import cases
 
-from gainproof.derive.three_state.excess import Surds, positive_terms
-from gainproof.derive.three_state.names import XI
-from gainproof.derive.three_state.spectrum import Spectrum
-from gainproof.derive.three_state.steps_curvature_ends import SMALL
+from gainproof.derive.expression import real
 from gainproof.verify.certificate import check_statement
 
 JERK = "continuous-white-jerk"
 FAMILIES = ("acceleration-increments", "wiener-acceleration", "random-jerk", JERK)
 ONE_OF_EACH = ("acceleration-increments", "random-jerk")  # by the towers of their kernels
-NOISES = ((1, 0), (Fraction(2, 3), Fraction(1, 9)), (1, Fraction(2, 15)))
 
 
 @pytest.mark.parametrize("name", cases(FAMILIES, lambda name: name in ONE_OF_EACH))
@@ -42,26 +38,6 @@ def test_an_altered_claim_of_a_sign_is_rejected() -> None:
     node = next(n for n in entry["claim"]["right"]["nodes"] if n[0] == "number")
     node[1] = "5/7"
     assert check_statement(data, entry["id"]).status == "rejected"
-
-
-@pytest.mark.parametrize("numbers", NOISES)
-def test_positive_terms_add_up_with_few_powers_of_the_difference(
-    numbers: tuple[Fraction, Fraction],
-) -> None:
-    m1, m2 = (Fraction(number) for number in numbers)
-    empty = sp.Integer(0)
-    spectrum = Spectrum(empty, empty, m1, m2)
-    surds = Surds(spectrum)
-    least = surds.least.as_expr()
-    polynomial = 7 * (XI - least) ** 3 + 2 * XI * (XI - least) + XI**3
-    terms = positive_terms(spectrum, polynomial)
-    total = sum(value * (XI - least) ** i * XI**j for (i, j), value in terms.items())
-    by_power = sp.Poly(sp.expand(total - polynomial), XI).all_coeffs()
-    assert all(surds.of(value) == 0 for value in by_power)
-    assert all(surds.size(surds.of(value)) > 0 for value in terms.values())
-    assert min(i for i, _ in terms) == 0
-    with pytest.raises(ArithmeticError, match="without subtraction"):
-        positive_terms(spectrum, XI - 2 * least)
 
 
 def test_a_root_in_a_root_has_the_same_kernels() -> None:
@@ -93,10 +69,14 @@ def test_another_limit_of_a_second_derivative_is_rejected(name: str, word: str) 
 
 def test_small_indices_bend_as_is_said() -> None:
     """The limits against the true values at one small index."""
-    index = 1e-24
-    truth = truth_at("continuous_white_jerk", "tracking_index", index)
-    alpha = float(truth["alpha"].value)
-    for name, (power, other, number) in SMALL.items():
-        true = float(truth[f"dd_{name}"].value)
-        share = true * index**power / alpha**other
-        assert share == pytest.approx(float(Fraction(number)), rel=1e-6), name
+    index = sp.Float("1e-24")
+    truth = truth_at("continuous_white_jerk", "tracking_index", float(index))
+    known = {real(name): sp.Float(truth[name].value) for name in ("alpha",)}
+    steps = [step for step in subject(JERK).derivation.steps if "small-second" in step.id]
+    assert len(steps) == 12
+    for step in steps:
+        (bend,) = (expression := step.relation.parts["expression"]).atoms(sp.Derivative)
+        true = sp.Float(truth[f"dd_{bend.expr}"].value)
+        share = expression.subs(bend, true).subs({**known, real("tracking_index"): index})
+        number = float(step.relation.parts["value"])
+        assert float(share) == pytest.approx(number, rel=1e-6), step.id

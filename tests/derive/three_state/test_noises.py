@@ -9,9 +9,11 @@ from one_of_each import cases
 
 from gainproof.derive.families.kinematic_acceleration import position_velocity_acceleration_model
 from gainproof.derive.model import Model, ModelError
+from gainproof.derive.printer.together import prove_all
 from gainproof.derive.quantity import METRE, SAMPLING_INTERVAL, SECOND, Quantity
 from gainproof.derive.steady_state.spectrum import V
 from gainproof.derive.three_state.context import context
+from gainproof.derive.three_state.kernels import KERNELS
 from gainproof.derive.three_state.spectrum import factorise
 from gainproof.derive.three_state.three_state import derive_three_state
 from gainproof.verify.certificate import check
@@ -28,8 +30,16 @@ def model(*column: sp.Rational) -> Model:
     return position_velocity_acceleration_model("fifth", "Fifth", noise, STRENGTH)
 
 
-def test_a_fifth_noise_needs_its_process_noise_only() -> None:
-    fifth = derive_three_state(model(sp.Rational(1, 4), sp.Rational(3, 4), sp.Integer(1)), ())
+@pytest.mark.parametrize(
+    "column",
+    [
+        (sp.Rational(1, 4), sp.Rational(3, 4)),
+        # xi/2 - Q23 is the quotient of two sums of positive terms, one of them a quotient itself
+        (sp.Rational(2, 5), sp.Rational(9, 10)),
+    ],
+)
+def test_a_fifth_noise_needs_its_process_noise_only(column: tuple[sp.Rational, ...]) -> None:
+    fifth = derive_three_state(model(*column, sp.Integer(1)), ())
     report = check(
         fifth.certificate(),
         claims=fifth.claims(),
@@ -38,6 +48,9 @@ def test_a_fifth_noise_needs_its_process_noise_only() -> None:
     )
     assert report.accepted, report.reason
     assert len(report.statements) > 120
+    assert set(KERNELS) <= {kernel.name for kernel in fifth.module.kernels}
+    for bounds in prove_all(fifth.module.kernels):
+        assert all(0 < output.bound < 100 for form in bounds for output in form.outputs)
 
 
 def test_numbers_of_the_spectrum_come_out_of_the_model() -> None:

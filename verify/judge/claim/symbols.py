@@ -2,17 +2,19 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field, replace
 from types import MappingProxyType
 
-from gainproof.verify.judge.claim.circles import MOST_DEEP, find_circle, find_deepest
 from gainproof.verify.judge.claim.declarations import Declaration
 from gainproof.verify.judge.claim.errors import FileText
 from gainproof.verify.judge.claim.record import SymbolEntry
 from gainproof.verify.judge.formula import Formula, Graph, Relation
 from gainproof.verify.judge.reader.errors import ReaderError
 from gainproof.verify.judge.reader.reader import read_conditions, read_expression, read_formula
+
+MOST_DEEP = 50
+"""Definitions inside one another; each is resolved inside the one that uses it."""
 
 
 @dataclass(frozen=True)
@@ -170,3 +172,52 @@ def _variance(
     if others:
         raise text.error(where, "two readings: write \\frac", declaration.line)
     return graph
+
+
+def find_circle(entries: Mapping[str, SymbolEntry]) -> tuple[str, ...]:
+    """Names of definitions each of which uses the next, the first again at the end; empty if there
+    is no circle.
+    """
+    *_, last = _layers(entries)
+    return _one_circle(last) if last else ()
+
+
+def find_deepest(entries: Mapping[str, SymbolEntry]) -> tuple[str, int]:
+    """A definition with the most others inside one another, and their number, itself counted; there
+    must be no circle.
+    """
+    layers = list(_layers(entries))
+    deepest = min(layers[-2]) if len(layers) > 1 else ""
+    return deepest, len(layers) - 1
+
+
+def _layers(entries: Mapping[str, SymbolEntry]) -> Iterator[dict[str, frozenset[str]]]:
+    """What waits to be settled with what it uses, before and after each round of settling.
+
+    Without recursion: a long chain of definitions is no danger here.
+    """
+    waiting = {name: definition_uses(entry) for name, entry in entries.items() if entry.definition}
+    yield waiting
+    while waiting:
+        rest = {name: used for name, used in waiting.items() if used & waiting.keys()}
+        yield rest
+        if len(rest) == len(waiting):
+            return
+        waiting = rest
+
+
+def definition_uses(entry: SymbolEntry) -> frozenset[str]:
+    """The symbols and functions on the right of a definition, its own arguments left out."""
+    used: set[str] = set()
+    for reading in entry.definition.readings if entry.definition else ():
+        for node in reading.relations[0].right["nodes"]:
+            if node[0] in ("symbol", "call"):
+                used.add(node[1])
+    return frozenset(used.difference(entry.arguments))
+
+
+def _one_circle(waiting: Mapping[str, frozenset[str]]) -> tuple[str, ...]:
+    path = [min(waiting)]
+    while path[-1] not in path[:-1]:
+        path.append(min(waiting[path[-1]] & waiting.keys()))
+    return tuple(path[path.index(path[-1]) :])

@@ -9,7 +9,7 @@ same holds for numbers.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Sequence, Set
 from dataclasses import dataclass, field
 from fractions import Fraction
 
@@ -28,9 +28,9 @@ from gainproof.verify.judge.exact.poly import (
     degree,
     from_terms,
     grouped,
+    rational,
 )
 from gainproof.verify.judge.exact.tower import Root, Tower
-from gainproof.verify.judge.exact.tower_balls import variable_balls
 
 FIRST_PRECISION = 64
 
@@ -234,3 +234,36 @@ class Local:
             values = variable_balls(self.tower, self._zero_roots, at, precision, free)
             result = evaluate(p, values)
             return result if result.is_finite() else None
+
+
+def variable_balls(
+    tower: Tower,
+    zero_roots: Set[int],
+    at: Sample | Algebraic | None,
+    precision: int,
+    free: tuple[Fraction, ...],
+) -> list[Ball | None]:
+    """A ball round every variable, at the current working precision; None where the point does not
+    say, or where a root is not resolved or has no value. Roots in `zero_roots` are zero.
+    """
+    values: list[Ball | None] = [None] * max(1, len(tower.names))
+    for place, number in zip(tower.free_indices, free, strict=False):
+        values[place] = flint.arb(rational(number))
+    coordinates = at if isinstance(at, tuple) else () if at is None else (at,)
+    for place, value in zip(tower.parameter_indices, coordinates, strict=False):
+        values[place] = (
+            value.ball(precision) if isinstance(value, Algebraic) else flint.arb(rational(value))
+        )
+    for root in tower.roots:
+        if root.index in zero_roots:
+            values[root.index] = flint.arb(0)
+            continue
+        top, bottom = evaluate(root.radicand.num, values), evaluate(root.radicand.den, values)
+        ratio = top / bottom
+        if root.order == 2 and ratio > 0:
+            values[root.index] = bottom * ratio.sqrt()
+        elif root.order == 3 and ratio > 0:
+            values[root.index] = bottom * ratio.root(3)
+        elif root.order == 3 and ratio < 0:
+            values[root.index] = -bottom * (-ratio).root(3)
+    return values

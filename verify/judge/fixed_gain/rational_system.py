@@ -70,18 +70,23 @@ def numerator_and_denominator(expr: Expr, names: Sequence[str]) -> tuple[Poly, P
     """
     element = build_tower([expr], None, tuple(names), frozenset()).element(expr)
     own = ring(tuple(names))
-    top, bottom = (over(own, p) for p in (element.num, element.den))
+    top, bottom = (_behind_roots(own, p) for p in (element.num, element.den))
     common = top.gcd(bottom)
     top, bottom = _exact(top, common), _exact(bottom, common)
     return (top, bottom) if fraction(bottom.leading_coefficient()) > 0 else (-top, -bottom)
 
 
-def over(context: Ring, p: Poly) -> Poly:
-    """The polynomial in the first variables of another ring, of which it holds no others."""
-    width = context.nvars()
-    if any(any(e[width:]) for e, _ in terms(p)):
-        raise Undecided("a root where a rational function is wanted")
-    return from_terms(context, {tuple(e[:width]): c for e, c in terms(p)})
+def _behind_roots(context: Ring, p: Poly) -> Poly:
+    """A polynomial of a tower in the last variables alone, as those of a ring of their own; the
+    places of roots are before them.
+    """
+    first = p.context().nvars() - context.nvars()
+    found = {}
+    for e, c in terms(p):
+        if any(e[:first]):
+            raise Undecided("a root where a rational function is wanted")
+        found[tuple(e[first:])] = c
+    return from_terms(context, found)
 
 
 def primitive(p: Poly) -> Poly:

@@ -1,13 +1,19 @@
-"""Decides statements that may hold exponentials, angles, symbolic powers and open sums."""
+"""Decides statements that may hold exponentials, angles, symbolic powers and open sums.
+
+Of angles with whole multiples of pi in them cos(k pi + x) is (-1)^k cos x for a whole number k.
+"""
 
 from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import replace
+from fractions import Fraction
 from functools import partial
 
+from gainproof.verify.judge.domain import bounded
 from gainproof.verify.judge.exact.box import Box
-from gainproof.verify.judge.exact.expression import Expr, number
+from gainproof.verify.judge.exact.calculus import rebuilt
+from gainproof.verify.judge.exact.expression import Expr, mul, number, symbols_of, walk
 from gainproof.verify.judge.exact.free_names import with_tokens
 from gainproof.verify.judge.exact.limits import Nowhere, Undecided
 from gainproof.verify.judge.exact.points import (
@@ -20,22 +26,30 @@ from gainproof.verify.judge.exact.statement import Outcome, Rel, Statement
 from gainproof.verify.judge.exact.total import is_total
 from gainproof.verify.judge.freed import sign_changes, special_points
 from gainproof.verify.judge.freed.angles import by_points, without_angles
+from gainproof.verify.judge.freed.atoms import ANGLES, MINUS
 from gainproof.verify.judge.freed.by_parts import by_parts, jumps
 from gainproof.verify.judge.freed.certificate import certificate_of
+from gainproof.verify.judge.freed.circle import PI
 from gainproof.verify.judge.freed.domain_words import domain_text
 from gainproof.verify.judge.freed.freely import VALUED, freely, refuse_without_value, where_valued
 from gainproof.verify.judge.freed.induction import open_sums
+from gainproof.verify.judge.freed.monomials import (
+    UNIT,
+    Monomial,
+    monomial_expr,
+    monomials,
+    terms_expr,
+)
 from gainproof.verify.judge.freed.other_variables import in_other_variables
 from gainproof.verify.judge.freed.restated import put_in, restated
-from gainproof.verify.judge.freed.rewriting import has_functions
+from gainproof.verify.judge.freed.rewriting import bound_names, has_functions
 from gainproof.verify.judge.freed.rising import rising
 from gainproof.verify.judge.freed.scaled import scaled
 from gainproof.verify.judge.freed.sizes import by_sizes
-from gainproof.verify.judge.freed.valued import valued
 from gainproof.verify.judge.freed.where_valued import but_where_it_has, but_where_they_differ
 from gainproof.verify.judge.freed.whole_numbers import between_numbers, for_numbers, inductively
-from gainproof.verify.judge.freed.whole_turns import without_whole_turns
 from gainproof.verify.judge.hypothesis import settle
+from gainproof.verify.judge.meaning.domains import is_whole
 
 NOWHERE = (special_points.without_value, sign_changes.without_value)
 """Searches for a point of stated domains where a side has no value."""
@@ -204,3 +218,88 @@ def _restated(
         raise Undecided("")
     values = {labels.get(name, name): value for name, value in put.values.items()}
     return replace(fails, witness=with_values(fails.witness, values, labels))
+
+
+def without_whole_turns(expr: Expr, boxes: Mapping[str, Box]) -> Expr:
+    """The same value, with signs in the place of half turns as often as a whole number says."""
+
+    def change(node: Expr, parts: tuple[Expr, ...]) -> Expr | None:
+        if node.kind != "call" or node.name not in ANGLES or not is_total(parts[0]):
+            return None
+        try:
+            terms = monomials(parts[0])
+        except Undecided:
+            return None
+        whole = {m: c for m, c in terms.items() if c.denominator == 1 and _is_whole(m, boxes)}
+        if not whole:
+            return None
+        left = {m: c for m, c in terms.items() if m not in whole}
+        rest = Expr("call", node.name, (terms_expr(left) if left else number(0),))
+        signs = [_sign(m) for m, c in whole.items() if c.numerator % 2 and node.name != "tan"]
+        return mul(*signs, rest)
+
+    return rebuilt(expr, change)
+
+
+def _is_whole(monomial: Monomial, boxes: Mapping[str, Box]) -> bool:
+    """Whether it is pi times what is a whole number."""
+    rest = _without_pi(monomial)
+    return (PI, 1) in monomial and bool(rest) and is_whole(monomial_expr(rest), boxes)
+
+
+def _sign(monomial: Monomial) -> Expr:
+    """(-1) to the whole number."""
+    return Expr("call", "power", (MINUS, monomial_expr(_without_pi(monomial))))
+
+
+def _without_pi(monomial: Monomial) -> Monomial:
+    return frozenset(factor for factor in monomial if factor[0] != PI)
+
+
+def valued(
+    statement: Statement, boxes: Mapping[str, Box]
+) -> tuple[Statement, Mapping[str, Box], bool]:
+    """The statement where the arguments of its logarithms are positive, and whether that takes more
+    than bounds of symbols to say.
+
+    Of symbols that are in no stated domain a statement speaks only where every part has a value,
+    so that it says the same as before.
+    """
+    calls = (node for node in walk(*statement.exprs()) if node.kind == "call")
+    logarithms = [node for node in calls if node.name == "log"]
+    if statement.connective != "if" or not logarithms:
+        return statement, boxes, False
+    over = bound_names(statement)
+    wanted: list[Rel] = []
+    where = dict(boxes)
+    for (argument,) in dict.fromkeys(node.parts for node in logarithms):
+        names = symbols_of(argument)
+        unsaid = [n for n in names if not boxes.get(n, Box(stated=False)).stated]
+        plain = not any(node.kind == "call" for node in walk(argument))
+        if names and len(unsaid) == len(names) and plain and not names & over:
+            where |= {n: boxes.get(n, Box(stated=False)) for n in names}
+            wanted.append(_positive(argument))
+    narrowed, left = bounded(where, wanted)
+    if any(box.is_empty for box in narrowed.values()):
+        return statement, boxes, False
+    kept = {n: replace(box, stated=where[n].stated) for n, box in narrowed.items()}
+    return replace(statement, given=(*statement.given, *left)), kept, bool(left)
+
+
+def _positive(argument: Expr) -> Rel:
+    """That it is positive; of a x + b as a bound of x."""
+    plain = Rel(">", argument, number(0))
+    try:
+        terms = dict(monomials(argument))
+    except Undecided:
+        return plain
+    rest = terms.pop(UNIT, Fraction(0))
+    if len(terms) != 1:
+        return plain
+    ((monomial, factor),) = terms.items()
+    if len(monomial) != 1:
+        return plain
+    ((base, exponent),) = monomial
+    if base.kind != "symbol" or exponent != 1:
+        return plain
+    return Rel(">" if factor > 0 else "<", base, number(-rest / factor))

@@ -2,30 +2,35 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from functools import partial
 
 from gainproof.verify.judge.exact.box import Boxes
+from gainproof.verify.judge.exact.calculus import substituted
+from gainproof.verify.judge.exact.expression import Expr, symbol, symbols_of
+from gainproof.verify.judge.exact.expression_text import written
 from gainproof.verify.judge.exact.limits import Undecided
 from gainproof.verify.judge.exact.points import is_seen, try_points
 from gainproof.verify.judge.exact.statement import Outcome, Rel, Statement
+from gainproof.verify.judge.freed.away import Rising
 from gainproof.verify.judge.freed.certificate import Decides, certificate_of
 from gainproof.verify.judge.freed.domain_words import domain_text
 from gainproof.verify.judge.freed.equal_sides import equal_somewhere, fails_near
 from gainproof.verify.judge.freed.parts import Part
-from gainproof.verify.judge.freed.pieces import by_pieces
+from gainproof.verify.judge.freed.pieces import Pieces, by_pieces
 from gainproof.verify.judge.freed.rewriting import has_functions
 from gainproof.verify.judge.freed.scaled import scaled
-from gainproof.verify.judge.freed.slope_words import slope_lines
 from gainproof.verify.judge.freed.slopes import by_slopes
 from gainproof.verify.judge.freed.smooth import Proves
 from gainproof.verify.judge.hypothesis import settle
+from gainproof.verify.judge.readable import readable
 
 MOST_SLOPES = 5
 """Slopes of slopes: a function beside its series up to that power."""
 MOST_QUESTIONS = 20
 """With functions in them. What was proved in trials needed ten at most, one may take seconds."""
 METHOD = "its value at a point and slopes away from it"
+LONGEST = 300
 
 
 def rising(
@@ -100,3 +105,42 @@ def _is_proved(way: Decides, part: Statement, boxes: Boxes, parameter: str | Non
         return way(part, boxes, parameter, {}).verdict == "proved"
     except Undecided:
         return False
+
+
+def slope_lines(
+    found: Iterable[Part], told: Mapping[Rel, Sequence[Part]], labels: Mapping[str, str]
+) -> list[str]:
+    """What is above 0, then each slope on which it rests, if not all its signs are plain."""
+    return list(dict.fromkeys(_lines(found, told, labels)))
+
+
+def _lines(
+    found: Iterable[Part], told: Mapping[Rel, Sequence[Part]], labels: Mapping[str, str]
+) -> Iterator[str]:
+    for each in found:
+        if isinstance(each, Rising) and each.ratio is not None:
+            first, second = (labels.get(n, n) for n in each.ratio)
+            labels = {**labels, each.name: f"({first}/{second})"}
+        name = labels.get(each.name, each.name)
+        stated = f"{_text(each.relation.left, labels)} {each.relation.operator} 0"
+        if isinstance(each, Pieces):
+            reach = f"{each.lower} <= {name} <= {each.upper}"
+            yield f"{reach}: {stated}: balls show it on pieces, {each.count} of them"
+            continue
+        where = f"{name} = {each.point}"
+        value = _text(each.value, labels)
+        known = " and ".join(
+            f"{_text(rel.left, labels)} {rel.operator} 0" for rel in dict.fromkeys(each.slopes)
+        )
+        turned = f"with 1/{name} in the place of {name}, " if each.turned else ""
+        within = "" if each.within is None else f"{each.within.text(name)}: "
+        yield f"{within}{turned}{stated}: it is {value} at {where}; slope away from there: {known}"
+        below = (part for rel in each.slopes for part in told.get(rel, ()))
+        yield from _lines(below, told, labels)
+
+
+def _text(expr: Expr, labels: Mapping[str, str]) -> str:
+    names = {name: symbol(labels.get(name, name)) for name in symbols_of(expr)}
+    lines, (text,) = written(readable(substituted(expr, names)))
+    text = "; ".join([text, *lines])
+    return text if len(text) <= LONGEST else "(a long formula)"

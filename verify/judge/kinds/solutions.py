@@ -24,6 +24,7 @@ from gainproof.verify.judge.claim.record import Claim
 from gainproof.verify.judge.exact.algebraic import Algebraic, compare, rational_point, real_roots
 from gainproof.verify.judge.exact.box import Box, bounds_text
 from gainproof.verify.judge.exact.calculus import substituted
+from gainproof.verify.judge.exact.constant_value import constant_value
 from gainproof.verify.judge.exact.expression import Expr, number, symbols_of
 from gainproof.verify.judge.exact.expression_text import labelled
 from gainproof.verify.judge.exact.limits import DEFAULT_LIMITS, Nowhere, Undecided
@@ -175,10 +176,12 @@ class Equation:
         """Where solutions count and a polynomial with simple roots, or how many there are where
         that is seen without.
         """
-        interval, size = self._interval(field, point)
         f, *others = (self._at(field, p, point) for p in (self.f, *self.divisors))
-        if size < 0 or not all(others):
+        if not all(others):
             return 0  # a divisor that is zero whatever the unknown is leaves none
+        interval, size = self._interval(field, point)
+        if size < 0:
+            return 0
         if f:
             return interval, field.simple(f, others)
         if size or interval.low is None:
@@ -269,7 +272,7 @@ def _equation(rel: Rel, unknown: str, frame: Frame, needed: Iterable[Expr]) -> E
         Rel(c.operator, substituted(c.left, fixed), substituted(c.right, fixed))
         for c in frame.conditions
     ]
-    others = [c for c in others if c.left.kind != "number" or c.left != c.right]
+    others = [c for c in others if not _is_met(c)]
     used = symbols_of(*sides, *(s for c in others for s in (c.left, c.right)))
     names = tuple(sorted(used - {unknown}))
     boxes = {name: frame.boxes.get(name, Box(stated=False)) for name in (*names, unknown)}
@@ -299,6 +302,7 @@ def _equation(rel: Rel, unknown: str, frame: Frame, needed: Iterable[Expr]) -> E
         if left.kind != "symbol" or x in symbols_of(right) or operator not in TURNED:
             raise Undecided("a condition on the unknown that is no bound of it")
         bounds.append(Bound(*quotient(right), operator in STRICT, operator in (">", ">=")))
+        sides.append(right)  # where it has no value no solution counts
     below = tuple(quotient(d)[0] for d in divisors(*sides))
     f, _ = quotient(sides[0] - sides[1])
     return Equation(names, boxes, f, below, tuple(bounds), tuple(conditions), (*fixed,))
@@ -315,6 +319,16 @@ def _fixed(frame: Frame, unknown: str) -> dict[str, Expr]:
     if not all(frame.boxes[n].holds(value) for n, value in fixed.items() if n in frame.boxes):
         raise Nowhere
     return {n: number(value) for n, value in fixed.items()}
+
+
+def _is_met(condition: Rel) -> bool:
+    """Whether a condition compares two numbers as it says. Raises Nowhere where it does not."""
+    left, right = constant_value(condition.left), constant_value(condition.right)
+    if left is None or right is None:
+        return False
+    if (left > right) - (left < right) not in ALLOWED[condition.operator]:
+        raise Nowhere
+    return True
 
 
 @dataclass(frozen=True)
@@ -379,11 +393,11 @@ class _Search:
                 reason = f"fails {witness.text()}; where it may hold is not determined"
                 certificate = self._certificate(cuts, [])
                 return Finding("refuted", reason, "", METHOD, witness, certificate)
-        if not inside and all(operator != "=" for operator, _ in equation.conditions):
-            raise Nowhere
         if any(operator == "=" for operator, _ in equation.conditions):
             raise Undecided("an equation between several parameters")
-        if not self._is_joined():
+        if not inside and all(operator in STRICT for operator, _ in equation.conditions):
+            raise Nowhere
+        if not inside or not self._is_joined():
             raise Undecided("conditions on several parameters that are not strict")
         for wall in walls:
             plain = expression_of(wall, (*names, self.unknown))

@@ -1,11 +1,14 @@
 """Printed numbers and matrices of them: each exact value lies within half a unit of the last digit
-shown, ties as `printed_number` says.
+shown.
+
+A tie is rounded away from zero or to the even digit, as sources do: 0.65 is printed as 0.7 or 0.6,
+but 0.75 as 0.8 only.
 """
 
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import replace
+from dataclasses import dataclass, replace
 from fractions import Fraction
 from typing import Any
 
@@ -20,13 +23,12 @@ from gainproof.verify.judge.exact.enclosure import enclosure, is_long
 from gainproof.verify.judge.exact.expression import Expr, number, symbols_of
 from gainproof.verify.judge.exact.limits import Undecided
 from gainproof.verify.judge.exact.poly import rational
-from gainproof.verify.judge.exact.statement import Rel, Statement, Witness
+from gainproof.verify.judge.exact.statement import Enclosure, Rel, Statement, Witness
 from gainproof.verify.judge.formula import Reading, Relation
 from gainproof.verify.judge.kinds.approach import approach_of, arrow_of, end_of
 from gainproof.verify.judge.kinds.framing import Frame, fixed_numbers, framed, only_plain
 from gainproof.verify.judge.kinds.limit import limit_by_expansion
 from gainproof.verify.judge.kinds.near_limit import open_sides, others_frame
-from gainproof.verify.judge.kinds.printed_number import PrintedNumber
 from gainproof.verify.judge.meaning.value import shape
 from gainproof.verify.judge.scope import Scope
 from gainproof.verify.judge.verdict import Finding, finding_of, of_parts
@@ -107,7 +109,7 @@ def _turned(relation: Relation, scope: Scope) -> list[tuple[Expr, PrintedNumber,
             value = constant_value(shown)
             assert value is not None  # decimals are told of numbers alone
             name = f"({place // columns + 1}, {place % columns + 1})" if len(counts) > 1 else ""
-            found.append((exact, PrintedNumber(value, count), name))
+            found.append((exact, PrintedNumber(value, count, not is_right), name))
         return found
     raise Undecided("neither side is a number as printed, with its digits, or a matrix of such")
 
@@ -135,16 +137,19 @@ def _within(exact: Expr, shown: PrintedNumber, frame: Frame) -> Finding:
 def _against_printed(found: Finding, shown: PrintedNumber) -> Finding:
     """The finding with its witness told of the number as printed, not of an end of its interval."""
     witness = found.witness
-    if witness is None or witness.left.undefined or witness.right.undefined:
+    if witness is None:
         return found
-    if is_long(witness.left) or is_long(witness.right):
-        return found
-    # what fails is low <= value or value <= high: the left side is below the number in the first
-    is_low = Fraction(witness.left.midpoint) < shown.value
-    value = witness.right if is_low else witness.left
+    value = next((side for side in (witness.left, witness.right) if side.undefined), None)
+    if value is None:
+        if is_long(witness.left) or is_long(witness.right):
+            return found
+        # what fails is low <= value or value <= high: the left side is below the number in the
+        # first
+        is_low = Fraction(witness.left.midpoint) < shown.value
+        value = witness.right if is_low else witness.left
     # at a tie the value is an end of the interval, not the number as printed
-    right, note = shown.ball(), shown.note()
-    told = replace(witness, operator="approx", left=value, right=right, exact=False, note=note)
+    (left, right), note = shown.sides(value), shown.note()
+    told = replace(witness, operator="approx", left=left, right=right, exact=False, note=note)
     reason = found.reason.replace(witness.text(), told.text())
     return replace(found, witness=told, reason=reason)
 
@@ -177,7 +182,7 @@ def _by_ball(
         reason = f"the exact value {value.midpoint} lies in the interval of the digits shown"
         return Finding("proved", reason, _text(where), METHOD, None, certificate)
     if above < 0 or below < 0:
-        witness = Witness(where, "approx", value, shown.ball(), note=shown.note())
+        witness = Witness(where, "approx", *shown.sides(value), note=shown.note())
         reason = f"fails {witness.text()}"
         return Finding("refuted", reason, "nowhere", METHOD, witness, certificate)
     return None
@@ -185,3 +190,57 @@ def _by_ball(
 
 def _text(where: Mapping[str, str]) -> str:
     return ", ".join(f"{n} = {v}" for n, v in where.items()) or "everywhere"
+
+
+@dataclass(frozen=True)
+class PrintedNumber:
+    """A number with its decimals, fewer than none where its last digits are not shown; whether it
+    is the left side.
+    """
+
+    value: Fraction
+    decimals: int
+    on_left: bool = False
+
+    @property
+    def half(self) -> Fraction:
+        """Half a unit of the last digit."""
+        return Fraction(1, 2) / Fraction(10) ** self.decimals
+
+    @property
+    def low(self) -> Fraction:
+        """The lower end of the interval."""
+        return self.value - self.half
+
+    @property
+    def high(self) -> Fraction:
+        """The upper end."""
+        return self.value + self.half
+
+    @property
+    def is_even(self) -> bool:
+        """Whether the last digit is even."""
+        units = self.value * Fraction(10) ** self.decimals
+        return units.denominator != 1 or units.numerator % 2 == 0
+
+    def bounds(self, exact: Expr) -> tuple[Rel, Rel]:
+        """That an exact value lies in the interval, a tie with it where it may be rounded so."""
+        low = "<=" if self.value > 0 or self.is_even else "<"
+        high = "<=" if self.value < 0 or self.is_even else "<"
+        return Rel(low, number(self.low), exact), Rel(high, exact, number(self.high))
+
+    def sides(self, exact: Enclosure) -> tuple[Enclosure, Enclosure]:
+        """Both sides for a witness, of the number the interval."""
+        ball = Enclosure(str(float(self.value)), str(float(self.half)))
+        return (ball, exact) if self.on_left else (exact, ball)
+
+    def text(self) -> str:
+        """`13/20 to 3/4`."""
+        return f"{self.low} to {self.high}"
+
+    def note(self) -> str:
+        """What the digits stand for, in words."""
+        if self.is_even:
+            return f"the digits stand for {self.text()}"
+        end = self.low if self.value < 0 else self.high
+        return f"the digits stand for {self.text()}, {end} left out"

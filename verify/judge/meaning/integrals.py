@@ -3,15 +3,20 @@ polynomials times exponentials of squares.
 
 With z = a + i w, t^m e^(z t) has the primitive e^(z t) times the sum over j = 0 to m of
 (-1)^j m!/(m-j)! t^(m-j) / z^(j+1); cosines and sines are its real and imaginary parts.
+
+With v = t - m and a > 0, of v^n e^(-a v^2): I_0 = (pi/a)^(1/2)/2 erf(a^(1/2) v) (DLMF 7.2.1),
+I_1 = -e^(-a v^2)/(2 a), I_n = -v^(n-1) e^(-a v^2)/(2 a) + (n - 1)/(2 a) I_(n-2), by parts.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from fractions import Fraction
 from math import comb, factorial
 from typing import NamedTuple
 
 from gainproof.verify.judge.exact.calculus import substituted
+from gainproof.verify.judge.exact.constant_value import constant_value
 from gainproof.verify.judge.exact.expression import (
     Expr,
     add,
@@ -27,9 +32,10 @@ from gainproof.verify.judge.exact.statement import TURNED, Rel
 from gainproof.verify.judge.exact.total import is_total
 from gainproof.verify.judge.freed.monomials import monomial_expr, monomials, terms_expr
 from gainproof.verify.judge.meaning.expansion import coefficients, products
-from gainproof.verify.judge.meaning.gaussian import refuse_steeper, with_square
 from gainproof.verify.judge.meaning.normal_moments import Turn, sums_of_turns
 from gainproof.verify.judge.meaning.sums import INFINITE
+
+HALF = Fraction(1, 2)
 
 
 class Wave(NamedTuple):
@@ -64,10 +70,13 @@ def integral_of(integrand: Expr, name: str, low: Expr, high: Expr) -> tuple[Expr
             squares.append(found)
             needed.append(_sign(rel.operator, rel.left))
             continue
+        growth = line.get(1)
+        if growth is not None and not monomials(growth):
+            growth = None
         if endless:
-            needed.append(_decay(line.get(1), low, high))
+            needed.append(_decay(growth, low, high))
         size = number(1) if exponent is None else Expr("call", "exp", (exponent,))
-        for wave in _waves(size, line.get(1), turns, name):
+        for wave in _waves(size, growth, turns, name):
             if wave.growth is None and wave.turn is None:
                 terms.append(mul(wave.real, _primitive(polynomial, name)))
                 continue
@@ -178,3 +187,93 @@ def _between(primitive: Expr, name: str, low: Expr, high: Expr) -> Expr:
         for bound in (high, low)
     )
     return add(upper, neg(lower))
+
+
+def with_square(
+    polynomial: Mapping[int, Expr],
+    exponent: Expr,
+    line: Mapping[int, Expr],
+    name: str,
+    low: Expr,
+    high: Expr,
+) -> tuple[Expr, Rel]:
+    """The integral of a polynomial times exp(exponent), which has the coefficients `line`, and that
+    the square falls. Raises Undecided.
+    """
+    falling = constant_value(line[2])
+    a = neg(line[2]) if falling is None else number(-falling)
+    slope, constant = line.get(1, number(0)), line.get(0, number(0))
+    if 1 in line:
+        mean = slope / (2 * a)
+        peak, by_power = constant + slope * mean / 2, _about(mean, polynomial, name)
+    else:
+        mean, peak, by_power = number(0), constant, dict(polynomial)
+    ends = []
+    for end in (high, low):
+        if end in (INFINITE, neg(INFINITE)):
+            known = _far(a, _exp(peak), 1 if end == INFINITE else -1)
+        else:
+            known = _at(a, _exp(peak), end - mean, _exp(substituted(exponent, {name: end})))
+        ends.append(_sum(mul(c, _moment(m, a, known)) for m, c in by_power.items()))
+    return ends[0] - ends[1], Rel("<", line[2], number(0))
+
+
+def _about(mean: Expr, polynomial: Mapping[int, Expr], name: str) -> dict[int, Expr]:
+    """The coefficients of a polynomial in t as one in t - mean."""
+    v = mean + symbol(name)
+    moved = _sum(mul(c, *[v] * m) if m else c for m, c in polynomial.items())
+    found = coefficients(moved, name)
+    if found is None:
+        raise Undecided("an integral of a polynomial that is none about the middle of its square")
+    return found
+
+
+def _sum(terms: Iterable[Expr]) -> Expr:
+    return add(*terms, number(0))
+
+
+class _End(NamedTuple):
+    """What a primitive is made of at one end: I_0 and I_1 there, v and e^(-a v^2)."""
+
+    zeroth: Expr
+    first: Expr
+    v: Expr
+    whole: Expr
+
+
+def _far(a: Expr, top: Expr, sign: int) -> _End:
+    zero = number(0)
+    return _End(number(sign) * _half_of_all(a) * top, zero, zero, zero)
+
+
+def _at(a: Expr, top: Expr, v: Expr, whole: Expr) -> _End:
+    middle = constant_value(v) == 0
+    error = (
+        number(0) if middle else Expr("call", "erf", (v if a == number(1) else power(a, HALF) * v,))
+    )
+    zeroth = _half_of_all(a) * top * error
+    return _End(zeroth, neg(whole) / (2 * a), v, whole)
+
+
+def _half_of_all(a: Expr) -> Expr:
+    """(pi/a)^(1/2)/2."""
+    below = number(2) if a == number(1) else 2 * power(a, HALF)
+    return power(Expr("call", "pi", ()), HALF) / below
+
+
+def _moment(n: int, a: Expr, end: _End) -> Expr:
+    if n < 2:
+        return (end.zeroth, end.first)[n]
+    falling = neg(mul(power(end.v, n - 1), end.whole)) / (2 * a)
+    return falling + number(n - 1) * _moment(n - 2, a, end) / (2 * a)
+
+
+def _exp(exponent: Expr) -> Expr:
+    return Expr("call", "exp", (exponent,))
+
+
+def refuse_steeper(line: Mapping[int, Expr] | None) -> Mapping[int, Expr]:
+    """The coefficients of an exponent of degree one or two. Raises Undecided."""
+    if line is None or not set(line) <= {0, 1, 2} or not set(line) & {1, 2}:
+        raise Undecided("an integral of an exponential whose exponent is no line and no square")
+    return line

@@ -8,7 +8,10 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import TypeVar
 
-from gainproof.verify.judge.claim.record import SymbolEntry
+from gainproof.verify.judge.claim.record import Setting, SymbolEntry
+from gainproof.verify.judge.dimensions.dimension import ONE, Dimension, Dimensions, Mismatch
+from gainproof.verify.judge.dimensions.formula import DEGREE, ONE_OVER_DEGREE, dimension, names_of
+from gainproof.verify.judge.dimensions.names import has_degrees
 from gainproof.verify.judge.exact.box import Box
 from gainproof.verify.judge.exact.calculus import differentiated, substituted
 from gainproof.verify.judge.exact.constant_value import constant_value
@@ -21,7 +24,6 @@ from gainproof.verify.judge.exact.total import is_total
 from gainproof.verify.judge.exact.tree import read_tree
 from gainproof.verify.judge.formula import Graph
 from gainproof.verify.judge.meaning.bindings import Bindings
-from gainproof.verify.judge.meaning.degrees import in_radians
 from gainproof.verify.judge.meaning.derivatives import (
     along_pair,
     partial_derivative,
@@ -43,6 +45,7 @@ from gainproof.verify.judge.setting.environment import SAMPLE
 MOST_CALLS = 500
 """Functions put in, all together: calls inside calls double with every definition."""
 _Item = TypeVar("_Item")
+PI = Expr("call", "pi", ())
 
 
 @dataclass
@@ -308,3 +311,32 @@ def _without_repeated(found: list[_Item], start: int) -> None:
     """Leaves out what stands in a list from a place on and before too, or twice."""
     before = set(found[:start])
     found[start:] = [item for item in dict.fromkeys(found[start:]) if item not in before]
+
+
+def in_radians(argument: Expr, value: Expr, setting: Setting) -> Expr:
+    """The `value` of the `argument` of a sine or the like, in radians: one in degrees is turned,
+    one that a print turns itself, `\\pi \\theta/180`, is left. Raises Undecided where nobody can
+    tell.
+    """
+    if not has_degrees(setting) or not symbols_of(value):
+        return value
+    as_number = _dimension(argument, setting, ONE)
+    if as_number == ONE:
+        return value
+    if not any(node == PI for node in walk(value)):
+        if as_number == DEGREE:
+            return PI * value / 180
+    elif _dimension(argument, setting, ONE_OVER_DEGREE) == ONE:
+        return value
+    raise Undecided(
+        "whether an angle is in degrees or in radians: write a sine of degrees without the number "
+        "pi, or turn all of its angle, \\pi \\theta/180, and say the unit of every symbol"
+    )
+
+
+def _dimension(argument: Expr, setting: Setting, circle: Dimension) -> Dimensions | None:
+    """The dimension where pi has that of the `circle`; None where dimensions are mixed."""
+    try:
+        return dimension(argument, names_of(setting).with_circle(circle))
+    except Mismatch:
+        return None

@@ -17,7 +17,6 @@ from gainproof.verify.judge.reader.build_calculus import (
     long_sum,
 )
 from gainproof.verify.judge.reader.build_calls import call, named, named_raised
-from gainproof.verify.judge.reader.build_cases import cases
 from gainproof.verify.judge.reader.build_dots import dotted_product, dotted_sum, has_dots
 from gainproof.verify.judge.reader.build_matrix import kronecker, matrix, transposed
 from gainproof.verify.judge.reader.constant import constant_value
@@ -28,6 +27,10 @@ from gainproof.verify.judge.reader.slash import Part, product_parts
 from gainproof.verify.judge.reader.tokens import NORM
 from gainproof.verify.judge.reader.tree import Branch, children, printed, start, tokens
 from gainproof.verify.judge.reader.vocabulary import Vocabulary
+from gainproof.verify.judge.reader.words import OF_CASES
+
+MOST_CASES = 16
+COMPARED = ("=", "!=", "<", "<=", ">", ">=")
 
 
 def build_graph(
@@ -245,3 +248,37 @@ class Builder:
 
 _BARS = {"|": "abs", NORM: "norm", "floor": "floor", "ceil": "ceil"}
 _CALLS = {"expectation": "expectation", "order_of": "order", "euler": "exp"}
+
+
+def cases(builder: Builder, tree: Branch) -> int:
+    """A call whose name says how its parts are compared: `cases >,<= -` has a value under two
+    conditions, then one for all else; its parts are a value, four sides, a value.
+    """
+    lines = children(tree)
+    if len(lines) > MOST_CASES:
+        raise builder.error(f"more than {MOST_CASES} cases", tree)
+    words: list[str] = []
+    parts: list[int] = []
+    for line in lines:
+        value, *conditions = children(line)
+        if not conditions and line is not lines[-1]:
+            raise builder.error("a value for all else, before the last one", value)
+        if not conditions and tokens(line, "CELL") and not tokens(line, "OTHERWISE"):
+            raise builder.error("a condition is missing: write \\text{otherwise}", value)
+        parts.append(builder.value(value))
+        operators: list[str] = []
+        for chain in children(conditions[0]) if conditions else ():
+            sides = children(chain)
+            signs = [child for child in chain.children if isinstance(child, Token)]
+            for left, sign, right in zip(sides, signs, sides[1:], strict=False):
+                inner = [children(side)[0] for side in (left, right)]
+                if str(sign) not in COMPARED or any(
+                    side.data in ("infinity", "limit") for side in inner
+                ):
+                    raise builder.error("a condition of a case is to compare numbers", chain)
+                operators.append(str(sign))
+                parts += map(builder.value, inner)
+        words.append(",".join(operators) or "-")
+    if words == ["-"]:
+        raise builder.error("cases without a condition", tree)
+    return builder.nodes.add("call", f"{OF_CASES}{' '.join(words)}", *parts)

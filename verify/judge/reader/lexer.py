@@ -1,8 +1,14 @@
 """Own lexer: longest match against the declared symbols, everything unknown an error with its
 place.
+
+The d of a derivative and of an integral is `\\partial`, `\\mathrm{d}`, or a letter d that nobody
+declared.
 """
 
 from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from dataclasses import replace
 
 from gainproof.verify.judge.reader.alphabet import (
     DIGITS,
@@ -11,9 +17,9 @@ from gainproof.verify.judge.reader.alphabet import (
     is_letter,
     skip_space,
 )
-from gainproof.verify.judge.reader.differential import Differentials
 from gainproof.verify.judge.reader.environments import Environments, line_break_end
 from gainproof.verify.judge.reader.errors import ReaderError, nearest_names
+from gainproof.verify.judge.reader.limits import MOST_DEPTH
 from gainproof.verify.judge.reader.line_end import LineEnds, end_of_tag, equation_number_end
 from gainproof.verify.judge.reader.names import scan_base, scan_word
 from gainproof.verify.judge.reader.naming import NameFinder
@@ -41,19 +47,25 @@ from gainproof.verify.judge.reader.special import (
     transpose,
     with_base,
 )
-from gainproof.verify.judge.reader.token_list import TokenList
 from gainproof.verify.judge.reader.tokens import (
     COMMANDS,
     NO_EXACT_MEANING,
     SIZES,
     SPACES,
+    TAKES_ARGUMENTS,
     WIDE_SPACES,
     FormulaToken,
 )
 from gainproof.verify.judge.reader.vocabulary import Vocabulary
-from gainproof.verify.judge.reader.words import BASED, FUNCTION_COMMANDS, is_unread
+from gainproof.verify.judge.reader.words import (
+    BASED,
+    DIFFERENTIAL_MARKS,
+    FUNCTION_COMMANDS,
+    is_unread,
+)
 
 _TEXTS = frozenset(("\\text", "\\mathrm", "\\textrm", "\\mbox"))
+_Match = Callable[[int], tuple[str, int] | None]
 
 
 def scan_tokens(text: str, vocabulary: Vocabulary) -> list[FormulaToken]:
@@ -239,3 +251,140 @@ class _Lexer:
             self._add(kind, value, after)
         else:
             self.position = after
+
+
+class TokenList:
+    """`found` are the tokens. Where a command still takes arguments, `single` says that a digit or
+    a letter stands for itself alone, as in TeX.
+    """
+
+    def __init__(self, text: str) -> None:
+        self.found: list[FormulaToken] = []
+        self._text = text
+        self._waiting = 0
+        self._outer: list[int] = []
+        self._open: list[int] = []
+        self._last_group = 0
+        self._bare_fractions = 0
+
+    @property
+    def single(self) -> bool:
+        """Whether the next token is an argument without braces."""
+        return self._waiting > 0
+
+    def takes_bound(self) -> bool:
+        """Whether a superscript here is the bound of a sum or an integral, and no mark of a
+        transpose: `\\int_0^T`.
+        """
+        found, last = self.found, len(self.found)
+        if last and found[-1].kind == "RIGHT_BRACE":
+            last = self._last_group
+        elif last > 1 and found[-2].kind == "UNDER":
+            last -= 1
+        if last and found[last - 1].kind == "UNDER":
+            last -= 1
+        return last > 0 and found[last - 1].kind in ("SUM", "INTEGRAL")
+
+    def add(self, token: FormulaToken) -> None:
+        """One more token. ReaderError where fractions without braces nest too deep."""
+        kind = token.kind
+        if kind in ("SUM", "PARTIAL_OPERATOR") and self.found and self.found[-1].kind == "DOT":
+            # the grammar looks one token ahead: this dot ends a product instead of continuing it
+            self.found[-1] = replace(self.found[-1], kind="DOT_BEFORE_BIG")
+        self._bare_fractions += kind == "FRAC" and self._waiting > 0
+        if self._bare_fractions > MOST_DEPTH:
+            problem = f"more than {MOST_DEPTH} fractions without braces, which nest"
+            raise ReaderError(problem, self._text, token.start, token.value)
+        self.found.append(token)
+        self._count(kind)
+
+    def _count(self, kind: str) -> None:
+        """What the token does to the arguments still to come; braces keep those round them."""
+        if kind == "LEFT_BRACE":
+            self._open.append(len(self.found) - 1)
+            self._outer.append(max(0, self._waiting - 1))
+            self._waiting = 0
+        elif kind == "ROOT_OPEN":
+            self._outer.append(self._waiting)
+            self._waiting = 0
+        elif kind in ("RIGHT_BRACE", "ROOT_CLOSE"):
+            if kind == "RIGHT_BRACE" and self._open:
+                self._last_group = self._open.pop()
+            self._waiting = self._outer.pop() if self._outer else 0
+        else:
+            self._waiting = max(0, self._waiting - 1) + TAKES_ARGUMENTS.get(kind, 0)
+
+
+class Differentials:
+    """Where in one text a d is a differential. `matches` finds the declared name at a letter."""
+
+    def __init__(self, text: str, partners: Mapping[int, int], matches: _Match) -> None:
+        self.text = text
+        self.partners = partners
+        self.matches = matches
+        self.above: set[int] = set()
+        self.below_until = -1
+        self.integrals = 0
+
+    def fraction(self, end: int) -> str:
+        """What begins with the `\\frac` that ends at `end`: a quotient, `\\frac{\\partial}{...}`,
+        which acts on what follows, or `\\frac{\\partial x}{...}`.
+        """
+        text = self.text
+        brace = skip_space(text, end)
+        numerator = skip_space(text, brace + 1)
+        after = self._mark_end(numerator) if text[brace : brace + 1] == "{" else None
+        closing = self.partners.get(brace)
+        if after is None or closing is None:
+            return "FRAC"
+        below = skip_space(text, closing + 1)
+        denominator = skip_space(text, below + 1)
+        if text[below : below + 1] != "{" or self._mark_end(denominator) is None:
+            return "FRAC"
+        self.above.add(numerator)
+        self.below_until = max(self.below_until, self.partners.get(below, -1))
+        self.above.add(denominator)
+        rest = self._after_order(after)
+        return "PARTIAL_OPERATOR" if rest == closing else "FRAC_PARTIAL"
+
+    def _after_order(self, position: int) -> int:
+        """The place after the order of a derivative, `^2` or `^{2}`, and blanks."""
+        position = skip_space(self.text, position)
+        if self.text[position : position + 1] == "^":
+            start = skip_space(self.text, position + 1)
+            position = skip_space(self.text, self.partners.get(start, start) + 1)
+        return position
+
+    def _mark_end(self, position: int) -> int | None:
+        """The end of a mark of a differential at `position`, or None."""
+        text = self.text
+        if text[position : position + 1] == "d":
+            return None if self.matches(position) else position + 1
+        if text[position : position + 1] != "\\":
+            return None
+        command = command_at(text, position)
+        if command == "\\partial":
+            return position + len(command)
+        if not any(mark.startswith(command + "{") for mark in DIFFERENTIAL_MARKS):
+            return None
+        found = scan_base(text, position)
+        return found[1] if found is not None and found[0] in DIFFERENTIAL_MARKS else None
+
+    def kind_at(self, position: int) -> str | None:
+        """What an undeclared letter at `position` is: `PARTIAL` in a derivative, `DIFFERENTIAL`
+        before a variable where an integral is open, or None.
+        """
+        if self.text[position] != "d":
+            return None
+        if position in self.above or position < self.below_until:
+            return "PARTIAL"
+        following = skip_space(self.text, position + 1)
+        begins = self.text[following : following + 1]
+        is_variable = begins == "\\" or is_letter(begins)
+        return "DIFFERENTIAL" if self.integrals > 0 and is_variable else None
+
+    def kind_of(self, name: str, start: int) -> str | None:
+        """The same for `\\mathrm{d}` at `start`, whatever follows."""
+        if name not in DIFFERENTIAL_MARKS:
+            return None
+        return "PARTIAL" if start in self.above or start < self.below_until else "DIFFERENTIAL"

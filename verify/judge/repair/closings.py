@@ -5,30 +5,30 @@ and recognised.
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Sequence
+from fractions import Fraction
 from typing import Protocol
 
 import flint
 
-from gainproof.verify.judge.exact.expression import Expr, number, symbols_of
+from gainproof.verify.judge.exact.expression import Expr, number, power, symbols_of
 from gainproof.verify.judge.exact.poly import Ball, rational
 from gainproof.verify.judge.repair.asked import open_places, open_sides
 from gainproof.verify.judge.repair.construct import (
     ONE,
     Path,
     multiplied,
+    opposite,
     product,
     quotient,
+    raised,
     replaced,
+    total,
     without,
 )
 from gainproof.verify.judge.repair.edit import LARGE, PLAIN, Table
-from gainproof.verify.judge.repair.filled import (
-    exponent_filled,
-    number_filled,
-    plus_filled,
-)
+from gainproof.verify.judge.repair.numbers import MOST_EXPONENT
 from gainproof.verify.judge.repair.printed import Printed
-from gainproof.verify.judge.repair.recognise import monomial
+from gainproof.verify.judge.repair.recognise import common_rational, monomial
 from gainproof.verify.judge.repair.values import PRECISION, Values, combined
 from gainproof.verify.judge.repair.whole import Change, Step
 
@@ -219,3 +219,25 @@ def root(f: Callable[[Ball], Ball | None]) -> Ball | None:
             return b
         at_b = f(b)
     return None
+
+
+def number_filled(found: Sequence[Ball], *_: object) -> Expr | None:
+    """The rational number that all values are, as printed; None if there is none."""
+    value = common_rational(found)
+    if value is None:
+        return None
+    size = quotient(number(abs(value.numerator)), number(value.denominator))
+    return size if value >= 0 else opposite(size)
+
+
+def exponent_filled(node: Expr, found: Sequence[Ball]) -> Expr | None:
+    """A power with the exponent that all values are."""
+    value = common_rational(found)
+    if value is None or max(abs(value), Fraction(value.denominator)) > MOST_EXPONENT:
+        return None
+    return raised(node.parts[0], value) if value else power(node.parts[0], 0)
+
+
+def plus_filled(node: Expr, term: Expr | None) -> Expr | None:
+    """The node with a term added."""
+    return None if term is None else total(node, term)

@@ -4,19 +4,18 @@ from __future__ import annotations
 
 import time
 from collections.abc import Iterable, Iterator, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from functools import cached_property
 
 from gainproof.verify.judge.attempt import judge_claim
 from gainproof.verify.judge.claim.record import Claim, Setting
 from gainproof.verify.judge.dimensions.formula import reading_fault
-from gainproof.verify.judge.exact.expression import symbols_of
+from gainproof.verify.judge.exact.expression import number, symbols_of
 from gainproof.verify.judge.exact.limits import Malformed, Undecided
 from gainproof.verify.judge.exact.statement import ALLOWED
 from gainproof.verify.judge.formula import Reading
 from gainproof.verify.judge.repair.catalogue import changes, changes_of_bound
-from gainproof.verify.judge.repair.closings import closings
-from gainproof.verify.judge.repair.conditions import changed_conditions
+from gainproof.verify.judge.repair.closings import Context, closings
 from gainproof.verify.judge.repair.edit import LARGE, PLAIN, SLIGHT
 from gainproof.verify.judge.repair.empty import Empty
 from gainproof.verify.judge.repair.further_bound import with_further_bound
@@ -30,9 +29,8 @@ from gainproof.verify.judge.repair.senseless import is_more_senseless, lacks_mor
 from gainproof.verify.judge.repair.sharp import is_sharp, is_weaker
 from gainproof.verify.judge.repair.table import sample_numbers, table_of
 from gainproof.verify.judge.repair.trivial import OffTheModel
-from gainproof.verify.judge.repair.two import two_changes
 from gainproof.verify.judge.repair.values import Values, truth, values_at
-from gainproof.verify.judge.repair.whole import Change
+from gainproof.verify.judge.repair.whole import Change, Step
 from gainproof.verify.judge.scope import Scope, UndefinedSymbol
 from gainproof.verify.judge.setting.environment import Environment
 from gainproof.verify.judge.verdict import Finding
@@ -46,6 +44,7 @@ MOST_OFFERED = 12
 STAGES = (0, 1, 2)
 BY_VALUES = frozenset(("identity", "inequality", "recursion"))
 """Kinds of claims that are what their relations say at each point of the domain."""
+STRICT_OR_NOT = {"<": "<=", "<=": "<", ">": ">=", ">=": ">"}
 
 
 @dataclass
@@ -225,3 +224,77 @@ class Search:
 
     def _rank(self, change: Change) -> tuple[object, ...]:
         return rank(change, self.formula, self.said)
+
+
+def changed_conditions(formula: Printed) -> Iterator[Change]:
+    """The claim under conditions with one such slip undone."""
+    if formula.connective != "if":
+        return
+    for n, link in enumerate(formula.conditions):
+        operator = STRICT_OR_NOT.get(link.operator)
+        if operator is None:
+            continue
+        conditions = (
+            *formula.conditions[:n],
+            replace(link, operator=operator),
+            *formula.conditions[n + 1 :],
+        )
+        step = Step(f"the condition's sign {link.operator} that is {operator}")
+        yield Change(replace(formula, conditions=conditions), SLIGHT, (step,))
+        for side in (link.left, link.right):
+            before = formula.sides[side]
+            if before.kind != "number" or before.fraction.denominator != 1:
+                continue
+            for value in (before.fraction + 1, before.fraction - 1):
+                if value >= 0:
+                    after = number(value)
+                    step = Step("a number in the condition", before, after)
+                    yield Change(formula.with_side(side, after), PLAIN, (step,))
+
+
+def two_changes(context: Context) -> Iterator[Change]:
+    """Formulas two edits away, none of which puts something in or leaves it out."""
+    yield from _on_both_sides(context)
+    yield from _within(context)
+
+
+def _on_both_sides(context: Context) -> Iterator[Change]:
+    formula = context.formula
+    if len(formula.links) != 1 or formula.links[0].operator != "=":
+        return
+    link = formula.links[0]
+    left: dict[str, list[Change]] = {}
+    right: dict[str, list[Change]] = {}
+    for change in changes(formula, context.table, context.numbers, PLAIN):
+        same_left = change.printed.sides[link.left] == formula.sides[link.left]
+        same_right = change.printed.sides[link.right] == formula.sides[link.right]
+        if context.is_late:
+            return
+        if same_right and not same_left:
+            left.setdefault(_value(context, change, link.left), []).append(change)
+        elif same_left and not same_right:
+            right.setdefault(_value(context, change, link.right), []).append(change)
+    for value in left.keys() & right.keys() - {""}:
+        for a in left[value]:
+            for b in right[value]:
+                both = a.printed.with_side(link.right, b.printed.sides[link.right])
+                yield Change(both, a.weight + b.weight, (*a.steps, *b.steps))
+
+
+def _value(context: Context, change: Change, side: int) -> str:
+    """A side's value at the first point to eleven digits; empty if there is none."""
+    ball = context.points[0].ball(change.printed.sides[side])
+    return "" if ball is None or not ball.is_finite() else str(ball.str(11, radius=False))
+
+
+def _within(context: Context) -> Iterator[Change]:
+    for heaviest in (SLIGHT, PLAIN):
+        for first in changes(context.formula, context.table, context.numbers, heaviest):
+            if first.weight != heaviest:
+                continue
+            for second in changes(first.printed, context.table, context.numbers, PLAIN):
+                if context.is_late:
+                    return
+                if second.weight >= first.weight:
+                    weight = first.weight + second.weight
+                    yield Change(second.printed, weight, (*first.steps, *second.steps))

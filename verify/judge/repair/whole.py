@@ -1,5 +1,7 @@
 """What a slip does to a whole formula: a sign of comparison, a side, an index everywhere, a
 deviation where a variance is meant.
+
+An index moved by one is written the way one would print it: 2(k + 1) - 1 is 2k + 1.
 """
 
 from __future__ import annotations
@@ -8,8 +10,8 @@ from collections.abc import Iterator
 from dataclasses import dataclass, replace
 from fractions import Fraction
 
-from gainproof.verify.judge.exact.calculus import substituted
-from gainproof.verify.judge.exact.expression import Expr, symbol, symbols_of
+from gainproof.verify.judge.exact.calculus import rebuilt, substituted
+from gainproof.verify.judge.exact.expression import Expr, number, symbol, symbols_of
 from gainproof.verify.judge.repair.asked import asked_names, open_sides
 from gainproof.verify.judge.repair.construct import (
     HALF,
@@ -21,6 +23,8 @@ from gainproof.verify.judge.repair.construct import (
     product,
     quotient,
     raised,
+    remade,
+    total,
 )
 from gainproof.verify.judge.repair.edit import (
     LARGE,
@@ -32,7 +36,6 @@ from gainproof.verify.judge.repair.edit import (
     Table,
 )
 from gainproof.verify.judge.repair.printed import Printed
-from gainproof.verify.judge.repair.shift import shifted
 
 SIDE, DOUBLED, TURNED = "sign of a side", "a factor 2 of a side", "a side upside down"
 OF_SIDES = frozenset((SIDE, DOUBLED, TURNED))
@@ -134,3 +137,53 @@ def _everywhere(
                 for n, side in enumerate(formula.sides)
             )
             yield Change(formula.with_sides(sides), weight, (Step(what, x, value, times=times),))
+
+
+def shifted(expr: Expr, name: str, by: int) -> Expr:
+    """The symbol replaced by itself plus a number, sums of numbers added up."""
+    moved = _summed((symbol(name), number(by)))
+
+    def change(node: Expr, parts: tuple[Expr, ...]) -> Expr:
+        if node.kind == "symbol" and node.name == name:
+            return moved
+        return _summed(parts) if node.kind == "add" else remade(node.kind, node.value, parts)
+
+    return rebuilt(expr, change)
+
+
+def _summed(terms: tuple[Expr, ...]) -> Expr:
+    constant = Fraction(0)
+    rest: list[Expr] = []
+    for part in (part for term in terms for part in _flat(term)):
+        value = _number(part)
+        if value is None:
+            rest.append(part)
+        else:
+            constant += value
+    size = number(abs(constant))
+    return total(*rest, size if constant > 0 else opposite(size)) if constant else total(*rest)
+
+
+def _number(term: Expr) -> Fraction | None:
+    if term.kind == "number":
+        return term.fraction
+    inner = term.parts[0] if term.kind == "neg" else None
+    return -inner.fraction if inner is not None and inner.kind == "number" else None
+
+
+def _flat(term: Expr) -> tuple[Expr, ...]:
+    return term.parts if term.kind == "add" else _spread(term)
+
+
+def _spread(term: Expr) -> tuple[Expr, ...]:
+    """A number times a sum, term by term."""
+    if term.kind != "mul" or len(term.parts) != 2:
+        return (term,)
+    factor, inner = term.parts
+    if factor.kind != "number" or inner.kind != "add":
+        return (term,)
+    found = []
+    for part in inner.parts:
+        value = _number(part)
+        found.append(product(factor, part) if value is None else number(factor.fraction * value))
+    return tuple(found)

@@ -1,33 +1,45 @@
-"""One claim solved for an undefined symbol, and the solution proved to satisfy it."""
+"""One claim solved for an undefined symbol, and the solution proved to satisfy it.
+
+What a symbol must be at generic points is recognised as a monomial of the source's symbols.
+"""
 
 from __future__ import annotations
 
 import time
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, replace
+
+import flint
 
 from gainproof.verify.judge.attempt import judge_claim
 from gainproof.verify.judge.claim.record import Claim, Setting
 from gainproof.verify.judge.convention import Convention, conventions
 from gainproof.verify.judge.dimensions.claim import fitting_readings
+from gainproof.verify.judge.exact.calculus import rebuilt
 from gainproof.verify.judge.exact.expression import Expr, number, symbol
 from gainproof.verify.judge.exact.graph import read_graph
 from gainproof.verify.judge.exact.graph_writing import graph_of
 from gainproof.verify.judge.exact.limits import Malformed, Undecided
-from gainproof.verify.judge.formula import Formula, Reading, Relation
+from gainproof.verify.judge.exact.poly import Ball
+from gainproof.verify.judge.formula import Formula, Graph, Reading, Relation
+from gainproof.verify.judge.reach import closure, reached
 from gainproof.verify.judge.reader.errors import ReaderError
 from gainproof.verify.judge.reader.latex import reading_to_latex
 from gainproof.verify.judge.reader.reader import read_formula
-from gainproof.verify.judge.scope import UndefinedSymbol
+from gainproof.verify.judge.repair.closings import root
+from gainproof.verify.judge.repair.points import generic_points
+from gainproof.verify.judge.repair.recognise import monomial
+from gainproof.verify.judge.repair.values import Values
+from gainproof.verify.judge.scope import Scope, UndefinedSymbol
 from gainproof.verify.judge.setting.environment import NotEstablished
 from gainproof.verify.judge.task import Models, Solved
 from gainproof.verify.judge.trial import Trial
-from gainproof.verify.judge.undefined.opened import opened
 from gainproof.verify.judge.undefined.polynomial import as_polynomial
-from gainproof.verify.judge.undefined.recognised import recognised
 from gainproof.verify.judge.undefined.solve import Solution, shortened, solutions
 
 MOST_SECONDS = 20.0
+Change = Callable[[Expr, tuple[Expr, ...]], Expr | None]
+POINTS = 5
 
 
 @dataclass(frozen=True)
@@ -146,3 +158,80 @@ def with_definition(setting: Setting, token: str, formula: Formula) -> Setting:
     """The setting in which the symbol is short for what the formula says."""
     entry = replace(setting.symbols[token], role="definition", definition=formula)
     return replace(setting, symbols={**setting.symbols, token: entry})
+
+
+def opened(relation: Relation, setting: Setting, token: str) -> Relation:
+    """The relation in which the symbol stands wherever a definition would hide it. Definitions with
+    arguments or several readings stay. Raises Malformed.
+    """
+    left, right = (_opened(side, setting, token) for side in (relation.left, relation.right))
+    return replace(relation, left=left, right=right)
+
+
+def _opened(graph: Graph, setting: Setting, token: str) -> Graph:
+    known: dict[str, Expr | None] = {}
+
+    def change(node: Expr, _: tuple[Expr, ...]) -> Expr | None:
+        if node.kind != "symbol" or node.name == token or node.name not in setting.symbols:
+            return None
+        if node.name not in known:
+            known[node.name] = None
+            known[node.name] = _meaning(node.name, setting, token, change)
+        return known[node.name]
+
+    tree = read_graph(graph)
+    made = rebuilt(tree, change)
+    return graph if made == tree else graph_of(made)
+
+
+def _meaning(name: str, setting: Setting, token: str, change: Change) -> Expr | None:
+    entry = setting.symbols[name]
+    if entry.definition is None or entry.arguments or len(entry.definition.readings) != 1:
+        return None
+    if token not in closure({name}, setting.symbols):
+        return None
+    reading = entry.definition.readings[0]
+    if reading.conditions:
+        return None
+    return rebuilt(read_graph(reading.relations[0].right), change)
+
+
+def recognised(claim: Claim, relation: Relation, token: str, convention: Convention) -> Expr | None:
+    """c * product of powers of up to two symbols that solves an equation for a symbol at every
+    point, or None. Raises Undecided, UndefinedSymbol.
+    """
+    setting = convention.setting
+    scope = Scope(setting, convention.environment)
+    names = []
+    for name in sorted(reached(claim, setting) | set(setting.symbols)):
+        try:
+            scope.symbol(name)
+        except (Undecided, Malformed, UndefinedSymbol):
+            continue
+        names.append(name)
+    assert claim.formula is not None
+    points, put_in = generic_points(claim, claim.formula.readings[0].conditions, scope, POINTS)
+    left, right = read_graph(relation.left), read_graph(relation.right)
+    solved: list[Ball] = []
+    for point in points:
+        base = Values(scope, point, put_in)
+        with flint.ctx.workprec(base.precision):
+            value = root(_difference(left, right, token, base))
+        if value is None:
+            return None
+        solved.append(value)
+    known = [Values(scope, point, put_in) for point in points]
+    at = [[values.symbol(name) for values in known] for name in names]
+    usable = [(n, column) for n, column in zip(names, at, strict=True) if None not in column]
+    if len(solved) < POINTS:
+        return None
+    return monomial(solved, [n for n, _ in usable], [column for _, column in usable])
+
+
+def _difference(left: Expr, right: Expr, token: str, base: Values) -> Callable[[Ball], Ball | None]:
+    def difference(h: Ball) -> Ball | None:
+        values = Values(base.scope, base.point, base.put_in, overriding={token: h})
+        a, b = values.ball(left), values.ball(right)
+        return None if a is None or b is None else (a - b).mid()
+
+    return difference

@@ -98,6 +98,18 @@ def _judged(equation: str, count: int, domain: str = "") -> Any:
         ("x^2 = c", 2, r"\frac{a}{c} \geq 0, a > 0", "undecided"),  # true: c > 0
         ("c x = a", 1, r"\frac{1}{c} \geq a - \frac{a c}{c}", "proved"),
         ("x^2 = c", 1, r"\frac{1}{c} \geq a, a > 0", "refuted"),
+        # ends without a value where a divisor is zero: no solution is there
+        ("x^2 = 1", 1, r"x > \frac{a^2}{a}, -1 < a < 1", "conditional"),
+        ("x^2 = 1", 1, r"x > \frac{a^2}{a}, 0 < a < 1", "proved"),
+        ("x = 1", 1, r"x < \frac{a b}{b}, a > 2, -1 < b < 1", "refuted"),
+        ("x = 1", 1, r"x < \frac{a b}{b}, a > 2, 0 < b < 1", "proved"),
+        # roots of numbers, and one that is a number itself
+        ("x^2 = 1", 1, r"x > \sqrt{2}", "undecided"),
+        ("x^2 = 1", 0, r"x > \sqrt{2}", "undecided"),
+        ("x^2 = a", 2, r"a > \sqrt{2}", "undecided"),
+        ("x^2 = c", 1, r"0 < x < \sqrt[3]{2} c, c > 1", "undecided"),
+        (r"x^2 = \sqrt{4} p + q", 2, "p > 1, q > -2", "proved"),
+        (r"x^2 = \sqrt{4} p + q", 2, "p > -1, q > 1", "refuted"),
         # what is not covered
         (r"\sqrt{x} = c", 1, "c > 0", "undecided"),
         ("x^2 = c", 1, "x^2 < c", "undecided"),
@@ -106,6 +118,14 @@ def _judged(equation: str, count: int, domain: str = "") -> Any:
 )
 def test_number_of_solutions(equation: str, count: int, domain: str, wanted: str) -> None:
     check(_judged(equation, count, domain), wanted)
+
+
+@pytest.mark.parametrize("given", ["a < b", r"a \neq 3", "a b = 8", "b - 1 > a"])
+@pytest.mark.parametrize("count", [2, 5])
+def test_nothing_is_said_where_hypotheses_contradict_each_other(count: int, given: str) -> None:
+    fields = f"latex = 'x^2 = c a b'\nvariable = 'x'\nnumber = {count}\ndomain = 'c > 0'"
+    found = judged("solutions", f"{fields}\ngiven = ['a = 3', 'b = 3', '{given}']")
+    check(found, "undecided")
 
 
 def test_a_refutation_shows_the_true_number_and_where() -> None:

@@ -69,6 +69,23 @@ def test_a_tie_that_is_not_rounded_so_is_not_told_as_equal(
     assert "equal" not in found.reason
 
 
+@pytest.mark.parametrize(
+    ("latex", "domain", "told"),
+    [
+        (r"0.7 \approx \frac{3}{4}", "", "left 0.7 +/- 0.05, right 0.75 +/- 0"),
+        (r"0.4 = \sqrt{2}", "", "left 0.4 +/- 0.05, right 1.41421"),
+        (r"\sqrt{2} = 0.4", "", "left 1.4142135623730950488 +/- 2e-19, right 0.4 +/- 0.05"),
+        (r"0.2 = x", r"0 \leq x \leq 1", "left 0.2 +/- 0.05, right "),
+        (r"\frac{x}{x} = 1.0", "-1 < x < 1", "left no value (a divisor is zero), right 1.0 +/- "),
+        (r"1.0 = \frac{x}{x}", "-1 < x < 1", "left 1.0 +/- 0.05, right no value (a divisor"),
+    ],
+)
+def test_a_witness_has_the_sides_of_the_formula(latex: str, domain: str, told: str) -> None:
+    found = judged("value", f"latex = '{latex}'" + f"\ndomain = '{domain}'" * bool(domain))
+    assert found.verdict in ("refuted", "conditional"), found.reason
+    assert told in found.reason
+
+
 @pytest.mark.parametrize("shown", ["0.3821", "0.3818"])
 def test_a_witness_shows_the_exact_value_and_the_number_printed(shown: str) -> None:
     found = judged("value", rf"latex = 'x \approx {shown}'{ROOT}1'")
@@ -117,23 +134,23 @@ def test_no_rounded_number_where_there_is_none(
 
 
 @pytest.mark.parametrize(
-    ("latex", "value", "printed"),
+    ("latex", "left", "right"),
     [
         (r"\frac{3}{4} \approx 0.7", 0.75, 0.7),
-        (r"0.7 \approx \frac{3}{4}", 0.75, 0.7),
+        (r"0.7 \approx \frac{3}{4}", 0.7, 0.75),
         (r"-\frac{3}{4} \approx -0.7", -0.75, -0.7),
         (r"\frac{3 x}{4 x} \approx 0.7", 0.75, 0.7),
         (r"\frac{3}{2} \approx 1", 1.5, 1),
     ],
 )
 def test_at_a_tie_the_sides_are_the_value_and_the_number_as_printed(
-    latex: str, value: float, printed: float
+    latex: str, left: float, right: float
 ) -> None:
     found = judged("value", latex)
     check(found, "refuted")
     assert found.witness is not None
     sides = [float(found.witness[side]["midpoint"]) for side in ("left", "right")]
-    assert sides == [value, printed]
+    assert sides == [left, right]
     # said of sides only that are one number
     assert "exact" not in found.witness
     assert not any("both sides" in text for text in reasons(found.to_json()))

@@ -45,6 +45,9 @@ RIGHT = [
         r"\frac{%d \pi}{%d w}",
         (1, 1),
     ),
+    # a rate that is zero, as it is written or after terms cancel
+    (r"\int_0^t x e^{0 x} \cos(0 x) dx", r"\frac{%d t^2}{%d}", (1, 2)),
+    (r"\int_0^t e^{(a - a) x} \cos(w x) dx", r"\frac{%d \sin(%d w t)}{w}", (1, 1)),
 ]
 
 
@@ -75,6 +78,8 @@ def test_one_other_number_is_refuted(seed: int) -> None:
         (r"\int_0^t \cos(w x) dx = \frac{\sin(w t)}{w}", "-1 < w < 1", "does not say that w != 0"),
         (r"\int_0^\infty e^{-a x} \sin(x) dx = \frac{1}{a^2 + 1}", "a > -1", "say that a > 0"),
         (r"\int_0^t \cos((\frac{b}{b} - 1) x) dx = t", "-1 < b < 1", None),
+        (r"\int_0^t e^{(\frac{b}{b} - 1) x} dx = t", "-1 < b < 1", None),
+        (r"\int_0^\infty e^{0 x} dx = t", "", "does not decay"),
     ],
 )
 def test_what_has_no_value_is_not_proved(latex: str, domain: str, why: str | None) -> None:

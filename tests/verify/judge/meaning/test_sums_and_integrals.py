@@ -50,7 +50,7 @@ LEFT_OPEN = [
         r"\int_0^\infty e^{(a^2 - 2 a + 1) x} \, dx = -\frac{1}{(a - 1)^2}",
         "without a value",
     ),
-    (r"\int_0^\infty e^{(\frac{a}{a} - 1) x} \, dx = 1", "without a value"),
+    (r"\int_0^\infty e^{(\frac{a}{a} - 1) x} \, dx = 1", "does not decay"),
     (r"latex = '\sum_{i=0}^{\infty} a (1-a)^i = 1'" + "\ndomain = '0 < a < 3'", "without a value"),
     (r"\sum_{i=0}^{x} i = \frac{x(x+1)}{2}", "no whole number"),
     (r"\int_0^t \frac{1}{x + 1} \, dx = t", "integral of anything but polynomials"),

@@ -1,0 +1,173 @@
+"""Formulas of kernels as text: a page of lines `name = formula`, and the graphs made of them.
+
+    ## Where m1 = 1 and m2 = 0
+
+        velocity = (step + p)/N
+
+Lines that begin with four blanks are formulas, in the notation of pages, and go on where the next
+begins with more; all else is prose, but for headings that begin with `## Where`: what stands below
+such a one holds where its conditions do and comes before what stands above. A name may be used
+before its line. Operations are made in the order that is written, from the left, so that rounding
+is the author's; in kernels a number stands behind what it multiplies. Numbers are exact: what 0 and
+1 make superfluous is left out.
+"""
+
+from __future__ import annotations
+
+import operator
+import re
+from collections.abc import Callable, Iterable, Mapping
+from dataclasses import dataclass
+from fractions import Fraction
+from functools import reduce
+from typing import Any
+
+from gainproof.derive.pages.formula import NAME, Formula, FormulaError, read_formula
+from gainproof.derive.printer.graph import Node
+
+WHERE = "## Where "
+INDENT = "    "
+_LINE = re.compile(rf"({NAME}) = (.+)")
+_RELATIONS: Mapping[str, Callable[[Any, Any], bool]] = {"=": operator.eq, "<": operator.lt}
+Value = Node | Fraction
+
+
+@dataclass(frozen=True)
+class Condition:
+    """A relation of two formulas of numbers."""
+
+    left: Formula
+    relation: str
+    right: Formula
+
+
+@dataclass(frozen=True)
+class Section:
+    """Formulas by name, and the conditions under which they hold."""
+
+    conditions: tuple[Condition, ...]
+    formulas: Mapping[str, Formula]
+
+
+def read_sections(text: str) -> tuple[Section, ...]:
+    """The sections of a page. Raises FormulaError, with the line, for what is no formula."""
+    found: list[tuple[tuple[Condition, ...], dict[str, Formula]]] = [((), {})]
+    for number, line in _joined(text):
+        try:
+            if line.startswith(WHERE):
+                found.append((tuple(map(_condition, line[len(WHERE) :].split(" and "))), {}))
+            else:
+                match = _LINE.fullmatch(line)
+                if match is None:
+                    raise FormulaError("wanted a line `name = formula`")
+                if match[1] in found[-1][1]:
+                    raise FormulaError(f"{match[1]} has a formula here already")
+                found[-1][1][match[1]] = read_formula(match[2])
+        except FormulaError as error:
+            raise FormulaError(f"line {number}: {error}") from error
+    return tuple(Section(*each) for each in found)
+
+
+def _joined(text: str) -> list[tuple[int, str]]:
+    """Headings with conditions and whole formulas, each with the number of its first line."""
+    found: list[tuple[int, str]] = []
+    for number, line in enumerate(text.splitlines(), 1):
+        if line.startswith(f"{INDENT} ") and found:
+            first, start = found[-1]
+            found[-1] = (first, f"{start} {line.strip()}")
+        elif line.startswith((INDENT, WHERE)):
+            found.append((number, line.strip()))
+    return found
+
+
+def _condition(text: str) -> Condition:
+    match = re.fullmatch(r"(.+) ([=<]) (.+)", text)
+    if match is None:
+        raise FormulaError(f"wanted a condition such as m2 = 0, came {text!r}")
+    return Condition(read_formula(match[1]), match[2], read_formula(match[3]))
+
+
+def kernel_values(
+    sections: Iterable[Section], known: Mapping[str, Value], names: Iterable[str]
+) -> dict[str, Value]:
+    """The values of some names over known nodes and numbers; names without a formula are left out.
+
+    Raises ArithmeticError where a number that stands with a node is negative: a form that is not
+    for this model; FormulaError for what a formula cannot hold.
+    """
+    formulas: dict[str, Formula] = {}
+    given = _Values(known, {})
+    for section in sections:
+        if all(
+            _RELATIONS[each.relation](_value(each.left, given), _value(each.right, given))
+            for each in section.conditions
+        ):
+            formulas |= section.formulas
+    found = _Values(known, formulas)
+    return {name: found[name] for name in names if name in formulas}
+
+
+class _Values(dict[str, Value]):
+    """Values by name, each made when it is first asked for."""
+
+    def __init__(self, known: Mapping[str, Value], formulas: Mapping[str, Formula]) -> None:
+        super().__init__(known)
+        self._left = dict(formulas)
+
+    def __missing__(self, name: str) -> Value:
+        if name not in self._left:
+            raise FormulaError(f"{name!r} has no formula, or one that needs itself")
+        self[name] = _value(self._left.pop(name), self)
+        return self[name]
+
+
+def _value(formula: Formula, known: Mapping[str, Value]) -> Value:
+    if formula.kind == "name":
+        return known[formula.text]
+    if formula.kind == "number":
+        return Fraction(formula.text)
+    if formula.kind not in (*_OPERATIONS, "neg", "pow"):
+        raise FormulaError(f"no sum, product or quotient: {formula}")
+    first, *others = formula.parts
+    found = _value(first, known)
+    if formula.kind == "neg":
+        return -found
+    if formula.kind == "pow":
+        return reduce(_product, [found] * int(formula.text))
+    for other in others:
+        found = _OPERATIONS[formula.kind](found, _value(other, known))
+    return found
+
+
+def _sum(one: Value, other: Value) -> Value:
+    _require_positive(one, other)
+    if one == 0 or other == 0:
+        return other if one == 0 else one
+    return one + other
+
+
+def _product(one: Value, other: Value) -> Value:
+    _require_positive(one, other)
+    if one == 0 or other == 0:
+        return Fraction(0)
+    if one == 1 or other == 1:
+        return other if one == 1 else one
+    return other * one if isinstance(one, Fraction) else one * other
+
+
+def _quotient(one: Value, other: Value) -> Value:
+    _require_positive(one, other)
+    return one if one == 0 or other == 1 else one / other
+
+
+def _require_positive(*parts: Value) -> None:
+    numbers = [part for part in parts if isinstance(part, Fraction)]
+    if len(numbers) == 1 and numbers[0] < 0:
+        raise ArithmeticError(f"no form without a subtraction: {numbers[0]} stands with a node")
+
+
+_OPERATIONS: Mapping[str, Callable[[Value, Value], Value]] = {
+    "add": _sum,
+    "mul": _product,
+    "div": _quotient,
+}
