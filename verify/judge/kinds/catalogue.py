@@ -7,8 +7,8 @@ from collections.abc import Callable
 from dataclasses import dataclass, replace
 from typing import Any
 
-from gainproof.verify.judge.claim.circles import definition_uses
 from gainproof.verify.judge.claim.record import Claim
+from gainproof.verify.judge.claim.symbols import definition_uses
 from gainproof.verify.judge.exact.expression import Expr
 from gainproof.verify.judge.exact.graph_writing import graph_of
 from gainproof.verify.judge.exact.limits import Undecided
