@@ -1,9 +1,8 @@
 """Decides one certificate about matrices of any size: `python check_matrices.py certificate.json`.
 
-It needs Python alone. A certificate is a statement, printed as it is checked, steps that prove it,
-and matrices that meet its conditions. Expressions are polynomials in letters that do not commute. A
-step is a sum of facts that are 0, each between two factors, and of squares F' D F of what is known
-to be positive. This is multiplied out and compared, word by word; nothing is looked for.
+It needs Python alone. Expressions are polynomials in letters that do not commute. A step is a sum
+of facts that are 0, between two factors, and of squares F' D F of what is known to be positive: it
+is multiplied out and compared, nothing is looked for. Matrices of numbers meet what is supposed.
 """
 
 import ast
@@ -18,12 +17,12 @@ from typing import Any
 FORMAT = "gainproof matrix certificate 1"
 MEANING = """matrices are real, of all sizes; a number stands for that multiple of the unit matrix
 A > 0: A is symmetric and positive definite, A >= 0: positive semidefinite
-what is random is a vector with mean 0 and the variance given, uncorrelated; E is the mean"""
-MOST_BYTES, MOST_TERMS, MOST_LETTERS, LARGE = 4_000_000, 100_000, 64, 1 << 1_000
-MOST_WORK, SECONDS = 2_000_000, 20  # terms multiplied out in all, and what they may take
+what is random is a vector with mean 0 and the variance given, uncorrelated; E is the mean
+lines of `typed` and `name` are what the writer says and are not checked"""
+MOST_BYTES, MOST_WORK, SECONDS, LARGE = 4_000_000, 4_000_000, 20, 1 << 1_000  # words and letters
 TEXT = re.compile(r"(?a:(?!.*\b(\d+[a-zA-Z_]|0\d))[\w+*/(). <>=-]{0,20000})")
 NAME = re.compile(r"(?a:(?!E$|size_)[A-Za-z]\w{0,80})")  # E is the mean
-SIZE = re.compile(r"(?a:size_\w{1,80}|[1-9]|[1-3]\d)")
+SIZE = re.compile(r"(?a:size_(?!\d+$)\w{1,80}|[1-9]|[1-3]\d)")
 NUMBER = re.compile(r"-?[0-9]{1,60}(/[0-9]{1,60})?")
 SIGNS = {ast.Eq: "==", ast.Gt: ">", ast.GtE: ">="}
 Rows = list[list[Fraction]]
@@ -40,9 +39,9 @@ class Poly(dict[tuple[str, ...], Fraction]):
     def __init__(self, terms: Any = (), shape: tuple[str, ...] = ()) -> None:
         super().__init__({word: c for word, c in dict(terms).items() if c})
         self.shape = shape
-        require(len(self) < MOST_TERMS, "too many terms")
+        self.size = len(self) + sum(map(len, self))
         large = max((abs(x) for c in self.values() for x in c.as_integer_ratio()), default=0)
-        require(large < LARGE and max(map(len, self), default=0) < MOST_LETTERS, "too long")
+        require(large < LARGE, "too long")
 
     def less(self, other: "Poly") -> "Poly":
         a, b = self.shape, other.shape
@@ -52,45 +51,21 @@ class Poly(dict[tuple[str, ...], Fraction]):
         require(fits, f"shapes do not fit: {a} and {b}")
         return Poly({w: self.get(w, 0) - other.get(w, 0) for w in {**self, **other}}, a or b)
 
-    def times(self, other: "Poly") -> "Poly":
-        a, b = self.shape, other.shape
-        require(not a or not b or a[1] == b[0], f"shapes do not fit: {a} times {b}")
-        found: dict[tuple[str, ...], Fraction] = {}
-        for one, x in self.items():
-            for two, y in other.items():
-                found[one + two] = found.get(one + two, Fraction()) + x * y
-        return Poly(found, (a[0], b[1]) if a and b else a or b)
-
-    def over(self, other: "Poly") -> "Poly":
-        require([*other] == [()] and not other.shape, "a divisor that is no number")
-        return self.times(Poly({(): 1 / other[()]}))
-
     def turned(self) -> "Poly":
         """(A B)' = B' A'."""
-        words = [[f"{k}'".removesuffix("''") for k in reversed(word)] for word in self]
+        words = [[sys.intern(f"{k}'".removesuffix("''")) for k in word[::-1]] for word in self]
         return Poly(zip(map(tuple, words), self.values(), strict=True), self.shape[::-1])
 
 
-def is_positive(a: Rows, strict: bool) -> bool:
-    """Whether a matrix of numbers is symmetric and positive definite, or semidefinite."""
-    if not a:
-        return True
-    (pivot, *row), *rest = a
-    fine = pivot > 0 or (pivot == 0 and not strict and not any(row))
-    less = [[x - b[0] * z / (pivot or 1) for x, z in zip(b[1:], row, strict=True)] for b in rest]
-    return fine and [b[0] for b in rest] == row and is_positive(less, strict)
-
-
 ONE = Poly({(): Fraction(1)})
-SUMS: Any = {ast.Sub: Poly.less, ast.Mult: Poly.times, ast.Div: Poly.over}
-SUMS[ast.Add] = lambda a, b: a.less(Poly().less(b))
 
 
 class Certificate:
     def __init__(self, data: Any) -> None:
         require(isinstance(data, dict) and data.get("format") == FORMAT, f"no {FORMAT}")
         self.data, self.lines = data, [MEANING]
-        self.meaning = dict[str, Any]()  # polynomials, none of what has another name in the source
+        self.meaning = dict[str, Poly]()
+        self.names = dict[str, str]()  # letters and sizes, and their names in the source
         self.letters = dict[str, Poly]()  # in words with ' behind it where transposed
         self.facts = list[tuple[Poly, str]]()  # p == > >= 0
         self.inverses = dict[str, Poly]()  # not known to exist, and of what
@@ -103,15 +78,19 @@ class Certificate:
         """The lines to print. Raises ValueError and others."""
         for title, *said in self.data["lines"]:
             self.line(title, *said)
-        self.spend(len(self.wanted) * len(self.facts))
+        self.spend(sum(p.size for p, _ in self.wanted) * len(self.facts))
         shown = self.wanted and all(each in self.facts for each in self.wanted)
         require(shown and not self.inverses, "the claim is not shown, or that inverses exist")
-        sizes = ", ".join(f"{name} = {n}" for name, n in self.meet().items())
-        return [*self.lines, f"{'met at:':<12}{sizes}", "proved"]
+        known = {*self.meaning, *(sizes := self.meet())}
+        require(self.names.keys() <= known and known.isdisjoint(self.names.values()), "two things")
+        met = ", ".join(f"{name} = {n}" for name, n in sizes.items())
+        return [*self.lines, f"{'met at:':<12}{met}", "proved"]
 
-    def spend(self, work: int) -> None:
+    def spend(self, work: int, rows: Rows | tuple[()] = ()) -> None:
         self.work += work
         require(self.work < MOST_WORK and process_time() < self.latest, "too much work")
+        large = max((abs(n) for row in rows for x in row for n in x.as_integer_ratio()), default=0)
+        require(large < LARGE, "too long")
 
     def line(self, title: str, *said: Any) -> None:
         """Reads one more: a step of the proof, or what is printed."""
@@ -133,10 +112,9 @@ class Certificate:
             p = self.value(value)
             self.fact(self.letter(name, p.shape).less(p), "==")
         elif title == "inverse" and new:
-            p = self.letters[value.removesuffix("**-1")]
+            self.inverses[name] = p = self.letters[value.removesuffix("**-1")]
             require(value.endswith("**-1") and p.shape[0] == p.shape[1], "no inverse")
-            self.inverses[name] = p
-            self.conditions.append((p.times(self.letter(name, p.shape)).less(ONE), "=="))
+            self.conditions.append((self.times(p, self.letter(name, p.shape)).less(ONE), "=="))
         elif title == "where":
             self.fact(*self.value(text, True))
         elif title == "random" and new:
@@ -144,9 +122,9 @@ class Certificate:
             self.random[name] = p = self.conditions[-1][0]
             self.letter(name, (p.shape[0], "1"))
         elif title == "name":
-            token = text.partition(" for ")[2]
-            require(token and token not in self.meaning, "a name of two things")
-            self.meaning[token] = None
+            name, _, token = text.partition(" for ")
+            require(name not in self.names and token not in self.names.values(), "two things")
+            self.names[name] = token
         elif title == "claim":
             self.wanted.append(self.value(text, True))
         else:
@@ -165,7 +143,7 @@ class Certificate:
                 require(j == i + 1 and word[j] == f"{word[i]}'", "a mean that is not of v v'")
                 variance = self.random[word[i]].items()
                 term = {word[:i] + w + word[j + 1 :]: c * x for w, x in variance}
-            self.spend(1 + len(term))
+            self.spend(1 + len(term) + sum(map(len, term)))
             found |= {w: x + found.get(w, 0) for w, x in term.items()}
         return Poly(found, p.shape)
 
@@ -182,48 +160,60 @@ class Certificate:
         require(relation == isinstance(node, ast.Compare), "a relation, or none")
         match node:
             case ast.Compare(left=a, ops=[op], comparators=[b]):
-                p, sign = self.value(a).less(self.value(b)), SIGNS[type(op)]
-                self.spend(len(p))
+                p, sign = self.value(ast.BinOp(a, ast.Sub(), b)), SIGNS[type(op)]
                 require(sign == "==" or p.shape[:1] == p.shape[1:], "what is not square")
                 return p, sign
             case ast.Constant(value=number) if type(number) is int:
                 return Poly({(): Fraction(number)})
-            case ast.Name(id=name) if self.meaning.get(name) is not None:
+            case ast.Name(id=name) if name in self.meaning:
                 return self.meaning[name]
             case ast.Call(func=ast.Name(id="E"), args=[a], keywords=[]):
                 return self.mean(self.value(a))
             case ast.Attribute(value=a, attr="T"):
-                p = self.value(a)
-                self.spend(len(p))
-                return p.turned()
+                return self.times(ONE, self.value(a)).turned()
             case ast.UnaryOp(op=ast.USub(), operand=a):
                 return self.value(ast.BinOp(ast.Constant(0), ast.Sub(), a))
-            case ast.BinOp(left=a, op=op, right=b) if type(op) in SUMS:
+            case ast.BinOp(a, ast.Add() | ast.Sub() | ast.Mult() | ast.Div() as op, b):
                 one, two = self.value(a), self.value(b)
-                self.spend(len(one) * len(two) + len(one) + len(two))
-                return SUMS[type(op)](one, two)
+                self.spend(one.size + two.size)
+                if isinstance(op, ast.Add | ast.Sub):
+                    return one.less(Poly().less(two) if isinstance(op, ast.Add) else two)
+                if isinstance(op, ast.Div):
+                    require([*two] == [()] and not two.shape, "a divisor that is no number")
+                    two = Poly({(): 1 / two[()]})
+                return self.times(one, two)
         raise ValueError(f"not known: {ast.unparse(node)}")
 
     def fact(self, p: Poly, sign: str) -> None:
         """With its transpose, or that it is symmetric (what is not square, does not fit)."""
-        self.spend(2 * len(p))
+        self.spend(2 * p.size)
         self.facts += [(p, sign), (p.turned() if sign == "==" else p.less(p.turned()), "==")]
+
+    def times(self, one: Poly, *others: Poly) -> Poly:
+        for two in others:
+            a, b, found = one.shape, two.shape, dict[tuple[str, ...], Fraction]()
+            require(not a or not b or a[1] == b[0], f"shapes do not fit: {a} times {b}")
+            self.spend(len(one) * two.size + len(two) * one.size)
+            for v, x in one.items():
+                for w, y in two.items():
+                    found[v + w] = found.get(v + w, 0) + x * y
+            one = Poly(found, (a[0], b[1]) if a and b else a or b)
+        return one
 
     def zeros(self, p: Poly, terms: Any, facts: list[tuple[Poly, str]]) -> Poly:
         """A polynomial less terms [left, fact, right], each of a fact that is 0."""
         for left, k, right in terms:
             fact, sign = facts[k]
             require(sign == "==", "a fact that is not 0")
-            one, two = self.value(left), self.value(right)
-            self.spend(len(one) * len(fact) * len(two) + len(p))
-            p = p.less(one.times(fact).times(two))
+            self.spend(p.size)
+            p = p.less(self.times(self.value(left), fact, self.value(right)))
         return p
 
     def shows(self, text: str, terms: Any, squares: Any = (), by: Any = (), ones: Any = ()) -> None:
         """p is the sum of terms and of squares [number, F, fact D > 0 or >= 0, or none of D = 1].
 
-        It is definite if no x but 0 makes all squares 0: the sum of L F of those with D > 0 and
-        of L D F is 1: `by` has [L, square, "1"], `ones` terms. (x' F' D F x = 0 makes D F x = 0.)
+        It is definite if no x but 0 makes all squares 0: `by` [L, square, "1"] and terms `ones` are
+        L F of D > 0, and L D F, with the sum 1. (x' F' D F x = 0 makes D F x = 0.)
         """
         p, sign = self.value(text, True)
         rest, factors = p, list[tuple[Poly, str]]()
@@ -231,12 +221,13 @@ class Certificate:
             factor, scale = self.value(root), self.value(number)
             middle, its = (ONE, ">") if k is None else self.facts[k]
             require(its in (">", ">=") and [*scale] == [()] and scale[()] > 0, "no square")
-            self.spend(len(factor) ** 2 * len(middle) + len(rest))
-            rest = rest.less(scale.times(factor.turned()).times(middle).times(factor))
-            factors.append((factor if its == ">" else middle.times(factor), "=="))
+            self.spend(rest.size + factor.size)
+            rest = rest.less(self.times(scale, factor.turned(), middle, factor))
+            factors.append((factor if its == ">" else self.times(middle, factor), "=="))
         shown = not self.zeros(rest, terms, self.facts) and (sign != "==" or not squares)
         require(shown, f"not so: {text}")
         if sign == ">":
+            require(all(right == "1" for *_, right in by), "no multiple from the left")
             rest = self.zeros(Poly(ONE, p.shape), by, factors)
             require(not self.zeros(rest, ones, self.facts), f"not definite: {text}")
         self.fact(p, sign)
@@ -244,14 +235,14 @@ class Certificate:
     def opens(self, name: str, by: int, left: str = "0") -> None:
         """An inverse exists: of what is definite by a fact, or L A = 1 by a fact (A is square)."""
         p, me = self.inverses.pop(name), self.letters[name]
-        known = (p, ">"), (self.value(left).times(p).less(ONE), "==")
+        known = (p, ">"), (self.times(self.value(left), p).less(ONE), "==")
         require(self.facts[by] in known, f"{name} is not shown to exist")
-        self.fact(p.times(me).less(ONE), "==")
-        self.fact(me.times(p).less(ONE), "==")
+        self.fact(self.times(p, me).less(ONE), "==")
+        self.fact(self.times(me, p).less(ONE), "==")
 
     def meet(self) -> dict[str, int]:
         """Shows that conditions are met at sizes above 1 that differ, so not at one size alone."""
-        sides = {side for p in self.letters.values() for side in p.shape}
+        sides = {side for p in self.meaning.values() for side in p.shape}
         named = {side: self.data["sizes"][side] for side in sorted(sides) if not side.isdigit()}
         fine = {*map(type, named.values())} <= {int} and len({*named.values()}) == len(named)
         require(fine and all(1 < n < 40 for n in named.values()), "sizes alike, of 1, or large")
@@ -265,8 +256,7 @@ class Certificate:
             numbers[name] = [[*map(Fraction, row)] for row in said]
         for p, sign in self.conditions:
             a = self.evaluated(p, numbers, sizes)
-            self.spend(len(a) ** 3)
-            met = not any(map(any, a)) if sign == "==" else is_positive(a, sign == ">")
+            met = not any(map(any, a)) if sign == "==" else self.is_positive(a, sign == ">")
             require(met, "the numbers do not meet a condition")
         return named
 
@@ -278,11 +268,21 @@ class Certificate:
             for k in word:
                 b = numbers[k.removesuffix("'")]
                 b = [[*row] for row in zip(*b, strict=True)] if k in numbers else b  # its columns
-                self.spend(rows * len(b) * len(b[0]))
+                self.spend(rows * len(b) * len(b[0]), a)
                 a = [[sum(map(Fraction.__mul__, row, v), Fraction()) for v in b] for row in a]
-                require(all(LARGE > x.denominator > 0 for row in a for x in row), "too long")
             total = [[*map(Fraction.__add__, *both)] for both in zip(total, a, strict=True)]
+            self.spend(len(a), total)
         return total
+
+    def is_positive(self, a: Rows, strict: bool) -> bool:
+        """Whether a matrix of numbers is symmetric and positive definite, or semidefinite."""
+        while a:
+            self.spend(len(a) ** 2, a)
+            (p, *row), *rest = a
+            if p < 0 or (p == 0 and (strict or any(row))) or [b[0] for b in rest] != row:
+                return False
+            a = [[x - b[0] * z / (p or 1) for x, z in zip(b[1:], row, strict=True)] for b in rest]
+        return True
 
 
 def main(arguments: list[str]) -> int:

@@ -23,7 +23,7 @@ from matrix_claims import judged_matrices
 
 from gainproof.verify import check_matrices
 from gainproof.verify.certificate.words import proof as words
-from gainproof.verify.check_matrices import FORMAT, is_positive, main
+from gainproof.verify.check_matrices import FORMAT, Certificate, main
 from gainproof.verify.judge.answer_certificate import rejected
 from gainproof.verify.judge.matrix_certificate import matrix_certificate
 
@@ -112,7 +112,19 @@ RIGHT: list[Any] = [
         {"S": 2, "v": 0, "w": 0, "A": [[1, 2]]},
     ),
     ([["unit", "I = size_n"], ["claim", "I*I == I"], ["shows", "I*I == I", []]], {}),
+    (
+        [
+            ["name", "size_n for n"],
+            ["name", "J for I"],
+            ["unit", "J = size_n"],
+            ["claim", "J.T == J"],
+            ["shows", "J.T == J", []],
+        ],
+        {},
+    ),
 ]
+BOTH = [["1", 0, "1"], ["T", 0, "U"]]
+"""Multiples from both sides."""
 WRONG: list[Any] = [
     # a property that is not printed
     ([S, ["claim", "S == S.T"], ["shows", "S == S.T", []]], {"S": 3}),
@@ -164,6 +176,48 @@ WRONG: list[Any] = [
             ["shows", "S.T*S + S*S.T*S >= 0", [], [["1 + S", "S", None]]],
         ],
         {"S": 3},
+    ),
+    # definite by a multiple from the right: C' C = 1 - F' C' C F here; and what is 0 from that
+    (
+        [
+            ["matrix", "C = size_m by size_n"],
+            S,
+            ["where", "C.T*C + S.T*C.T*C*S == 1"],
+            ["claim", "C.T*C > 0"],
+            [
+                "shows",
+                "C.T*C > 0",
+                [],
+                [["1", "C", None]],
+                [["C.T", 0, "1"], ["S.T*C.T", 0, "S"]],
+                [["-1", 0, "1"]],
+            ],
+        ],
+        {"S": 0, "C": [[1, 0], [0, 1], [0, 0]]},
+    ),
+    (
+        [
+            *(["matrix", f"{name} = size_n by size_n"] for name in "STUV"),
+            ["where", "S + T*S*U == 1"],
+            ["where", "V + U*V*T == 1"],
+            ["where", "S*V == 0"],
+            ["claim", "S > S"],
+            ["shows", "S.T*S > 0", [], [["1", "S", None]], BOTH, [["-1", 0, "1"]]],
+            [
+                "shows",
+                "S > S",
+                [["-V.T*S.T", 4, "1"]],
+                [["1", "V", 6]],
+                [["1", 0, "1"], ["U", 0, "T"]],
+                [["-1", 2, "1"]],
+            ],
+        ],
+        {
+            "S": [[1, 0], [0, 0]],
+            "T": [[0, 0], [1, 0]],
+            "U": [[0, 1], [0, 0]],
+            "V": [[0, 0], [0, 1]],
+        },
     ),
     # conditions that nothing meets, or not these numbers
     (
@@ -309,9 +363,27 @@ FAULTS: list[Any] = [
     ([S, *SHOWN], {"S": 3, "sizes": {"size_n": True}}, "sizes alike"),
     ([S, *SHOWN], {"S": 3, "sizes": {"size_n": 2.0}}, "sizes alike"),
     # one name of two things
-    ([["name", "T for S"], S, *SHOWN], {"S": 3}, "not known: matrix"),
-    ([S, ["name", "T for S"], *SHOWN], {"S": 3}, "two things"),
-    ([S, ["name", "T for Q"], ["name", "R for Q"], *SHOWN], {"S": 3}, "two things"),
+    *(
+        ([*(["name", line] for line in lines), S, T, *SHOWN], {"S": 3, "T": 3}, "two things")
+        for lines in (
+            ["S for T"],
+            ["S for size_n"],
+            ["size_n for S"],
+            ["S for Q", "T for Q"],
+            ["S for Q", "S for P"],
+            ["size_n for n", "size_n for m"],
+            # what is no letter and no size
+            ["U for Q"],
+            ["S.T for Q"],
+            ["+ for -"],
+            ["2 for n"],
+            ["n for S", "S for n"],
+            ["size_m for m"],
+            ["S is what is 0 for Q"],
+        )
+    ),
+    ([["matrix", "S = size_2 by size_2"], *SHOWN], {"S": 3, "sizes": {"size_2": 2}}, "no shape"),
+    ([["unit", "I = size_07"], S, *SHOWN], {"S": 3}, "not known: unit"),
     # what is random under a condition
     ([S, ["random", "v = S"], ["where", "v.T*v >= 1"], *SHOWN], {"S": 3, "v": [[1], [0]]}, "v"),
 ]
@@ -345,7 +417,8 @@ def test_definite_is_that_of_the_eigenvalues() -> None:
         matrix = half @ half.T + source.choice((-1, 0, 0, 1)) * np.eye(n, dtype=int)
         least = min(np.linalg.eigvalsh(matrix))
         rows = [[Fraction(int(x)) for x in row] for row in matrix]
-        found = is_positive(rows, True), is_positive(rows, False)
+        checker = Certificate({"format": FORMAT})
+        found = checker.is_positive(rows, True), checker.is_positive(rows, False)
         assert found == (bool(least > 1e-9), bool(least > -1e-9)), matrix
         met.add(found)
     assert len(met) == 3
@@ -530,6 +603,24 @@ HOSTILE: list[Any] = [
         *[["matrix", f"S{k} = 39 by 39"] for k in range(4)],
         ["where", f"{'*'.join(['S0*S1*S2*S3'] * 15)} > 0"],
         **{f"S{k}": [[f"{j + 7}/{i + 9}" for j in range(39)] for i in range(39)] for k in range(4)},
+    ),
+    # numbers that grow with each row, words of letters with long names
+    certificate(
+        ["matrix", "S = 39 by 39"],
+        POSITIVE,
+        ["claim", "S > 0"],
+        ["shows", "S > 0", [], [["1", "1", 0]], [["1", 0, "1"]]],
+        S=[
+            [f"1/{10**58 + 7 * (i + j) ** 5 + 39 * i * j + (i == j)}" for j in range(39)]
+            for i in range(39)
+        ],
+    ),
+    certificate(
+        *(["matrix", f"{'S' * 77}{k} = size_n by size_n"] for k in "01"),
+        ["with", f"T = {'S' * 77}0 + {'S' * 77}1"],
+        ["with", f"U = {'*'.join(['T'] * 15)}"],
+        *(["with", f"V{k} = U.T"] for k in range(300)),
+        **{f"{'S' * 77}{k}": 1 for k in "01"},
     ),
     certificate(S, ["claim", "S == \x1b[31m proved" + "x" * 5000], S=1),
     certificate(S, ["\x1b]0;proved\x07", "S"], S=1),

@@ -187,7 +187,7 @@ class Writer:
             left = word_text(word[:at], p[word] / fact[word[at:end]])
             right = word_text(word[end:])
             steps.append([left, k, right])
-            p = p.less(value(left).times(fact).times(value(right)))
+            p = p.less(self.checker.times(value(left), fact, value(right)))
             if process_time() > self.latest:
                 raise ValueError("no proof was found in time")
         return p, steps
@@ -342,7 +342,7 @@ class Writer:
     def sizes(self, source: random.Random, most: int) -> dict[str, int]:
         """Of steps of up to `most`, so that all are different and those of blocks their sum."""
         known = self.asked["sizes"]
-        names = {n for p in self.checker.letters.values() for n in p.shape if not n.isdigit()}
+        names = {n for p in self.checker.meaning.values() for n in p.shape if not n.isdigit()}
         while process_time() < self.latest:
             steps = dict[str, int]()
             found = {}
