@@ -571,6 +571,13 @@ def test_an_altered_certificate_is_rejected_or_states_what_is_so(
     assert refused > 8
 
 
+LONG_NAMES = certificate(
+    *(["matrix", f"{'S' * 77}{k} = size_n by size_n"] for k in "01"),
+    ["with", f"T = {'S' * 77}0 + {'S' * 77}1"],
+    ["with", f"U = {'*'.join(['T'] * 15)}"],
+    *(["with", f"V{k} = U.T"] for k in range(300)),
+    **{f"{'S' * 77}{k}": 1 for k in "01"},
+)
 HOSTILE: list[Any] = [
     "",
     "[]",
@@ -611,17 +618,11 @@ HOSTILE: list[Any] = [
         ["claim", "S > 0"],
         ["shows", "S > 0", [], [["1", "1", 0]], [["1", 0, "1"]]],
         S=[
-            [f"1/{10**58 + 7 * (i + j) ** 5 + 39 * i * j + (i == j)}" for j in range(39)]
+            ["1/3" if i == j else f"1/{10**58 + 7 * (i + j) ** 5 + 39 * i * j}" for j in range(39)]
             for i in range(39)
         ],
     ),
-    certificate(
-        *(["matrix", f"{'S' * 77}{k} = size_n by size_n"] for k in "01"),
-        ["with", f"T = {'S' * 77}0 + {'S' * 77}1"],
-        ["with", f"U = {'*'.join(['T'] * 15)}"],
-        *(["with", f"V{k} = U.T"] for k in range(300)),
-        **{f"{'S' * 77}{k}": 1 for k in "01"},
-    ),
+    LONG_NAMES,
     certificate(S, ["claim", "S == \x1b[31m proved" + "x" * 5000], S=1),
     certificate(S, ["\x1b]0;proved\x07", "S"], S=1),
     certificate(["claim", 1]),
@@ -644,3 +645,14 @@ def test_what_is_hostile_is_refused_in_a_line(
     assert lines[0].isprintable()
     assert len(lines[0]) < 260
     assert time.process_time() - start < 20
+
+
+def test_what_is_hostile_takes_little_memory(tmp_path: Path) -> None:
+    (tmp_path / "one.json").write_text(json.dumps(LONG_NAMES))
+    limited = (
+        "import resource, runpy, sys; resource.setrlimit(resource.RLIMIT_AS, (1 << 29, 1 << 29));"
+        "sys.argv = sys.argv[1:]; runpy.run_path(sys.argv[0], run_name='__main__')"
+    )
+    command = [sys.executable, "-c", limited, str(FILE), str(tmp_path / "one.json")]
+    done = subprocess.run(command, capture_output=True, text=True, check=False)
+    assert done.stdout == "REJECTED: ValueError: 'too much work'\n"
