@@ -159,6 +159,7 @@ def test_a_symbol_that_no_line_explains_is_found(latex: str, tokens: list[str]) 
         (r"\left( \alpha_{k+1} \right)^2 \geq 0 < \pi", [r"\alpha_{k+1}"]),
         (r"\gamma = {\beta^2 \over 2\alpha}", [r"\alpha", r"\beta", r"\gamma"]),
         ("xy = yx", ["x", "y"]),
+        (r"A^{\mathsf T} A^T = B^{\mathsf{T}}", ["A", "B"]),
         (r"A A^T = B", ["A[1,1]", "B[1,1]"]),
         # letters in the names of commands, and accents in any order
         (
@@ -197,6 +198,21 @@ def test_a_certificate_asks_for_no_more_than_its_verdict(
 ) -> None:
     assert judge.ask(formula, **said).verdict == "proved"
     assert bool(lines(judge, formula, **said)) == certified
+
+
+@pytest.mark.parametrize(
+    ("formula", "read"),
+    [
+        ("P^+ = (P^+)^T", r", read as P_{posterior} = (P_{posterior})^T"),
+        ("(A B)^T = B^T A^T", ""),
+        ("A'*A >= 0", r", read as A^{\mathsf{T}} A \ge 0"),
+    ],
+)
+def test_a_formula_is_printed_as_it_was_typed(judge: Judge, formula: str, read: str) -> None:
+    symbols = {"P^+": "n x n, symmetric"} if "+" in formula else {}
+    found = judge.ask(formula, model="matrices", symbols=symbols).certified()["certificate"]
+    typed = next(text for title, text in found["lines"] if title == "typed")
+    assert typed == formula + read
 
 
 TURN = r"\begin{bmatrix} \cos\theta & -\sin\theta \\ \sin\theta & \cos\theta \end{bmatrix}"

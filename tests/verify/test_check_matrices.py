@@ -19,12 +19,16 @@ from typing import Any
 
 import numpy as np
 import pytest
-from matrix_claims import judged_matrices
+from matrix_claims import SYMBOLS, judged_matrices
 
 from gainproof.verify import check_matrices
 from gainproof.verify.certificate.words import proof as words
 from gainproof.verify.check_matrices import FORMAT, Certificate, main
-from gainproof.verify.judge.answer_certificate import rejected
+from gainproof.verify.judge.answer_certificate import (
+    NoCertificateError,
+    answer_certificate,
+    rejected,
+)
 from gainproof.verify.judge.matrix_certificate import matrix_certificate
 
 FILE = Path(check_matrices.__file__)
@@ -50,7 +54,7 @@ def made(latex: str) -> Data:
     assert verdict.verdict == "proved", verdict.reason
     proofs = verdict.certificate["words"]
     assert all(words.rejected(proof | {"asked": [None, True]}) is None for proof in proofs)
-    found, _ = matrix_certificate({"latex": latex}, proofs)
+    found, _ = matrix_certificate({"typed": latex}, proofs)
     return json.loads(json.dumps(found))  # type: ignore[no-any-return]
 
 
@@ -444,6 +448,45 @@ def test_each_certificate_says_what_it_shows(
     assert "with:       d_H = " in text
     _, lines = run(tmp_path / "one.json", certificates[7], capsys)
     assert "random:     v = R" in lines
+
+
+@pytest.mark.parametrize(
+    "latex",
+    [
+        r"(Q^{-1})^{-1} = Q",
+        r"(Q^T)^{-1} = Q^{-1}",
+        r"W W^{-1} = I_n",
+        r"(W^{-1})^{-1} = Q^{-1}",
+        r"(Q + S)^{-1} = (S + Q)^{-1}",
+        r"T^{-1} = (S + Q)^{-1}",
+        r"0 \leq G G^T",
+    ],
+)
+def test_a_step_that_is_left_out_or_a_definition_has_no_certificate(latex: str) -> None:
+    assert uncertified(latex) is not None
+
+
+@pytest.mark.parametrize(
+    "latex", [r"U^{-1} U = I_n", r"T^{-1} = (Q + S)^{-1}", r"Q^{-1} (Q + S) = I_n + Q^{-1} S"]
+)
+def test_an_inverse_as_it_stands_has_a_certificate(latex: str) -> None:
+    assert uncertified(latex) is None
+
+
+def uncertified(latex: str) -> str | None:
+    """Why what is proved has no certificate, None if it has one."""
+    symbols = SYMBOLS + "".join(
+        f"'{name}' = {{ definition = '{text}', meaning = 'short' }}\n"
+        for name, text in (("W", "Q^{-1}"), ("U", "Q"), ("T", "Q + S"))
+    )
+    kind = "inequality" if latex[0] == "0" else "identity"
+    verdict = judged_matrices(latex, kind=kind, symbols=symbols)
+    assert verdict.verdict == "proved", verdict.reason
+    try:
+        answer_certificate(verdict.to_json())
+    except NoCertificateError as reason:
+        return str(reason)
+    return None
 
 
 def test_one_file_decides_alone(certificates: list[Data], tmp_path: Path) -> None:

@@ -44,7 +44,7 @@ OF_MODEL = re.compile(r"[PKSX]\[\d,\d\]")
 KINDS = ("identity", "inequality", "recursion", "value")
 """Claims whose statement is what their formula says."""
 NO_SYMBOLS = re.compile(
-    r"\\(?:begin|end)\s*\{\w+\}|\^\s*(?:\{T\}|T)|\be\s*(?=\^)"
+    r"\\(?:begin|end)\s*\{\w+\}|\^\s*(?:\{\\mathsf\s*\{T\}\}|\{(?:\\mathsf\s*)?T\}|T)|\be\s*(?=\^)"
     r"|\\(?:[dt]?frac|sqrt|left|right|[bB]igg?[lr]?|cdot|times|quad|qquad|partial|pi|[lr]vert|prime|sinh?"
     r"|cosh?|tanh?|exp|over|approx|equiv|leq?|geq?|neq?|lt|gt|leqslant|geqslant|pm|mp)(?![a-zA-Z])"
     r"|\\(?:mathrm|mathbf|boldsymbol|displaystyle|limits)(?![a-zA-Z])|\\[^a-zA-Z]"
@@ -64,8 +64,12 @@ class NoCertificateError(ValueError):
     """Why there is no certificate."""
 
 
-def answer_certificate(claim: Mapping[str, Any]) -> Data:
-    """The certificate of a claim of `check --json`. Raises NoCertificateError."""
+def answer_certificate(claim: Mapping[str, Any], formula: str = "") -> Data:
+    """The certificate of a claim of `check --json`, of a formula as it was typed if that is not
+    the claim's. Raises NoCertificateError.
+    """
+    latex, typed = (" ".join(text.split()) for text in (claim["latex"], formula or claim["latex"]))
+    claim = {**claim, "typed": typed if typed == latex else f"{typed}, read as {latex}"}
     if claim["verdict"] not in ("proved", "refuted", "conditional"):
         raise NoCertificateError(f"the verdict is {claim['verdict']}")
     evidence = claim["evidence"]["certificate"] or {}
@@ -161,7 +165,7 @@ def _certificate(
     boxes = {name: boxes[name] for name in sorted(spoken) if not OF_MODEL.fullmatch(name)}
     names = [labels.get(name, name) for name in boxes]
     said = Said(
-        typed=claim["latex"],
+        typed=claim["typed"],
         # the statement is that under the first convention
         convention=(claim["convention"] or "").removeprefix("any of: ").partition("; ")[0],
         partial=any(word in (claim["domain"] or "") for word in PARTIAL),
@@ -177,7 +181,7 @@ def _certificate(
         meant = letters.get(str(rel.left.value), rel.left) if rel.left.kind == "symbol" else None
         if rel.left.key == rel.right.key and meant and meant.kind not in ("symbol", "number"):
             raise NoCertificateError(f"only that it is itself is kept of {rel.left.value}")
-    if left := unexplained(said.typed, (*said.boxes, *said.letters)):
+    if left := unexplained(claim["latex"], (*said.boxes, *said.letters)):
         raise NoCertificateError(f"{UNKEPT}: {left}")
     refutes = claim["verdict"] == "refuted"
     points = _inner_points(said.boxes)
@@ -245,7 +249,7 @@ class Writer:
     def written(self) -> Data:
         """Format apart. Raises ValueError where something is not shown."""
         proof, said = self.proof, self.said
-        proof.say("typed", " ".join(said.typed.split()))
+        proof.say("typed", said.typed)
         if said.convention:
             proof.say("convention", " ".join(said.convention.split()))
         for token, plain in self.names.items():

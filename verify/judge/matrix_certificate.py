@@ -37,13 +37,13 @@ def matrix_certificate(claim: Data, proofs: Sequence[Data]) -> tuple[dict[str, A
     if proof.get("asked") is None:
         raise ValueError("how it was asked is not kept as text")
     if proof["asked"]["rests"]:
-        raise ValueError("its proof rests on what others show")
+        raise ValueError("its proof rests on what others show, or leaves out a definition")
     if proof["setting"]["parameters"]:
         raise ValueError("numbers of any value beside matrices of any size")
     writer = Writer(claim, proof)
     found = writer.written()
     check_matrices.Certificate(found).decide()
-    return found, [*writer.checker.meaning]
+    return found, [*writer.checker.meaning, *writer.checker.names.values()]
 
 
 class Writer:
@@ -78,7 +78,7 @@ class Writer:
     def written(self) -> dict[str, Any]:
         """The whole certificate. Raises ValueError where something is not shown."""
         asked, setting = self.asked, self.setting
-        self.say("typed", " ".join(self.claim["latex"].split()))
+        self.say("typed", self.claim["typed"])
         for name, token in asked["names"].items():
             if name != token:
                 self.say("name", f"{name} for {token}")

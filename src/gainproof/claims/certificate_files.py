@@ -20,9 +20,11 @@ DECIDED = "decided by `python -m gainproof.verify.check_answer`, or a copy of it
 MATRICES = DECIDED.replace("check_answer", "check_matrices")
 
 
-def certificate_text(claim: Mapping[str, Any]) -> str:
-    """The certificate of a claim as the text of a file. Raises NoCertificateError."""
-    found = answer_certificate(claim)
+def certificate_text(claim: Mapping[str, Any], formula: str = "") -> str:
+    """The certificate of a claim as the text of a file; `formula`: as it was typed if that is not
+    the claim's. Raises NoCertificateError.
+    """
+    found = answer_certificate(claim, formula)
     lines = ",\n".join(json.dumps(line, ensure_ascii=False) for line in found["lines"])
     head = json.dumps({name: part for name, part in found.items() if name != "lines"})
     return f'{head[:-1]}, "lines": [\n{lines}\n]}}\n'
@@ -69,11 +71,11 @@ def write_folder(folder: Path, judged: Sequence[Mapping[str, Any]]) -> str:
     return "\n".join([head, *lines, DECIDED, matrices])
 
 
-def write_one(name: str, claim: Mapping[str, Any]) -> str:
+def write_one(name: str, claim: Mapping[str, Any], formula: str) -> str:
     """The certificate of one claim in a file of this name; what to tell. Raises BadInputError."""
     path = Path(name)
     try:
-        text = certificate_text(claim)
+        text = certificate_text(claim, formula)
     except NoCertificateError as reason:
         raise BadInputError(f"no certificate: {reason}") from None
     write(path, text)

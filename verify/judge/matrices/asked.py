@@ -5,6 +5,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Sequence
 from dataclasses import dataclass, field
 from fractions import Fraction
@@ -56,6 +57,7 @@ class _Writer:
     lines: list[list[str]] = field(default_factory=list)
     names: dict[str, str] = field(default_factory=dict)
     _defined: dict[str, str] = field(default_factory=dict)
+    _opened: dict[str, str] = field(default_factory=dict)
 
     def relation(self, left: Node, operator: str, right: Node) -> str:
         if operator[0] == "<":
@@ -131,25 +133,36 @@ class _Writer:
             self.names[plain] = name
             self._defined[name] = plain
             self.lines.append(["with", f"{plain} = {text}"])
+            self._opened[plain] = self._without_definitions(text)
         return self._defined[name]
 
+    def _without_definitions(self, text: str) -> str:
+        return re.sub(r"\w+", lambda name: self._opened.get(name[0], name[0]), text)
+
     def _inverse(self, node: Node) -> str:
-        alphabet, value = self.alphabet, self.expand.of(node)
+        """Of a letter as it stands, or of what is let be one, in one form everywhere: another that
+        is the same would be a step of the proof.
+        """
+        alphabet, value, text = self.alphabet, self.expand.of(node), self.text(node)
+        meant = self._without_definitions(text)
         (word, factor), *more = [*value.terms.items()] or [((), 0)]
         if more or len(word) != 1 or factor != 1:
             if not more and not word:
                 raise Unsupported("the inverse of a number times the unit matrix")
-            number, flipped = alphabet.short_for(value), False
-            line = ["let", f"{alphabet.names[number]} = {self.text(node)}"]
-            if not any(own[1].startswith(f"{alphabet.names[number]} =") for own in self.lines):
-                self.lines.append(line)
+            number = alphabet.short_for(value)
+            short = alphabet.names[number]
+            if short not in self._opened:
+                self.lines.append(["let", f"{short} = {text}"])
+            if self._opened.setdefault(short, meant) != meant:
+                raise Unsupported("the inverse of one matrix in two forms")
         else:
-            number, flipped = word[0] // 2, bool(word[0] % 2)
+            number = word[0] // 2
+            if number in alphabet.base or meant != alphabet.names[number]:
+                raise Unsupported("the inverse of a letter in another form")
         name = alphabet.names[alphabet.inverse_of(number)]
         line = ["inverse", f"{name} = {alphabet.names[number]}**-1"]
-        if line not in self.lines and number not in alphabet.base:
-            self.lines.append(line)
-        return f"{name}.T" if flipped else name
+        self.lines += [line] if line not in self.lines else []
+        return name
 
     def _poly(self, value: Polynomial) -> str:
         """Of selections of rows."""

@@ -13,7 +13,7 @@ __all__ = ["accepted", "rejected", "written"]
 
 def accepted(book: Book, rests: bool = False) -> tuple[dict[str, Any], str | None]:
     """The proof with what it was asked for, and why the checker does not accept it if so; `rests`:
-    whether it supposes what other proofs show.
+    whether it supposes what other proofs show, or leaves out a definition.
     """
     certificate = written(book)
     fault = rejected(certificate)

@@ -157,7 +157,8 @@ class Layers:
                     reasons.append("what is left of it is not true")
                     continue
                 most = MOST_PRODUCTS if closed or not question.premises else FEW_PRODUCTS
-                rests = bool(given or facts or invertible or inverses)
+                # of a letter without its definition the statement is another
+                rests = bool(closed or given or facts or invertible or inverses)
                 proof = proof_of(asked, setting, most, self.budget)
                 certificate, fault = accepted(proof, rests)
                 if fault is None:
