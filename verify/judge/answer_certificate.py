@@ -12,6 +12,7 @@ import ast
 import contextlib
 import json
 import re
+from collections import Counter
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from fractions import Fraction
@@ -118,9 +119,14 @@ def _certificate(
         raise Malformed("an equivalence or implication")
     graphs = {**evidence.get("other symbols", {}), **evidence.get("quantities", {})}
     meanings = {t: read_graph(graph) for t, graph in graphs.items()}
-    # of several that are the same the first, and none that is an entry of a matrix if another is
-    ordered = sorted(meanings.items(), key=lambda item: "[" in item[0])
-    tokens = {e.key: symbol(t) for t, e in ordered[::-1] if e.kind not in ("symbol", "number")}
+    # of several that are the same the first, but entries of matrices stand for themselves alone
+    several = Counter(e.key for e in meanings.values())
+    shared = {e.key for t, e in meanings.items() if "[" in t and several[e.key] > 1}
+    tokens = {
+        e.key: symbol(t)
+        for t, e in [*meanings.items()][::-1]
+        if e.kind not in ("symbol", "number") and e.key not in shared
+    }
 
     def in_tokens(expr: Expr) -> Expr:
         return rebuilt(expr, lambda node, _: tokens.get(node.key))
@@ -229,7 +235,7 @@ class Writer:
         self.texts: dict[bytes, tuple[str, int]] = {}
         self.parts = 0
         self.later: list[str] = []
-        for token in (*said.boxes, *said.letters):
+        for token in sorted((*said.boxes, *said.letters), key=lambda token: "[" in token):
             self.name(token)
         called = {self.names[n]: pair(Fraction(v)) for n, v in point.items()}
         self.proof = Proof(({} if refutes else called) | {"pi": pair(Fraction(PI[0]))}, latest)
@@ -239,6 +245,8 @@ class Writer:
         if token not in self.names:
             plain = re.sub("[^A-Za-z0-9]+", "_", token.replace("'", "_prime")).strip("_")
             plain = plain if plain[:1].isalpha() else f"x_{plain}"
+            if "[" in token and plain in self.names.values():
+                plain = f"entry_of_{plain}"  # D[1, 2] beside a number D_{1,2}
             taken = {*self.names.values(), *check_answer.FUNCTIONS, "pi", "S", "X"}
             taken |= {*"FHQRPK"} if self.said.model else set()
             while plain in taken or iskeyword(plain) or re.fullmatch(r"part\d+", plain):
