@@ -79,12 +79,7 @@ class Writer:
         """The whole certificate. Raises ValueError where something is not shown."""
         asked, setting = self.asked, self.setting
         self.say("typed", self.claim["typed"])
-        for name, token in asked["names"].items():
-            if name != token:
-                self.say("name", f"{name} for {token}")
         elements, inverses = setting["elements"], setting["inverses"]
-        for name, (shown, *_) in asked["sizes"].items():
-            self.say("name", f"{name} for {shown}")
         vectors = {text.split(" = ")[0] for title, text in asked["lines"] if title == "random"}
         spoken = self.spoken()
         for name, shape in {**asked["matrices"], **setting["matrices"]}.items():
@@ -115,7 +110,18 @@ class Writer:
             self.statement(statement)
         for text in asked["claims"]:
             self.conclude(text)
+        self.name()
         return {"format": check_matrices.FORMAT, **self.instance(), "lines": self.lines}
+
+    def name(self) -> None:
+        """How the source calls the letters and sizes that are there, told before them."""
+        letters = self.checker.meaning
+        known = letters.keys() | {side for p in letters.values() for side in p.shape}
+        sizes = {name: shown for name, (shown, *_) in self.asked["sizes"].items()}
+        for name, token in {**self.asked["names"], **sizes}.items():
+            if name in known and name != token:
+                self.say("name", f"{name} for {token}")
+        self.lines.sort(key=lambda line: {"typed": 0, "name": 1}.get(line[0], 2))
 
     def spoken(self) -> set[str]:
         """Names of letters that the statement or its proof need, with all blocks of a size."""
