@@ -693,7 +693,7 @@ def test_what_is_hostile_is_refused_in_a_line(
 def test_what_is_hostile_takes_little_memory(tmp_path: Path) -> None:
     (tmp_path / "one.json").write_text(json.dumps(LONG_NAMES))
     limited = (
-        "import resource, runpy, sys; resource.setrlimit(resource.RLIMIT_AS, (1 << 29, 1 << 29));"
+        "import resource, runpy, sys; resource.setrlimit(resource.RLIMIT_AS, (1 << 28, 1 << 28));"
         "sys.argv = sys.argv[1:]; runpy.run_path(sys.argv[0], run_name='__main__')"
     )
     command = [sys.executable, "-c", limited, str(FILE), str(tmp_path / "one.json")]
