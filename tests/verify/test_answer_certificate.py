@@ -6,6 +6,7 @@ from collections.abc import Iterator
 from typing import Any
 
 import pytest
+from small_claims import judged
 
 from gainproof.answers.judge import Judge
 from gainproof.verify import check_answer
@@ -136,6 +137,7 @@ def test_of_more_conventions_that_which_is_stated_is_told(
         ("dt = 2 t", ["t"]),
         (r"\omega(t) = t", ["t"]),
         ("A = I", ["A"]),
+        (r"\theta = h", ["h"]),
         ("e > 2", []),
     ],
 )
@@ -157,7 +159,13 @@ def test_a_symbol_that_no_line_explains_is_found(latex: str, tokens: list[str]) 
         (r"\left( \alpha_{k+1} \right)^2 \geq 0 < \pi", [r"\alpha_{k+1}"]),
         (r"\gamma = {\beta^2 \over 2\alpha}", [r"\alpha", r"\beta", r"\gamma"]),
         ("xy = yx", ["x", "y"]),
+        (r"A^{\mathsf T} A^T = B^{\mathsf{T}}", ["A", "B"]),
         (r"A A^T = B", ["A[1,1]", "B[1,1]"]),
+        # letters in the names of commands, and accents in any order
+        (
+            r"\hat{\underline{n}} = \underline{t} + n t",
+            ["n", r"\underline{\hat{n}}", r"\underline{t}", "t"],
+        ),
     ],
 )
 def test_layout_and_functions_are_no_symbols(latex: str, tokens: list[str]) -> None:
@@ -190,3 +198,90 @@ def test_a_certificate_asks_for_no_more_than_its_verdict(
 ) -> None:
     assert judge.ask(formula, **said).verdict == "proved"
     assert bool(lines(judge, formula, **said)) == certified
+
+
+@pytest.mark.parametrize(
+    ("formula", "read"),
+    [
+        ("P^+ = (P^+)^T", r", read as P_{posterior} = (P_{posterior})^T"),
+        ("(A B)^T = B^T A^T", ""),
+        ("A'*A >= 0", r", read as A^{\mathsf{T}} A \ge 0"),
+    ],
+)
+def test_a_formula_is_printed_as_it_was_typed(judge: Judge, formula: str, read: str) -> None:
+    symbols = {"P^+": "n x n, symmetric"} if "+" in formula else {}
+    found = judge.ask(formula, model="matrices", symbols=symbols).certified()["certificate"]
+    typed = next(text for title, text in found["lines"] if title == "typed")
+    assert typed == formula + read
+
+
+TURN = r"\begin{bmatrix} \cos\theta & -\sin\theta \\ \sin\theta & \cos\theta \end{bmatrix}"
+WITH_SINE = {"D": TURN, "B": r"\begin{bmatrix} 1 & 0 \\ 0 & 1 \end{bmatrix}"}
+GAIN = r"\begin{bmatrix} a & b + 1 \\ b + 1 & a \end{bmatrix}"
+
+
+def of_matrices(latex: str, **definitions: str) -> list[str]:
+    """What the file prints of an identity of 2 by 2 matrices that are defined in letters."""
+    symbols = {
+        name: f"{{ definition = '{text}', shape = [2, 2], meaning = 'a matrix' }}"
+        for name, text in definitions.items()
+    }
+    claim = judged("identity", latex, symbols).to_json()
+    assert claim["verdict"] in ("proved", "refuted"), claim["reason"]
+    told = check_answer.Certificate(answer_certificate(claim)).decide()
+    return [" ".join(line.split()) for line in told]
+
+
+@pytest.mark.parametrize(("latex", "verdict"), [("D D^T = B", "proved"), ("D D = B", "refuted")])
+def test_a_matrix_is_explained_entry_by_entry(latex: str, verdict: str) -> None:
+    found = of_matrices(latex, D=TURN, B=r"\begin{bmatrix} 1 & 0 \\ 0 & 1 \end{bmatrix}")
+    assert found[-1] == verdict
+    angle = "theta" if verdict == "proved" else "1"
+    assert f"with: D_1_2 = -sin({angle})" in found
+    assert "name: D_1_2 for D[1, 2]" in found
+    assert "with: B_2_1 = 0" in found
+    # two entries are the cosine: it stands as it is, not as the letter of one of them
+    other = "D_1_2" if verdict == "proved" else "D_2_1"
+    sort = "claim" if verdict == "proved" else "false"
+    assert f"{sort}: cos({angle})*cos({angle}) + D_1_2*{other} == 1" in found
+
+
+def test_an_entry_is_told_from_a_number_that_is_spelled_like_it() -> None:
+    matrices = {name: f"definition = '{text}', shape = [2, 2]" for name, text in WITH_SINE.items()}
+    for entry, value in (("D_{1,2}", "2 a"), ("D_{1,2}", r"-\sin\theta"), ("D_{1,1}", "b^2")):
+        table = matrices | {entry: f"definition = '{value}'"}
+        symbols = {name: f"{{ {text}, meaning = 'any' }}" for name, text in table.items()}
+        claim = judged("identity", f"D^T D {entry} = B {entry}", symbols).to_json()
+        assert claim["verdict"] == "proved", claim["reason"]
+        lines = check_answer.Certificate(answer_certificate(claim)).decide()
+        names = [" ".join(line.split()) for line in lines if line.startswith("name:")]
+        row, column = entry[3], entry[5]
+        assert f"name: D_{row}_{column} for {entry}" in names
+        assert f"name: entry_of_D_{row}_{column} for D[{row}, {column}]" in names
+        assert not any("_ for" in name for name in names)
+
+
+def test_a_matrix_may_have_the_name_of_a_gain() -> None:
+    found = of_matrices("K D = D K", K=GAIN, D=GAIN)
+    assert {"with: K_1_2 = b + 1", "with: D_2_1 = b + 1"} <= {*found}
+    assert found[-1] == "proved"
+
+
+@pytest.mark.parametrize(
+    ("latex", "symbols"),
+    [
+        ("P = q^2", {"P": "definition = 'E[v^2]'"}),
+        ("2 B = 2 q^2", {"P": "definition = 'E[v^2]'", "B": "definition = 'P'"}),
+        (
+            r"S = \begin{bmatrix} q^2 \end{bmatrix}",
+            {"S": r"definition = 'E[\begin{bmatrix} v^2 \end{bmatrix}]', shape = [1, 1]"},
+        ),
+    ],
+)
+def test_a_mean_in_a_definition_has_no_certificate(latex: str, symbols: dict[str, str]) -> None:
+    noise = {"v": "{ unit = '1', variance = 'q^2', meaning = 'noise' }"}
+    table = {name: f"{{ {text}, meaning = 'a variance' }}" for name, text in symbols.items()}
+    claim = judged("identity", latex, noise | table).to_json()
+    assert claim["verdict"] == "proved"
+    with pytest.raises(NoCertificateError, match=r"a mean, that of [PS]"):
+        answer_certificate(claim)

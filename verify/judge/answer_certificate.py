@@ -1,4 +1,5 @@
 """Certificates of answers, which `gainproof.verify.check_answer` decides: one file, without judge.
+Those about matrices of any size are decided by `gainproof.verify.check_matrices`.
 
 The evidence of a verdict names its statement in base variables, and what symbols of the source are.
 Both are written here as that file reads them, and it decides: what it does not accept is not given
@@ -11,6 +12,7 @@ import ast
 import contextlib
 import json
 import re
+from collections import Counter
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from fractions import Fraction
@@ -19,7 +21,7 @@ from keyword import iskeyword
 from time import process_time
 from typing import Any
 
-from gainproof.verify import check_answer
+from gainproof.verify import check_answer, check_matrices
 from gainproof.verify.check_answer import VALUE, ZERO, Poly
 from gainproof.verify.judge.answer_proof import Proof, pair, text_of
 from gainproof.verify.judge.exact.box import Box
@@ -30,6 +32,7 @@ from gainproof.verify.judge.exact.graph import read_graph
 from gainproof.verify.judge.exact.limits import Malformed
 from gainproof.verify.judge.exact.statement import TURNED, Rel
 from gainproof.verify.judge.exact.witness import free_values
+from gainproof.verify.judge.matrix_certificate import matrix_certificate
 
 Data = dict[str, Any]
 Graph = Mapping[str, Any]
@@ -42,7 +45,7 @@ OF_MODEL = re.compile(r"[PKSX]\[\d,\d\]")
 KINDS = ("identity", "inequality", "recursion", "value")
 """Claims whose statement is what their formula says."""
 NO_SYMBOLS = re.compile(
-    r"\\(?:begin|end)\s*\{\w+\}|\^\s*(?:\{T\}|T)|\be\s*(?=\^)"
+    r"\\(?:begin|end)\s*\{\w+\}|\^\s*(?:\{\\mathsf\s*\{T\}\}|\{(?:\\mathsf\s*)?T\}|T)|\be\s*(?=\^)"
     r"|\\(?:[dt]?frac|sqrt|left|right|[bB]igg?[lr]?|cdot|times|quad|qquad|partial|pi|[lr]vert|prime|sinh?"
     r"|cosh?|tanh?|exp|over|approx|equiv|leq?|geq?|neq?|lt|gt|leqslant|geqslant|pm|mp)(?![a-zA-Z])"
     r"|\\(?:mathrm|mathbf|boldsymbol|displaystyle|limits)(?![a-zA-Z])|\\[^a-zA-Z]"
@@ -50,23 +53,39 @@ NO_SYMBOLS = re.compile(
 """What is no symbol in a formula: layout, signs, functions, transposes, Euler's number."""
 
 
+UNKEPT = "what a symbol of the formula stands for is not kept"
+OF_MATRICES = re.compile(
+    r"(?<![A-Za-z\\])[IO](?:_(?:\{(?:[^{}]|\{(?:[^{}]|\{[^{}]*\})*\})*\}|\w))?|\bE\b"
+    r"|\\Rightarrow|\\underline\s*\{0\}|\\underline 0"
+)
+"""Unit matrix and zero with their sizes, a mean, what follows."""
+
+
 class NoCertificateError(ValueError):
     """Why there is no certificate."""
 
 
-def answer_certificate(claim: Mapping[str, Any]) -> Data:
-    """The certificate of a claim of `check --json`. Raises NoCertificateError."""
+def answer_certificate(claim: Mapping[str, Any], formula: str = "") -> Data:
+    """The certificate of a claim of `check --json`, of a formula as it was typed if that is not
+    the claim's. Raises NoCertificateError.
+    """
+    latex, typed = (" ".join(text.split()) for text in (claim["latex"], formula or claim["latex"]))
+    claim = {**claim, "typed": typed if typed == latex else f"{typed}, read as {latex}"}
     if claim["verdict"] not in ("proved", "refuted", "conditional"):
         raise NoCertificateError(f"the verdict is {claim['verdict']}")
-    if claim["kind"] not in KINDS:
-        raise NoCertificateError(f"the claim is of kind {claim['kind']}")
     evidence = claim["evidence"]["certificate"] or {}
+    in_words = isinstance(evidence.get("words"), list) and claim["verdict"] == "proved"
+    if claim["kind"] not in KINDS and not in_words:
+        raise NoCertificateError(f"the claim is of kind {claim['kind']}")
     statement = evidence.get("asked", evidence.get("statement"))
-    if statement is None:
-        method = claim["evidence"]["method"]
-        raise NoCertificateError(f"no statement about numbers is kept of what rests on: {method}")
     try:
-        return _certificate(claim, evidence, statement)
+        if in_words:
+            found, names = matrix_certificate(claim, evidence["words"])
+            if left := unexplained(OF_MATRICES.sub(" ", claim["latex"]), names):
+                raise NoCertificateError(f"{UNKEPT}: {left}")
+            return found
+        if statement is not None:
+            return _certificate(claim, evidence, statement)
     except (
         ArithmeticError,
         SyntaxError,
@@ -77,12 +96,15 @@ def answer_certificate(claim: Mapping[str, Any]) -> Data:
         ValueError,
     ) as error:
         raise NoCertificateError(str(error)) from None
+    method = claim["evidence"]["method"]
+    raise NoCertificateError(f"no statement about numbers is kept of what rests on: {method}")
 
 
 def rejected(certificate: Mapping[str, Any]) -> str | None:
     """Why the file does not accept it; None if it does."""
+    checker = check_matrices if certificate.get("format") == check_matrices.FORMAT else check_answer
     try:
-        check_answer.Certificate(certificate).decide()
+        checker.Certificate(certificate).decide()
     except Exception as reason:  # noqa: BLE001  as in the file itself
         return str(reason)
     return None
@@ -97,7 +119,14 @@ def _certificate(
         raise Malformed("an equivalence or implication")
     graphs = {**evidence.get("other symbols", {}), **evidence.get("quantities", {})}
     meanings = {t: read_graph(graph) for t, graph in graphs.items()}
-    tokens = {e.key: symbol(t) for t, e in meanings.items() if e.kind not in ("symbol", "number")}
+    # of several that are the same the first, but entries of matrices stand for themselves alone
+    several = Counter(e.key for e in meanings.values())
+    shared = {e.key for t, e in meanings.items() if "[" in t and several[e.key] > 1}
+    tokens = {
+        e.key: symbol(t)
+        for t, e in [*meanings.items()][::-1]
+        if e.kind not in ("symbol", "number") and e.key not in shared
+    }
 
     def in_tokens(expr: Expr) -> Expr:
         return rebuilt(expr, lambda node, _: tokens.get(node.key))
@@ -118,6 +147,9 @@ def _certificate(
         for token, expr in letters.items()
         if token in used and labels.get(str(expr.value), expr.value) != token
     }
+    for token in evidence.get("means", ()):
+        if any(name == token or name.startswith(f"{token}[") for name in letters):
+            raise NoCertificateError(f"a mean, that of {token}")
     for token in evidence.get("of the filter", ()):
         if token not in used:
             raise NoCertificateError(f"{token} of the filter is not kept in the statement")
@@ -139,7 +171,7 @@ def _certificate(
     boxes = {name: boxes[name] for name in sorted(spoken) if not OF_MODEL.fullmatch(name)}
     names = [labels.get(name, name) for name in boxes]
     said = Said(
-        typed=claim["latex"],
+        typed=claim["typed"],
         # the statement is that under the first convention
         convention=(claim["convention"] or "").removeprefix("any of: ").partition("; ")[0],
         partial=any(word in (claim["domain"] or "") for word in PARTIAL),
@@ -155,8 +187,8 @@ def _certificate(
         meant = letters.get(str(rel.left.value), rel.left) if rel.left.kind == "symbol" else None
         if rel.left.key == rel.right.key and meant and meant.kind not in ("symbol", "number"):
             raise NoCertificateError(f"only that it is itself is kept of {rel.left.value}")
-    if left := unexplained(said.typed, (*said.boxes, *said.letters)):
-        raise NoCertificateError(f"what a symbol of the formula stands for is not kept: {left}")
+    if left := unexplained(claim["latex"], (*said.boxes, *said.letters)):
+        raise NoCertificateError(f"{UNKEPT}: {left}")
     refutes = claim["verdict"] == "refuted"
     points = _inner_points(said.boxes)
     if refutes:
@@ -203,7 +235,7 @@ class Writer:
         self.texts: dict[bytes, tuple[str, int]] = {}
         self.parts = 0
         self.later: list[str] = []
-        for token in (*said.boxes, *said.letters):
+        for token in sorted((*said.boxes, *said.letters), key=lambda token: "[" in token):
             self.name(token)
         called = {self.names[n]: pair(Fraction(v)) for n, v in point.items()}
         self.proof = Proof(({} if refutes else called) | {"pi": pair(Fraction(PI[0]))}, latest)
@@ -213,6 +245,8 @@ class Writer:
         if token not in self.names:
             plain = re.sub("[^A-Za-z0-9]+", "_", token.replace("'", "_prime")).strip("_")
             plain = plain if plain[:1].isalpha() else f"x_{plain}"
+            if "[" in token and plain in self.names.values():
+                plain = f"entry_of_{plain}"  # D[1, 2] beside a number D_{1,2}
             taken = {*self.names.values(), *check_answer.FUNCTIONS, "pi", "S", "X"}
             taken |= {*"FHQRPK"} if self.said.model else set()
             while plain in taken or iskeyword(plain) or re.fullmatch(r"part\d+", plain):
@@ -223,7 +257,7 @@ class Writer:
     def written(self) -> Data:
         """Format apart. Raises ValueError where something is not shown."""
         proof, said = self.proof, self.said
-        proof.say("typed", " ".join(said.typed.split()))
+        proof.say("typed", said.typed)
         if said.convention:
             proof.say("convention", " ".join(said.convention.split()))
         for token, plain in self.names.items():
@@ -450,7 +484,9 @@ def unexplained(latex: str, tokens: Iterable[str]) -> str:
     known = {_plain(re.sub(r"^free |\[[\d, ]*\]$", "", token)) for token in tokens}
     for token in sorted(known, key=len, reverse=True):
         before = r"(?<![\\_])" if token[:1].isalpha() else ""
-        text = re.sub(before + re.escape(token) + r"(?![_'])", " ", text)
+        # not in the name of a command
+        sought = rf"{before}({re.escape(token)})(?![_'])|\\[A-Za-z]+"
+        text = re.sub(sought, lambda found: " " if found[1] else found[0], text)
     return " ".join(text.split()) if re.search("[A-Za-z]", text) else ""
 
 
@@ -460,7 +496,10 @@ def _plain(latex: str) -> str:
     while old != text:
         old, text = text, re.sub(r"(_|\\[a-zA-Z]+)\s*\{([^{}]*)\}", r"\1 \2", text)
     text = re.sub(r"[{}]", " ", text)
-    return re.sub(r"(_|\\(?:hat|bar|tilde|d+ot|underline|vec|check|breve))\s+", r"\1", text).strip()
+    accent = r"\\(?:hat|bar|tilde|d+ot|underline|vec|check|breve)"
+    several = rf"(?:{accent}\s+){{2,}}"
+    text = re.sub(several, lambda found: " ".join([*sorted(found[0].split()), ""]), text)
+    return re.sub(rf"(_|{accent})\s+", r"\1", text).strip()
 
 
 def _bracketed(part: tuple[str, int], least: int) -> str:

@@ -101,7 +101,8 @@ class Answer:
         from gainproof.verify.judge.answer_certificate import NoCertificateError, answer_certificate
 
         try:
-            return {"certificate": answer_certificate(self.claim), "no_certificate": None}
+            found = answer_certificate(self.claim, self.formula)
+            return {"certificate": found, "no_certificate": None}
         except NoCertificateError as reason:
             return {"certificate": None, "no_certificate": str(reason)}
 

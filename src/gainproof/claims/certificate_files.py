@@ -11,16 +11,20 @@ from urllib.parse import quote
 
 from gainproof.bad_input import BadInputError
 from gainproof.files import atomic_file, places
+from gainproof.verify import check_matrices
 from gainproof.verify.judge.answer_certificate import NoCertificateError, answer_certificate
 
 WITHOUT = "without.txt"
 """In a folder of certificates: claims that have none, and why."""
 DECIDED = "decided by `python -m gainproof.verify.check_answer`, or a copy of it"
+MATRICES = DECIDED.replace("check_answer", "check_matrices")
 
 
-def certificate_text(claim: Mapping[str, Any]) -> str:
-    """The certificate of a claim as the text of a file. Raises NoCertificateError."""
-    found = answer_certificate(claim)
+def certificate_text(claim: Mapping[str, Any], formula: str = "") -> str:
+    """The certificate of a claim as the text of a file; `formula`: as it was typed if that is not
+    the claim's. Raises NoCertificateError.
+    """
+    found = answer_certificate(claim, formula)
     lines = ",\n".join(json.dumps(line, ensure_ascii=False) for line in found["lines"])
     head = json.dumps({name: part for name, part in found.items() if name != "lines"})
     return f'{head[:-1]}, "lines": [\n{lines}\n]}}\n'
@@ -62,14 +66,18 @@ def write_folder(folder: Path, judged: Sequence[Mapping[str, Any]]) -> str:
         for sort, count in sorted(settled.items(), key=lambda item: (-item[1], item[0]))
     ]
     total = f"certificates: {sum(written.values())} of {sum(settled.values())} settled claims"
-    return "\n".join([f"{total}, in {places.shown(folder)}; by verdict and kind:", *lines, DECIDED])
+    matrices = f"those about matrices of any size {MATRICES}"
+    head = f"{total}, in {places.shown(folder)}; by verdict and kind:"
+    return "\n".join([head, *lines, DECIDED, matrices])
 
 
-def write_one(name: str, claim: Mapping[str, Any]) -> str:
+def write_one(name: str, claim: Mapping[str, Any], formula: str) -> str:
     """The certificate of one claim in a file of this name; what to tell. Raises BadInputError."""
     path = Path(name)
     try:
-        write(path, certificate_text(claim))
+        text = certificate_text(claim, formula)
     except NoCertificateError as reason:
         raise BadInputError(f"no certificate: {reason}") from None
-    return f"certificate: {places.shown(path)}, {DECIDED}"
+    write(path, text)
+    decided = MATRICES if f'"{check_matrices.FORMAT}"' in text[:80] else DECIDED
+    return f"certificate: {places.shown(path)}, {decided}"

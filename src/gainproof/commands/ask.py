@@ -112,7 +112,9 @@ def run(options: argparse.Namespace) -> int:
         from gainproof.claims import certificate_files
 
         try:
-            told = certificate_files.write_one(options.certificate, answers[0].claim)
+            told = certificate_files.write_one(
+                options.certificate, answers[0].claim, answers[0].formula
+            )
         except BadInputError as error:
             errors.append(f"{answers[0].formula}: {error}")
             told = str(error)

@@ -23,9 +23,12 @@ class _Statement:
 
 def rejected(proof: object) -> str | None:
     """Why a statement of {"setting", "statements"} is not accepted; None if all are, of which there
-    has to be one. A statement is {"id", "kind", "claim", "evidence"}. Never raises.
+    has to be one. A statement is {"id", "kind", "claim", "evidence"}. What stands under "asked" is
+    text for others and not read. Never raises.
     """
     try:
+        if isinstance(proof, dict):
+            proof = {name: part for name, part in proof.items() if name != "asked"}
         fields = schema.record(plain(proof), ("setting", "statements"), "proof")
         setting = read_setting(fields["setting"], Meter(), "setting")
         statements = [_read(entry) for entry in schema.items(fields["statements"], "statements")]

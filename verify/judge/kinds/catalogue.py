@@ -8,6 +8,7 @@ from dataclasses import dataclass, replace
 from typing import Any
 
 from gainproof.verify.judge.claim.record import Claim
+from gainproof.verify.judge.claim.symbols import definition_uses
 from gainproof.verify.judge.exact.expression import Expr
 from gainproof.verify.judge.exact.graph_writing import graph_of
 from gainproof.verify.judge.exact.limits import Undecided
@@ -28,6 +29,7 @@ from gainproof.verify.judge.kinds.solutions import judge_solutions
 from gainproof.verify.judge.kinds.stability import judge_stability
 from gainproof.verify.judge.kinds.steady_state import judge_steady_state
 from gainproof.verify.judge.kinds.value import judge_value
+from gainproof.verify.judge.meaning.value import entries
 from gainproof.verify.judge.scope import Scope
 from gainproof.verify.judge.setting.quantities import common_quantities, model_data
 from gainproof.verify.judge.verdict import Finding
@@ -64,6 +66,8 @@ KINDS = (
     Kind("ordering", judge_ordering, in_fields=True),
 )
 NO_FORMULA = Reading(())
+MOST_ENTRIES = 16
+"""Of a matrix that is kept entry by entry."""
 
 
 def judge_reading(claim: Claim, reading: Reading | None, scope: Scope) -> Finding:
@@ -81,7 +85,9 @@ def judge_reading(claim: Claim, reading: Reading | None, scope: Scope) -> Findin
 
 
 def symbols_data(scope: Scope) -> dict[str, Any]:
-    """What the symbols met so far stand for, as plain data of a certificate."""
+    """What the symbols met so far stand for, as plain data of a certificate; matrices entry by
+    entry, under "K[1, 2]"; which are defined by an expectation.
+    """
     meanings, environment = _meanings(scope), scope.environment
     used = {token: value for token, value in scope.used.items() if isinstance(value, Expr)}
     several = Counter(value.key for value in used.values())
@@ -100,6 +106,14 @@ def symbols_data(scope: Scope) -> dict[str, Any]:
         for token, value in used.items()
         if token not in meanings and (value.kind != "symbol" or several[value.key] > 1)
     }
+    symbols = scope.setting.symbols
+    means = [token for token in scope.used if "expectation" in definition_uses(symbols[token])]
+    found |= {"means": means} if means else {}
+    for token, value in scope.used.items():
+        named = symbols[token].role == "quantity" or token in environment.assigned
+        if not named and not isinstance(value, Expr) and len(entries(value)) <= MOST_ENTRIES:
+            for i, row in enumerate(value, 1):
+                others |= {f"{token}[{i}, {j}]": graph_of(e) for j, e in enumerate(row, 1)}
     return {**found, "other symbols": others} if others else found
 
 

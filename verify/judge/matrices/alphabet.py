@@ -296,6 +296,17 @@ class Alphabet:
                 self._sizes[size] = name
         return self._sizes[size]
 
+    def sizes_named(self) -> dict[str, list[str | int | dict[str, int]]]:
+        """Sizes as certificates name them: as the source does, and the constant and factors of the
+        steps that they are made of.
+        """
+        shown = self.setting.sizes.shown
+        return {
+            name: [shown(size), size.constant, dict(size.terms)]
+            for size, name in self._sizes.items()
+            if name.startswith("size_")
+        }
+
 
 def _plain(text: str) -> str:
     """Letters, digits and underscores."""

@@ -8,7 +8,17 @@ from typing import Any
 from gainproof.verify.certificate.words.proof import rejected
 from gainproof.verify.judge.matrices.book import Book
 
-__all__ = ["rejected", "written"]
+__all__ = ["accepted", "rejected", "written"]
+
+
+def accepted(book: Book, rests: bool = False) -> tuple[dict[str, Any], str | None]:
+    """The proof with what it was asked for, and why the checker does not accept it if so; `rests`:
+    whether it supposes what other proofs show, or leaves out a definition.
+    """
+    certificate = written(book)
+    fault = rejected(certificate)
+    asked = book.asked and {**book.asked, "rests": rests, "sizes": book.alphabet.sizes_named()}
+    return {**certificate, "asked": asked}, fault
 
 
 def written(book: Book) -> dict[str, Any]:

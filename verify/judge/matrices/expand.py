@@ -72,7 +72,7 @@ class Expander:
         total = None
         for part in node.parts:
             if is_number(part):
-                factor *= _value(part)
+                factor *= value_of(part)
             else:
                 own = self.of(part)
                 total = own if total is None else self.alphabet.reduced(total @ own)
@@ -180,8 +180,9 @@ class Expander:
                 waiting += [each // 2 for word in words for each in word]
 
 
-def _value(node: Node) -> Number:
-    parts = [_value(part) for part in node.parts]
+def value_of(node: Node) -> Number:
+    """Of a formula of numbers alone."""
+    parts = [value_of(part) for part in node.parts]
     match node.kind:
         case "number":
             number = node.number

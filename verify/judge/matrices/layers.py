@@ -11,7 +11,7 @@ from __future__ import annotations
 from dataclasses import dataclass, field, replace
 from typing import Any
 
-from gainproof.verify.judge.matrices.certificate import rejected, written
+from gainproof.verify.judge.matrices.certificate import accepted
 from gainproof.verify.judge.matrices.closing import Closing, closings, with_closed
 from gainproof.verify.judge.matrices.instance import NoValueError, Unsupported
 from gainproof.verify.judge.matrices.letter import MatrixSetting
@@ -135,10 +135,10 @@ class Layers:
     def _multiplied_out(self, question: Question) -> list[dict[str, Any]] | None:
         try:
             bare = replace(question, premises=())
-            certificate = written(proof_of(bare, self.setting, 0, self.budget))
+            certificate, fault = accepted(proof_of(bare, self.setting, 0, self.budget))
         except FAILURES:
             return None
-        return [certificate] if rejected(certificate) is None else None
+        return [certificate] if fault is None else None
 
     def _by_layers(self, question: Question, deep: int) -> list[dict[str, Any]]:
         reasons: list[str] = []
@@ -157,8 +157,10 @@ class Layers:
                     reasons.append("what is left of it is not true")
                     continue
                 most = MOST_PRODUCTS if closed or not question.premises else FEW_PRODUCTS
-                certificate = written(proof_of(asked, setting, most, self.budget))
-                fault = rejected(certificate)
+                # of a letter without its definition the statement is another
+                rests = bool(closed or given or facts or invertible or inverses)
+                proof = proof_of(asked, setting, most, self.budget)
+                certificate, fault = accepted(proof, rests)
                 if fault is None:
                     hidden = self._of_hidden(question, setting, deep, given, invertible)
                     definite = [c for c in given if c.operators in ((">",), ("<",))]

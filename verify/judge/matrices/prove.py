@@ -7,6 +7,7 @@ from dataclasses import dataclass, field, replace
 from typing import Any
 
 from gainproof.verify.judge.matrices.alphabet import Alphabet
+from gainproof.verify.judge.matrices.asked import asked
 from gainproof.verify.judge.matrices.book import Book
 from gainproof.verify.judge.matrices.clearing import cleared
 from gainproof.verify.judge.matrices.consequences import draw_consequences
@@ -67,6 +68,7 @@ def proof_of(question: Question, setting: MatrixSetting, most: int, budget: Budg
         expand.of(node)
     book = begun(alphabet)
     book.most, book.budget = most, budget
+    book.asked = asked(links(question.chains), alphabet, expand)
     suppose_scaled(book)
     _suppose(question, book, expand)
     candidates = [expand.of(side) for chain in question.chains for side in chain.sides]

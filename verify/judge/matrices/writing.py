@@ -20,7 +20,7 @@ class Writing:
     `symmetric`: where it is known that a letter is; `differences`: left less right of each
     equation stated; `waiting`: elements that are symmetric by hypothesis; `hints`: polynomials that
     squares may be made of, `said`: those that the claim names; `products`: letters, each with what
-    may be its inverse; `goals`: the statements that were asked for.
+    may be its inverse; `goals`: the statements that were asked for, `asked`: as they were.
     """
 
     alphabet: Alphabet
@@ -38,6 +38,7 @@ class Writing:
     pending: list[Source] = field(default_factory=list)
     products: list[tuple[int, Polynomial]] = field(default_factory=list)
     goals: list[str] = field(default_factory=list)
+    asked: Mapping[str, Any] | None = None
     most: int = MOST_PRODUCTS
     budget: Budget = field(default_factory=Budget)
     _used: dict[str, set[int]] = field(default_factory=dict)
