@@ -166,10 +166,10 @@ def _gains_of_numbers(tracking_index: float, form: Form = Double) -> tuple[float
     t13 = form.sqrt((t9 * t9) + (t5 * t5))
     t15 = t13 * 2.0
     t19 = form.sqrt(t5 * (t15 + (t5 * 2.0)))
-    t28 = (t5 * 1.152921504606847e18) / (t15 + ((t19 * 4.0) + (t5 * 6.0)))
-    t31 = form.sqrt(t28) * 3.725290298461914e-09
-    t35 = (t5 * 4.0) / (t13 + (t5 + t19))
-    return (t31, t35)
+    t32 = (t5 * 1.152921504606847e18) / (t15 + ((t19 * 4.0) + (t5 * 6.0)))
+    t24 = (t5 * 4.0) / (t13 + (t5 + t19))
+    t35 = form.sqrt(t32) * 3.725290298461914e-09
+    return (t35, t24)
 
 
 def _gains_block(
@@ -182,46 +182,46 @@ def _gains_block(
     n2: float = 5.404319552844595e16,
     n3: float = 7.205759403792794e16,
     n4: float = 2.0,
-    n5: float = 6.0,
-    n6: float = 1.152921504606847e18,
-    n7: float = 4.0,
+    n5: float = 4.0,
+    n6: float = 6.0,
+    n7: float = 1.152921504606847e18,
     n8: float = 3.725290298461914e-09,
 ) -> None:
     (tracking_index,) = given
     alpha, beta = out
-    w0, w1, w2, w3, w4 = work
+    w0, w1, w2, w3 = work
     t2 = multiply(tracking_index, n0, w0)
     index_or_switch = minimum(t2, n1, out=w0)
-    t7 = divide(n2, tracking_index, alpha)
-    four_or_less = minimum(n3, t7, out=alpha)
-    t10 = square(four_or_less, alpha)
+    t7 = divide(n2, tracking_index, beta)
+    four_or_less = minimum(n3, t7, out=beta)
+    t10 = square(four_or_less, beta)
     t11 = square(index_or_switch, w1)
-    t12 = add(t10, t11, alpha)
-    eta_scaled = sqrt(t12, beta)
+    t12 = add(t10, t11, beta)
+    eta_scaled = sqrt(t12, alpha)
     t15 = multiply(eta_scaled, n4, w1)
-    t16 = multiply(index_or_switch, n4, alpha)
-    t17 = add(t15, t16, alpha)
-    t18 = multiply(index_or_switch, t17, alpha)
-    ratio_scaled = sqrt(t18, alpha)
+    t16 = multiply(index_or_switch, n4, beta)
+    t17 = add(t15, t16, beta)
+    t18 = multiply(index_or_switch, t17, beta)
+    ratio_scaled = sqrt(t18, beta)
     t21 = multiply(index_or_switch, n5, w2)
-    t23 = multiply(index_or_switch, n6, w3)
-    t25 = multiply(ratio_scaled, n7, w4)
-    t26 = add(t25, t21, w4)
-    t27 = add(t15, t26, w1)
-    t28 = divide(t23, t27, w3)
-    alpha_raised = sqrt(t28, w3)
-    t32 = multiply(index_or_switch, n7, w1)
-    t33 = add(index_or_switch, ratio_scaled, w0)
-    t34 = add(eta_scaled, t33, beta)
+    t22 = add(index_or_switch, ratio_scaled, w3)
+    t23 = add(eta_scaled, t22, alpha)
+    t26 = multiply(index_or_switch, n6, w3)
+    t28 = multiply(index_or_switch, n7, w0)
+    t29 = multiply(ratio_scaled, n5, beta)
+    t30 = add(t29, t26, beta)
+    t31 = add(t15, t30, w1)
+    t32 = divide(t28, t31, w0)
+    alpha_raised = sqrt(t32, w0)
+    divide(t21, t23, beta)
     multiply(alpha_raised, n8, alpha)
-    divide(t32, t34, beta)
 
 
 _GAINS = Signature(
     "gains",
     (_TRACKING_INDEX_DOMAIN,),
     ("alpha", "beta"),
-    5,
+    4,
     _gains_block,
     numbers=_gains_of_numbers,
 )
@@ -430,21 +430,22 @@ def _gains_with_derivatives_of_numbers(
     form: Form = Double,
 ) -> tuple[float, ...]:
     t1 = form.sqrt(tracking_index)
-    t5 = t1 * 1.8189894035458565e-12
-    t7 = 1.3234889800848443e-23 / tracking_index
-    t9 = tracking_index * 8.271806125530277e-25
-    t11 = form.sqrt(t7 + t9)
-    t12 = (t1 * 9.094947017729282e-13) + t11
-    t14 = form.sqrt(t5 * t12)
-    t17 = (t12 + t14) * 0.5
-    t18 = t1 * t17
-    t23 = 6.018531076210112e-36 / ((t18 * t18) * (t1 * t11))
-    t24 = t5 / t14
-    t25 = t23 / t24
-    t26 = t14 / t17
-    t27 = t5 / t17
-    t29 = t23 * (t24 + 2.0)
-    return (t26, t27, t25, t29)
+    t3 = t1 * 9.094947017729282e-13
+    t5 = 1.3234889800848443e-23 / tracking_index
+    t7 = tracking_index * 8.271806125530277e-25
+    t9 = form.sqrt(t5 + t7)
+    t10 = t3 + t9
+    t14 = form.sqrt((t1 * 1.8189894035458565e-12) * t10)
+    t17 = (t10 + t14) * 0.5
+    t19 = t3 * 2.0
+    t21 = t1 * t17
+    t26 = 6.018531076210112e-36 / ((t21 * t21) * (t1 * t9))
+    t27 = t19 / t14
+    t18 = t14 / t17
+    t20 = t19 / t17
+    t28 = t26 / t27
+    t30 = t26 * (t27 + 2.0)
+    return (t18, t20, t28, t30)
 
 
 def _gains_with_derivatives_block(
@@ -453,39 +454,40 @@ def _gains_with_derivatives_block(
     work: Arrays,
     _single: bool,
     n0: float = 9.094947017729282e-13,
-    n1: float = 1.8189894035458565e-12,
-    n2: float = 1.3234889800848443e-23,
-    n3: float = 8.271806125530277e-25,
+    n1: float = 1.3234889800848443e-23,
+    n2: float = 8.271806125530277e-25,
+    n3: float = 1.8189894035458565e-12,
     n4: float = 0.5,
-    n5: float = 6.018531076210112e-36,
-    n6: float = 2.0,
+    n5: float = 2.0,
+    n6: float = 6.018531076210112e-36,
 ) -> None:
     (tracking_index,) = given
     alpha, beta, d_alpha, d_beta = out
     w0, w1, w2, w3 = work
     p = sqrt(tracking_index, alpha)
     t3 = multiply(p, n0, w0)
-    t5 = multiply(p, n1, w1)
-    t7 = divide(n2, tracking_index, w2)
-    t9 = multiply(tracking_index, n3, w3)
-    t10 = add(t7, t9, w2)
-    h_at_once = sqrt(t10, beta)
-    t12 = add(t3, h_at_once, w0)
-    t13 = multiply(t5, t12, w2)
+    t5 = divide(n1, tracking_index, w1)
+    t7 = multiply(tracking_index, n2, w2)
+    t8 = add(t5, t7, w1)
+    h_at_once = sqrt(t8, beta)
+    t10 = add(t3, h_at_once, w1)
+    t12 = multiply(p, n3, w2)
+    t13 = multiply(t12, t10, w2)
     twice_ratio = sqrt(t13, d_alpha)
-    t15 = add(t12, twice_ratio, w0)
-    t17 = multiply(t15, n4, w0)
-    t18 = multiply(p, t17, w2)
-    t19 = square(t18, w2)
-    t20 = multiply(p, h_at_once, alpha)
-    t21 = multiply(t19, t20, w2)
-    t23 = divide(n5, t21, d_beta)
-    t24 = divide(t5, twice_ratio, w2)
-    t28 = add(t24, n6, w3)
+    t15 = add(t10, twice_ratio, w1)
+    t17 = multiply(t15, n4, w1)
+    t19 = multiply(t3, n5, w0)
+    t21 = multiply(p, t17, w2)
+    t22 = square(t21, w2)
+    t23 = multiply(p, h_at_once, alpha)
+    t24 = multiply(t22, t23, w2)
+    t26 = divide(n6, t24, d_beta)
+    t27 = divide(t19, twice_ratio, w2)
+    t29 = add(t27, n5, w3)
     divide(twice_ratio, t17, alpha)
-    divide(t5, t17, beta)
-    divide(t23, t24, d_alpha)
-    multiply(t23, t28, d_beta)
+    divide(t19, t17, beta)
+    divide(t26, t27, d_alpha)
+    multiply(t26, t29, d_beta)
 
 
 _GAINS_WITH_DERIVATIVES = Signature(
@@ -550,10 +552,10 @@ def _predictor_gains_of_numbers(tracking_index: float, form: Form = Double) -> t
     t9 = form.of(7.205759403792794e16) if tracking_index < 0.75 else t7
     t13 = form.sqrt((t9 * t9) + (t5 * t5))
     t17 = (t13 * 2.0) + (t5 * 2.0)
-    t23 = form.sqrt((t5 * 1.152921504606847e18) / t17)
-    t25 = t23 * 3.725290298461914e-09
-    t30 = (t5 * 4.0) / (t13 + (t5 + form.sqrt(t5 * t17)))
-    return (t25, t30)
+    t28 = form.sqrt((t5 * 1.152921504606847e18) / t17)
+    t24 = (t5 * 4.0) / (t13 + (t5 + form.sqrt(t5 * t17)))
+    t30 = t28 * 3.725290298461914e-09
+    return (t30, t24)
 
 
 def _predictor_gains_block(
@@ -566,8 +568,8 @@ def _predictor_gains_block(
     n2: float = 5.404319552844595e16,
     n3: float = 7.205759403792794e16,
     n4: float = 2.0,
-    n5: float = 1.152921504606847e18,
-    n6: float = 4.0,
+    n5: float = 4.0,
+    n6: float = 1.152921504606847e18,
     n7: float = 3.725290298461914e-09,
 ) -> None:
     (tracking_index,) = given
@@ -575,25 +577,25 @@ def _predictor_gains_block(
     w0, w1, w2 = work
     t2 = multiply(tracking_index, n0, w0)
     index_or_switch = minimum(t2, n1, out=w0)
-    t7 = divide(n2, tracking_index, position)
-    four_or_less = minimum(n3, t7, out=position)
-    t10 = square(four_or_less, position)
+    t7 = divide(n2, tracking_index, velocity)
+    four_or_less = minimum(n3, t7, out=velocity)
+    t10 = square(four_or_less, velocity)
     t11 = square(index_or_switch, w1)
-    t12 = add(t10, t11, position)
-    eta_scaled = sqrt(t12, velocity)
+    t12 = add(t10, t11, velocity)
+    eta_scaled = sqrt(t12, position)
     t15 = multiply(eta_scaled, n4, w1)
-    t16 = multiply(index_or_switch, n4, position)
+    t16 = multiply(index_or_switch, n4, velocity)
     t17 = add(t15, t16, w1)
-    t18 = multiply(index_or_switch, t17, position)
-    ratio_scaled = sqrt(t18, position)
+    t18 = multiply(index_or_switch, t17, velocity)
+    ratio_scaled = sqrt(t18, velocity)
     t21 = multiply(index_or_switch, n5, w2)
-    t22 = divide(t21, t17, w2)
-    position_raised = sqrt(t22, w2)
-    t27 = multiply(index_or_switch, n6, w1)
-    t28 = add(index_or_switch, ratio_scaled, w0)
-    t29 = add(eta_scaled, t28, velocity)
+    t22 = add(index_or_switch, ratio_scaled, velocity)
+    t23 = add(eta_scaled, t22, position)
+    t26 = multiply(index_or_switch, n6, w0)
+    t27 = divide(t26, t17, w0)
+    position_raised = sqrt(t27, w0)
+    divide(t21, t23, velocity)
     multiply(position_raised, n7, position)
-    divide(t27, t29, velocity)
 
 
 _PREDICTOR_GAINS = Signature(
@@ -783,13 +785,13 @@ def _predicted_covariance_of_numbers(
     t8 = form.sqrt(t3 + t5) / form.sqrt(tracking_index)
     t11 = form.sqrt(t8 + 1.1102230246251565e-16)
     t13 = t11 * 1.4901161193847656e-08
-    t16 = (tracking_index * t13) * 4503599627370496.0
-    t20 = tracking_index * (t8 + (t13 + 1.1102230246251565e-16))
-    t22 = t20 * 2251799813685248.0
-    t23 = t22 * t16
-    t24 = tracking_index * t22
-    t26 = (tracking_index * t16) + (tracking_index * tracking_index)
-    return (t23, t24, t26)
+    t16 = tracking_index * (t8 + (t13 + 1.1102230246251565e-16))
+    t18 = t16 * 2251799813685248.0
+    t21 = (tracking_index * t13) * 4503599627370496.0
+    t22 = t18 * t21
+    t23 = tracking_index * t18
+    t26 = (tracking_index * t21) + (tracking_index * tracking_index)
+    return (t22, t23, t26)
 
 
 def _predicted_covariance_block(
@@ -801,12 +803,12 @@ def _predicted_covariance_block(
     n1: float = 1.232595164407831e-32,
     n2: float = 1.1102230246251565e-16,
     n3: float = 1.4901161193847656e-08,
-    n4: float = 4503599627370496.0,
-    n5: float = 2251799813685248.0,
+    n4: float = 2251799813685248.0,
+    n5: float = 4503599627370496.0,
 ) -> None:
     (tracking_index,) = given
     predicted_11, predicted_12, predicted_22 = out
-    w0, w1 = work
+    w0, w1, w2 = work
     p = sqrt(tracking_index, predicted_11)
     t3 = divide(n0, tracking_index, predicted_12)
     t5 = multiply(tracking_index, n1, w0)
@@ -816,24 +818,24 @@ def _predicted_covariance_block(
     t10 = add(kappa, n2, w0)
     rho_scaled = sqrt(t10, w0)
     rho = multiply(rho_scaled, n3, w0)
-    t14 = multiply(tracking_index, rho, predicted_11)
-    t16 = multiply(t14, n4, predicted_11)
-    t17 = multiply(tracking_index, t16, w1)
-    t18 = add(rho, n2, w0)
-    t19 = add(kappa, t18, predicted_22)
-    t20 = multiply(tracking_index, t19, predicted_22)
-    t22 = multiply(t20, n5, predicted_22)
-    t25 = square(tracking_index, w0)
-    multiply(t22, t16, predicted_11)
-    multiply(tracking_index, t22, predicted_12)
-    add(t17, t25, predicted_22)
+    t14 = add(rho, n2, predicted_11)
+    t15 = add(kappa, t14, predicted_22)
+    t16 = multiply(tracking_index, t15, predicted_22)
+    t18 = multiply(t16, n4, predicted_22)
+    t19 = multiply(tracking_index, rho, w0)
+    t21 = multiply(t19, n5, w0)
+    t24 = multiply(tracking_index, t21, w1)
+    t25 = square(tracking_index, w2)
+    multiply(t18, t21, predicted_11)
+    multiply(tracking_index, t18, predicted_12)
+    add(t24, t25, predicted_22)
 
 
 _PREDICTED_COVARIANCE = Signature(
     "predicted_covariance",
     (_TRACKING_INDEX_DOMAIN,),
     ("predicted_11", "predicted_12", "predicted_22"),
-    2,
+    3,
     _predicted_covariance_block,
     numbers=_predicted_covariance_of_numbers,
 )
@@ -903,15 +905,15 @@ def _predicted_covariance_derivatives_of_numbers(
     t8 = form.sqrt(t3 + t5) / form.sqrt(tracking_index)
     t10 = t8 + 1.1102230246251565e-16
     t13 = form.sqrt(t10) * 1.4901161193847656e-08
-    t15 = t10 / t8
-    t21 = (t13 * 4503599627370496.0) + (((t10 / t13) * t15) * 0.5)
-    t24 = t8 + (t13 + 1.1102230246251565e-16)
-    t27 = (tracking_index * t24) * 2251799813685248.0
-    t35 = 1.0 + (t15 * (1.1102230246251565e-16 / t13))
-    t31 = t27 * (t15 * ((t24 / t13) * 0.5))
-    t36 = t27 * t35
-    t38 = (tracking_index * t21) + (tracking_index * 2.0)
-    return (t31, t36, t38)
+    t15 = t8 + (t13 + 1.1102230246251565e-16)
+    t18 = (tracking_index * t15) * 2251799813685248.0
+    t19 = t10 / t8
+    t28 = 1.0 + (t19 * (1.1102230246251565e-16 / t13))
+    t35 = (t13 * 4503599627370496.0) + (((t10 / t13) * t19) * 0.5)
+    t24 = t18 * (t19 * ((t15 / t13) * 0.5))
+    t29 = t18 * t28
+    t38 = (tracking_index * t35) + (tracking_index * 2.0)
+    return (t24, t29, t38)
 
 
 def _predicted_covariance_derivatives_block(
@@ -923,15 +925,15 @@ def _predicted_covariance_derivatives_block(
     n1: float = 1.232595164407831e-32,
     n2: float = 1.1102230246251565e-16,
     n3: float = 1.4901161193847656e-08,
-    n4: float = 4503599627370496.0,
+    n4: float = 2251799813685248.0,
     n5: float = 0.5,
-    n6: float = 2251799813685248.0,
-    n7: float = 1.0,
+    n6: float = 1.0,
+    n7: float = 4503599627370496.0,
     n8: float = 2.0,
 ) -> None:
     (tracking_index,) = given
     predicted_11, predicted_12, predicted_22 = out
-    w0, w1, w2 = work
+    w0, w1, w2, w3 = work
     p = sqrt(tracking_index, predicted_11)
     t3 = divide(n0, tracking_index, predicted_12)
     t5 = multiply(tracking_index, n1, w0)
@@ -941,34 +943,34 @@ def _predicted_covariance_derivatives_block(
     t10 = add(kappa, n2, w0)
     rho_scaled = sqrt(t10, predicted_11)
     rho = multiply(rho_scaled, n3, predicted_11)
-    t14 = divide(t10, rho, predicted_12)
-    t15 = divide(t10, kappa, w0)
-    t16 = multiply(t14, t15, predicted_12)
-    t18 = multiply(rho, n4, w1)
-    t20 = multiply(t16, n5, predicted_12)
-    t21 = add(t18, t20, w1)
-    t22 = multiply(tracking_index, t21, w1)
-    t23 = add(rho, n2, predicted_12)
-    t24 = add(kappa, t23, predicted_22)
-    t25 = multiply(tracking_index, t24, predicted_12)
-    t27 = multiply(t25, n6, predicted_12)
-    t28 = divide(t24, rho, predicted_22)
-    t29 = multiply(t28, n5, predicted_22)
-    t30 = multiply(t15, t29, predicted_22)
-    t32 = divide(n2, rho, predicted_11)
-    t33 = multiply(t15, t32, w0)
-    t35 = add(n7, t33, w0)
-    t37 = multiply(tracking_index, n8, w2)
-    multiply(t27, t30, predicted_11)
-    multiply(t27, t35, predicted_12)
-    add(t22, t37, predicted_22)
+    t14 = add(rho, n2, predicted_12)
+    t15 = add(kappa, t14, predicted_12)
+    t16 = multiply(tracking_index, t15, w1)
+    t18 = multiply(t16, n4, w1)
+    t19 = divide(t10, kappa, predicted_22)
+    t20 = divide(t15, rho, predicted_12)
+    t22 = multiply(t20, n5, predicted_12)
+    t23 = multiply(t19, t22, predicted_12)
+    t25 = divide(n2, rho, w2)
+    t26 = multiply(t19, t25, w2)
+    t28 = add(n6, t26, w2)
+    t31 = multiply(rho, n7, w3)
+    t32 = divide(t10, rho, w0)
+    t33 = multiply(t32, t19, w0)
+    t34 = multiply(t33, n5, w0)
+    t35 = add(t31, t34, w3)
+    t36 = multiply(tracking_index, t35, w3)
+    t37 = multiply(tracking_index, n8, w0)
+    multiply(t18, t23, predicted_11)
+    multiply(t18, t28, predicted_12)
+    add(t36, t37, predicted_22)
 
 
 _PREDICTED_COVARIANCE_DERIVATIVES = Signature(
     "predicted_covariance_derivatives",
     (_TRACKING_INDEX_DOMAIN,),
     ("predicted_11", "predicted_12", "predicted_22"),
-    3,
+    4,
     _predicted_covariance_derivatives_block,
     numbers=_predicted_covariance_derivatives_of_numbers,
 )
@@ -1176,7 +1178,7 @@ def _updated_covariance_derivatives_block(
 ) -> None:
     (tracking_index,) = given
     updated_11, updated_12, updated_22 = out
-    w0, w1, w2 = work
+    w0, w1, w2, w3 = work
     p = sqrt(tracking_index, updated_11)
     t3 = divide(n0, tracking_index, updated_12)
     t5 = multiply(tracking_index, n1, w0)
@@ -1195,12 +1197,12 @@ def _updated_covariance_derivatives_block(
     t21 = divide(t20, half_eta, w1)
     t24 = divide(n5, rho, updated_11)
     t25 = add(t24, n4, w2)
-    t27 = divide(t11, rho, updated_11)
-    t28 = divide(t11, kappa, updated_12)
-    t29 = multiply(t27, t28, updated_11)
-    t31 = multiply(rho, n6, w0)
-    t33 = multiply(t29, n7, updated_11)
-    t34 = add(t31, t33, w0)
+    t28 = multiply(rho, n6, updated_11)
+    t29 = divide(t11, rho, w3)
+    t30 = divide(t11, kappa, updated_12)
+    t31 = multiply(t29, t30, w3)
+    t33 = multiply(t31, n7, w3)
+    t34 = add(t28, t33, w3)
     multiply(t21, rho, updated_11)
     multiply(t21, t25, updated_12)
     multiply(tracking_index, t34, updated_22)
@@ -1210,7 +1212,7 @@ _UPDATED_COVARIANCE_DERIVATIVES = Signature(
     "updated_covariance_derivatives",
     (_TRACKING_INDEX_DOMAIN,),
     ("updated_11", "updated_12", "updated_22"),
-    3,
+    4,
     _updated_covariance_derivatives_block,
     numbers=_updated_covariance_derivatives_of_numbers,
 )
@@ -1272,28 +1274,28 @@ def _gain_second_derivatives_of_numbers(
     form: Form = Double,
 ) -> tuple[float, ...]:
     t1 = form.sqrt(tracking_index)
-    t3 = 1.9721522630525295e-31 / tracking_index
-    t5 = tracking_index * 1.232595164407831e-32
-    t7 = form.sqrt(t3 + t5)
-    t8 = t7 / t1
-    t11 = t8 + 1.1102230246251565e-16
-    t12 = form.sqrt(t11)
-    t14 = t12 * 1.4901161193847656e-08
-    t19 = tracking_index * (t8 + (t14 + 1.1102230246251565e-16))
-    t21 = 4.440892098500626e-16 / t19
-    t22 = t21 / tracking_index
-    t25 = (t21 * 2.220446049250313e-16) / (t1 * t7)
-    t26 = 2.220446049250313e-16 / t14
-    t27 = 2.220446049250313e-16 / t8
-    t29 = (t12 * 2.9802322387695312e-08) * 2251799813685248.0
-    t40 = 1.0 + ((1.0 + (t26 * 0.5)) * (t27 * 0.5))
-    t42 = t25 * ((((t29 * 3.0) + t26) * 0.5) + t40)
-    t44 = t14 / t8
-    t50 = ((t8 + 2.220446049250313e-16) / t8) * (t27 * 5.551115123125783e-17)
-    t55 = (t44 + (((t8 + t50) / t11) * 0.5)) * t22
-    t57 = -((t44 * t22) * t55)
-    t58 = -(t25 * t42)
-    return (t57, t58)
+    t4 = 1.9721522630525295e-31 / tracking_index
+    t6 = tracking_index * 1.232595164407831e-32
+    t8 = form.sqrt(t4 + t6)
+    t9 = t8 / t1
+    t12 = t9 + 1.1102230246251565e-16
+    t13 = form.sqrt(t12)
+    t15 = t13 * 1.4901161193847656e-08
+    t18 = t15 / t9
+    t21 = tracking_index * (t9 + (t15 + 1.1102230246251565e-16))
+    t23 = 4.440892098500626e-16 / t21
+    t24 = t23 / tracking_index
+    t29 = 2.220446049250313e-16 / t9
+    t32 = ((t9 + 2.220446049250313e-16) / t9) * (t29 * 5.551115123125783e-17)
+    t38 = (t18 + (((t9 + t32) / t12) * 0.5)) * t24
+    t42 = (t23 * 2.220446049250313e-16) / (t1 * t8)
+    t44 = (t13 * 2.9802322387695312e-08) * 2251799813685248.0
+    t46 = 2.220446049250313e-16 / t15
+    t54 = 1.0 + ((1.0 + (t46 * 0.5)) * (t29 * 0.5))
+    t56 = t42 * ((((t44 * 3.0) + t46) * 0.5) + t54)
+    t40 = -((t18 * t24) * t38)
+    t58 = -(t42 * t56)
+    return (t40, t58)
 
 
 def _gain_second_derivatives_block(
@@ -1308,68 +1310,68 @@ def _gain_second_derivatives_block(
     n4: float = 2.9802322387695312e-08,
     n5: float = 4.440892098500626e-16,
     n6: float = 2.220446049250313e-16,
-    n7: float = 2251799813685248.0,
-    n8: float = 3.0,
-    n9: float = 0.5,
-    n10: float = 1.0,
-    n11: float = 5.551115123125783e-17,
+    n7: float = 5.551115123125783e-17,
+    n8: float = 0.5,
+    n9: float = 2251799813685248.0,
+    n10: float = 3.0,
+    n11: float = 1.0,
 ) -> None:
     (tracking_index,) = given
     alpha, beta = out
-    w0, w1, w2, w3, w4, w5, w6 = work
+    w0, w1, w2, w3, w4, w5, w6, w7, w8, w9 = work
     p = sqrt(tracking_index, alpha)
-    t3 = divide(n0, tracking_index, beta)
-    t5 = multiply(tracking_index, n1, w0)
-    t6 = add(t3, t5, beta)
-    h_scaled = sqrt(t6, beta)
+    t4 = divide(n0, tracking_index, beta)
+    t6 = multiply(tracking_index, n1, w0)
+    t7 = add(t4, t6, beta)
+    h_scaled = sqrt(t7, beta)
     kappa = divide(h_scaled, p, w0)
     half_eta = multiply(p, h_scaled, alpha)
-    t11 = add(kappa, n2, beta)
-    rho_scaled = sqrt(t11, w1)
+    t12 = add(kappa, n2, beta)
+    rho_scaled = sqrt(t12, w1)
     rho = multiply(rho_scaled, n3, w2)
     twice_rho = multiply(rho_scaled, n4, w1)
-    t17 = add(rho, n2, w3)
-    t18 = add(kappa, t17, w3)
-    t19 = multiply(tracking_index, t18, w3)
-    t21 = divide(n5, t19, w3)
-    t22 = divide(t21, tracking_index, w4)
-    t24 = multiply(t21, n6, w3)
-    t25 = divide(t24, half_eta, w3)
-    t26 = divide(n6, rho, alpha)
-    t27 = divide(n6, kappa, w5)
-    t29 = multiply(twice_rho, n7, w1)
-    t31 = multiply(t29, n8, w1)
-    t32 = add(t31, t26, w1)
-    t34 = multiply(t32, n9, w1)
-    t35 = multiply(t26, n9, alpha)
-    t37 = add(n10, t35, alpha)
-    t38 = multiply(t27, n9, w6)
-    t39 = multiply(t37, t38, alpha)
-    t40 = add(n10, t39, alpha)
-    t41 = add(t34, t40, w1)
-    t42 = multiply(t25, t41, w1)
-    t43 = multiply(t25, t42, w3)
-    t44 = divide(rho, kappa, w2)
-    t45 = multiply(t44, t22, w1)
-    t46 = add(kappa, n6, w6)
-    t47 = divide(t46, kappa, w6)
-    t49 = multiply(t27, n11, w5)
-    t50 = multiply(t47, t49, w6)
-    t51 = add(kappa, t50, w0)
-    t52 = divide(t51, t11, w0)
-    t53 = multiply(t52, n9, w0)
-    t54 = add(t44, t53, w2)
-    t55 = multiply(t54, t22, w2)
-    t56 = multiply(t45, t55, w1)
-    negative(t56, alpha)
-    negative(t43, beta)
+    t18 = divide(rho, kappa, w3)
+    t19 = add(rho, n2, w4)
+    t20 = add(kappa, t19, w4)
+    t21 = multiply(tracking_index, t20, w4)
+    t23 = divide(n5, t21, w4)
+    t24 = divide(t23, tracking_index, w5)
+    t25 = multiply(t18, t24, w6)
+    t27 = add(kappa, n6, w7)
+    t28 = divide(t27, kappa, w7)
+    t29 = divide(n6, kappa, w8)
+    t31 = multiply(t29, n7, w9)
+    t32 = multiply(t28, t31, w7)
+    t33 = add(kappa, t32, w0)
+    t34 = divide(t33, t12, w0)
+    t36 = multiply(t34, n8, w0)
+    t37 = add(t18, t36, w3)
+    t38 = multiply(t37, t24, w3)
+    t39 = multiply(t25, t38, w6)
+    t41 = multiply(t23, n6, w4)
+    t42 = divide(t41, half_eta, w4)
+    t44 = multiply(twice_rho, n9, w1)
+    t45 = multiply(t44, n10, w1)
+    t46 = divide(n6, rho, w2)
+    t47 = add(t45, t46, w1)
+    t48 = multiply(t47, n8, w1)
+    t49 = multiply(t46, n8, w2)
+    t51 = add(n11, t49, w2)
+    t52 = multiply(t29, n8, w8)
+    t53 = multiply(t51, t52, w2)
+    t54 = add(n11, t53, w2)
+    t55 = add(t48, t54, w1)
+    t56 = multiply(t42, t55, w1)
+    t57 = multiply(t42, t56, w4)
+    negative(t39, alpha)
+    negative(t57, beta)
 
 
 _GAIN_SECOND_DERIVATIVES = Signature(
     "gain_second_derivatives",
     (_TRACKING_INDEX_DOMAIN,),
     ("alpha", "beta"),
-    7,
+    10,
     _gain_second_derivatives_block,
     numbers=_gain_second_derivatives_of_numbers,
 )
@@ -1432,28 +1434,28 @@ def _predictor_gain_second_derivatives_of_numbers(
     form: Form = Double,
 ) -> tuple[float, ...]:
     t1 = form.sqrt(tracking_index)
-    t3 = 1.9721522630525295e-31 / tracking_index
-    t5 = tracking_index * 1.232595164407831e-32
-    t7 = form.sqrt(t3 + t5)
-    t8 = t7 / t1
-    t11 = t8 + 1.1102230246251565e-16
-    t12 = form.sqrt(t11)
-    t14 = t12 * 1.4901161193847656e-08
-    t19 = tracking_index * (t8 + (t14 + 1.1102230246251565e-16))
-    t21 = 4.440892098500626e-16 / t19
-    t22 = t21 / tracking_index
-    t25 = (t21 * 2.220446049250313e-16) / (t1 * t7)
-    t26 = 2.220446049250313e-16 / t14
-    t27 = 2.220446049250313e-16 / t8
-    t29 = (t12 * 2.9802322387695312e-08) * 2251799813685248.0
-    t40 = 1.0 + ((1.0 + (t26 * 0.5)) * (t27 * 0.5))
-    t42 = t25 * ((((t29 * 3.0) + t26) * 0.5) + t40)
-    t43 = t25 * t42
-    t44 = t14 / t8
-    t50 = ((t8 + 2.220446049250313e-16) / t8) * (t27 * 5.551115123125783e-17)
-    t55 = (t44 + (((t8 + t50) / t11) * 0.5)) * t22
-    t58 = -(((t44 * t22) * t55) + t43)
-    t59 = -t43
+    t4 = 1.9721522630525295e-31 / tracking_index
+    t6 = tracking_index * 1.232595164407831e-32
+    t8 = form.sqrt(t4 + t6)
+    t9 = t8 / t1
+    t12 = t9 + 1.1102230246251565e-16
+    t13 = form.sqrt(t12)
+    t15 = t13 * 1.4901161193847656e-08
+    t18 = t15 / t9
+    t21 = tracking_index * (t9 + (t15 + 1.1102230246251565e-16))
+    t23 = 4.440892098500626e-16 / t21
+    t24 = t23 / tracking_index
+    t29 = 2.220446049250313e-16 / t9
+    t32 = ((t9 + 2.220446049250313e-16) / t9) * (t29 * 5.551115123125783e-17)
+    t38 = (t18 + (((t9 + t32) / t12) * 0.5)) * t24
+    t41 = (t23 * 2.220446049250313e-16) / (t1 * t8)
+    t43 = (t13 * 2.9802322387695312e-08) * 2251799813685248.0
+    t45 = 2.220446049250313e-16 / t15
+    t53 = 1.0 + ((1.0 + (t45 * 0.5)) * (t29 * 0.5))
+    t55 = t41 * ((((t43 * 3.0) + t45) * 0.5) + t53)
+    t56 = t41 * t55
+    t58 = -(((t18 * t24) * t38) + t56)
+    t59 = -t56
     return (t58, t59)
 
 
@@ -1469,69 +1471,69 @@ def _predictor_gain_second_derivatives_block(
     n4: float = 2.9802322387695312e-08,
     n5: float = 4.440892098500626e-16,
     n6: float = 2.220446049250313e-16,
-    n7: float = 2251799813685248.0,
-    n8: float = 3.0,
-    n9: float = 0.5,
-    n10: float = 1.0,
-    n11: float = 5.551115123125783e-17,
+    n7: float = 5.551115123125783e-17,
+    n8: float = 0.5,
+    n9: float = 2251799813685248.0,
+    n10: float = 3.0,
+    n11: float = 1.0,
 ) -> None:
     (tracking_index,) = given
     position, velocity = out
-    w0, w1, w2, w3, w4, w5, w6 = work
+    w0, w1, w2, w3, w4, w5, w6, w7, w8, w9 = work
     p = sqrt(tracking_index, position)
-    t3 = divide(n0, tracking_index, velocity)
-    t5 = multiply(tracking_index, n1, w0)
-    t6 = add(t3, t5, velocity)
-    h_scaled = sqrt(t6, velocity)
+    t4 = divide(n0, tracking_index, velocity)
+    t6 = multiply(tracking_index, n1, w0)
+    t7 = add(t4, t6, velocity)
+    h_scaled = sqrt(t7, velocity)
     kappa = divide(h_scaled, p, w0)
     half_eta = multiply(p, h_scaled, position)
-    t11 = add(kappa, n2, velocity)
-    rho_scaled = sqrt(t11, w1)
+    t12 = add(kappa, n2, velocity)
+    rho_scaled = sqrt(t12, w1)
     rho = multiply(rho_scaled, n3, w2)
     twice_rho = multiply(rho_scaled, n4, w1)
-    t17 = add(rho, n2, w3)
-    t18 = add(kappa, t17, w3)
-    t19 = multiply(tracking_index, t18, w3)
-    t21 = divide(n5, t19, w3)
-    t22 = divide(t21, tracking_index, w4)
-    t24 = multiply(t21, n6, w3)
-    t25 = divide(t24, half_eta, w3)
-    t26 = divide(n6, rho, position)
-    t27 = divide(n6, kappa, w5)
-    t29 = multiply(twice_rho, n7, w1)
-    t31 = multiply(t29, n8, w1)
-    t32 = add(t31, t26, w1)
-    t34 = multiply(t32, n9, w1)
-    t35 = multiply(t26, n9, position)
-    t37 = add(n10, t35, position)
-    t38 = multiply(t27, n9, w6)
-    t39 = multiply(t37, t38, position)
-    t40 = add(n10, t39, position)
-    t41 = add(t34, t40, w1)
-    t42 = multiply(t25, t41, w1)
-    t43 = multiply(t25, t42, w3)
-    t44 = divide(rho, kappa, w2)
-    t45 = multiply(t44, t22, w1)
-    t46 = add(kappa, n6, w6)
-    t47 = divide(t46, kappa, w6)
-    t49 = multiply(t27, n11, w5)
-    t50 = multiply(t47, t49, w6)
-    t51 = add(kappa, t50, w0)
-    t52 = divide(t51, t11, w0)
-    t53 = multiply(t52, n9, w0)
-    t54 = add(t44, t53, w2)
-    t55 = multiply(t54, t22, w2)
-    t56 = multiply(t45, t55, w1)
-    t57 = add(t56, t43, w1)
+    t18 = divide(rho, kappa, w3)
+    t19 = add(rho, n2, w4)
+    t20 = add(kappa, t19, w4)
+    t21 = multiply(tracking_index, t20, w4)
+    t23 = divide(n5, t21, w4)
+    t24 = divide(t23, tracking_index, w5)
+    t25 = multiply(t18, t24, w6)
+    t27 = add(kappa, n6, w7)
+    t28 = divide(t27, kappa, w7)
+    t29 = divide(n6, kappa, w8)
+    t31 = multiply(t29, n7, w9)
+    t32 = multiply(t28, t31, w7)
+    t33 = add(kappa, t32, w0)
+    t34 = divide(t33, t12, w0)
+    t36 = multiply(t34, n8, w0)
+    t37 = add(t18, t36, w3)
+    t38 = multiply(t37, t24, w3)
+    t39 = multiply(t25, t38, w6)
+    t40 = multiply(t23, n6, w4)
+    t41 = divide(t40, half_eta, w4)
+    t43 = multiply(twice_rho, n9, w1)
+    t44 = multiply(t43, n10, w1)
+    t45 = divide(n6, rho, w2)
+    t46 = add(t44, t45, w1)
+    t47 = multiply(t46, n8, w1)
+    t48 = multiply(t45, n8, w2)
+    t50 = add(n11, t48, w2)
+    t51 = multiply(t29, n8, w8)
+    t52 = multiply(t50, t51, w2)
+    t53 = add(n11, t52, w2)
+    t54 = add(t47, t53, w1)
+    t55 = multiply(t41, t54, w1)
+    t56 = multiply(t41, t55, w4)
+    t57 = add(t39, t56, w6)
     negative(t57, position)
-    negative(t43, velocity)
+    negative(t56, velocity)
 
 
 _PREDICTOR_GAIN_SECOND_DERIVATIVES = Signature(
     "predictor_gain_second_derivatives",
     (_TRACKING_INDEX_DOMAIN,),
     ("position", "velocity"),
-    7,
+    10,
     _predictor_gain_second_derivatives_block,
     numbers=_predictor_gain_second_derivatives_of_numbers,
 )
@@ -1612,22 +1614,22 @@ def _predicted_covariance_second_derivatives_of_numbers(
     t11 = t8 + 1.1102230246251565e-16
     t12 = form.sqrt(t11)
     t14 = t12 * 1.4901161193847656e-08
-    t18 = 2.220446049250313e-16 / t14
-    t19 = 2.220446049250313e-16 / t8
-    t21 = t8 + (t14 + 1.1102230246251565e-16)
-    t22 = t21 / t8
-    t24 = t19 * 0.5
-    t31 = 1.0 + t19
-    t37 = (t21 * 4503599627370496.0) * (1.0 + (t31 * ((t19 * t19) * 0.25)))
-    t43 = ((t22 * (t21 * (1.0 + t24))) * 0.25) - (((t21 * t18) * t37) * 0.125)
-    t51 = (1.9721522630525295e-31 / (t1 * t7)) / tracking_index
-    t52 = t51 / t11
-    t55 = (1.0 + ((t14 / t8) * 0.5)) + ((t52 * 0.5) * t31)
-    t57 = (t12 * 2.9802322387695312e-08) * 2251799813685248.0
-    t70 = ((0.5 + (t19 * 0.25)) * (5.0 + t52)) + ((t51 / t8) * t24)
+    t18 = t8 + (t14 + 1.1102230246251565e-16)
+    t19 = t18 / t8
+    t21 = 2.220446049250313e-16 / t8
+    t23 = t21 * 0.5
+    t30 = 2.220446049250313e-16 / t14
+    t34 = 1.0 + t21
+    t39 = (t18 * 4503599627370496.0) * (1.0 + (t34 * ((t21 * t21) * 0.25)))
+    t43 = ((t19 * (t18 * (1.0 + t23))) * 0.25) - (((t18 * t30) * t39) * 0.125)
+    t48 = (t12 * 2.9802322387695312e-08) * 2251799813685248.0
+    t55 = (1.9721522630525295e-31 / (t1 * t7)) / tracking_index
+    t56 = t55 / t11
+    t59 = (1.0 + ((t14 / t8) * 0.5)) + ((t56 * 0.5) * t34)
+    t72 = ((0.5 + (t21 * 0.25)) * (5.0 + t56)) + ((t55 / t8) * t23)
     t44 = t43 * 4503599627370496.0
-    t60 = (t22 * (t57 * 0.25)) * t55
-    t76 = ((t57 * 0.75) + (t18 * (t70 * 0.25))) + 2.0
+    t60 = (t19 * (t48 * 0.25)) * t59
+    t76 = ((t48 * 0.75) + (t30 * (t72 * 0.25))) + 2.0
     return (t44, t60, t76)
 
 
@@ -1644,12 +1646,12 @@ def _predicted_covariance_second_derivatives_block(
     n5: float = 2.220446049250313e-16,
     n6: float = 0.5,
     n7: float = 1.0,
-    n8: float = 4503599627370496.0,
-    n9: float = 0.25,
+    n8: float = 0.25,
+    n9: float = 4503599627370496.0,
     n10: float = 0.125,
     n11: float = 2251799813685248.0,
-    n12: float = 5.0,
-    n13: float = 0.75,
+    n12: float = 0.75,
+    n13: float = 5.0,
     n14: float = 2.0,
 ) -> None:
     (tracking_index,) = given
@@ -1666,52 +1668,52 @@ def _predicted_covariance_second_derivatives_block(
     rho_scaled = sqrt(t11, predicted_22)
     rho = multiply(rho_scaled, n3, w1)
     twice_rho = multiply(rho_scaled, n4, predicted_22)
-    t18 = divide(n5, rho, w2)
-    t19 = divide(n5, kappa, w3)
-    t20 = add(rho, n2, w4)
-    t21 = add(kappa, t20, w4)
-    t22 = divide(t21, kappa, w5)
-    t24 = multiply(t19, n6, w6)
-    t26 = add(n7, t24, w7)
-    t27 = multiply(t21, t26, w7)
-    t28 = multiply(t22, t27, w7)
-    t30 = multiply(t21, n8, w8)
-    t31 = add(n7, t19, w9)
-    t32 = square(t19, w10)
-    t34 = multiply(t32, n9, w10)
-    t35 = multiply(t31, t34, w10)
-    t36 = add(n7, t35, w10)
-    t37 = multiply(t30, t36, w8)
-    t38 = multiply(t28, n9, w7)
-    t39 = multiply(t21, t18, w4)
-    t40 = multiply(t39, t37, w4)
-    t42 = multiply(t40, n10, w4)
-    predicted_11_turn = subtract(t38, t42, w7)
-    t47 = divide(rho, kappa, w1)
-    t48 = multiply(t47, n6, w1)
-    t49 = add(n7, t48, w1)
-    t50 = divide(n0, half_eta, predicted_11)
-    t51 = divide(t50, tracking_index, predicted_11)
-    t52 = divide(t51, t11, predicted_12)
-    t53 = multiply(t52, n6, w4)
-    t54 = multiply(t53, t31, w4)
-    t55 = add(t49, t54, w1)
-    t57 = multiply(twice_rho, n11, predicted_22)
-    t58 = multiply(t57, n9, w4)
-    t59 = multiply(t22, t58, w5)
-    t62 = multiply(t19, n9, w3)
-    t64 = add(n6, t62, w3)
-    t66 = add(n12, t52, predicted_12)
-    t67 = multiply(t64, t66, w3)
-    t68 = divide(t51, kappa, predicted_11)
-    t69 = multiply(t68, t24, predicted_11)
-    t70 = add(t67, t69, w3)
-    t72 = multiply(t57, n13, predicted_22)
-    t73 = multiply(t70, n9, w3)
-    t74 = multiply(t18, t73, w2)
-    t75 = add(t72, t74, predicted_22)
-    multiply(predicted_11_turn, n8, predicted_11)
-    multiply(t59, t55, predicted_12)
+    t17 = add(rho, n2, w2)
+    t18 = add(kappa, t17, w2)
+    t19 = divide(t18, kappa, w3)
+    t21 = divide(n5, kappa, w4)
+    t23 = multiply(t21, n6, w5)
+    t25 = add(n7, t23, w6)
+    t26 = multiply(t18, t25, w6)
+    t27 = multiply(t19, t26, w6)
+    t29 = multiply(t27, n8, w6)
+    t30 = divide(n5, rho, w7)
+    t31 = multiply(t18, t30, w8)
+    t33 = multiply(t18, n9, w2)
+    t34 = add(n7, t21, w9)
+    t35 = square(t21, w10)
+    t36 = multiply(t35, n8, w10)
+    t37 = multiply(t34, t36, w10)
+    t38 = add(n7, t37, w10)
+    t39 = multiply(t33, t38, w2)
+    t40 = multiply(t31, t39, w8)
+    t42 = multiply(t40, n10, w8)
+    predicted_11_turn = subtract(t29, t42, w6)
+    t48 = multiply(twice_rho, n11, predicted_22)
+    t49 = multiply(t48, n8, w2)
+    t50 = multiply(t19, t49, w3)
+    t51 = divide(rho, kappa, w1)
+    t52 = multiply(t51, n6, w1)
+    t53 = add(n7, t52, w1)
+    t54 = divide(n0, half_eta, predicted_11)
+    t55 = divide(t54, tracking_index, predicted_11)
+    t56 = divide(t55, t11, predicted_12)
+    t57 = multiply(t56, n6, w2)
+    t58 = multiply(t57, t34, w2)
+    t59 = add(t53, t58, w1)
+    t62 = multiply(t48, n12, predicted_22)
+    t64 = multiply(t21, n8, w4)
+    t66 = add(n6, t64, w4)
+    t68 = add(n13, t56, predicted_12)
+    t69 = multiply(t66, t68, w4)
+    t70 = divide(t55, kappa, predicted_11)
+    t71 = multiply(t70, t23, predicted_11)
+    t72 = add(t69, t71, w4)
+    t73 = multiply(t72, n8, w4)
+    t74 = multiply(t30, t73, w7)
+    t75 = add(t62, t74, predicted_22)
+    multiply(predicted_11_turn, n9, predicted_11)
+    multiply(t50, t59, predicted_12)
     add(t75, n14, predicted_22)
 
 
@@ -1786,33 +1788,33 @@ def _updated_covariance_second_derivatives_of_numbers(
     form: Form = Double,
 ) -> tuple[float, ...]:
     t1 = form.sqrt(tracking_index)
-    t3 = 1.9721522630525295e-31 / tracking_index
-    t5 = tracking_index * 1.232595164407831e-32
-    t7 = form.sqrt(t3 + t5)
-    t8 = t7 / t1
-    t9 = t1 * t7
-    t11 = t8 + 1.1102230246251565e-16
-    t12 = form.sqrt(t11)
-    t14 = t12 * 1.4901161193847656e-08
-    t19 = tracking_index * (t8 + (t14 + 1.1102230246251565e-16))
-    t21 = 4.440892098500626e-16 / t19
-    t22 = t21 / tracking_index
-    t25 = (t21 * 2.220446049250313e-16) / t9
-    t26 = 2.220446049250313e-16 / t14
-    t27 = 2.220446049250313e-16 / t8
-    t29 = (t12 * 2.9802322387695312e-08) * 2251799813685248.0
-    t38 = t27 * 0.5
-    t41 = (((t29 * 3.0) + t26) * 0.5) + (1.0 + ((1.0 + (t26 * 0.5)) * t38))
-    t44 = t14 / t8
-    t50 = ((t8 + 2.220446049250313e-16) / t8) * (t27 * 5.551115123125783e-17)
-    t55 = (t44 + (((t8 + t50) / t11) * 0.5)) * t22
-    t60 = (1.9721522630525295e-31 / t9) / tracking_index
-    t68 = (0.5 + (t27 * 0.25)) * (5.0 + (t60 / t11))
-    t76 = t26 * ((t68 + ((t60 / t8) * t38)) * 0.25)
-    t57 = -((t44 * t22) * t55)
-    t58 = -(t25 * (t25 * t41))
-    t77 = (t29 * 0.75) + t76
-    return (t57, t58, t77)
+    t4 = 1.9721522630525295e-31 / tracking_index
+    t6 = tracking_index * 1.232595164407831e-32
+    t8 = form.sqrt(t4 + t6)
+    t9 = t8 / t1
+    t10 = t1 * t8
+    t12 = t9 + 1.1102230246251565e-16
+    t13 = form.sqrt(t12)
+    t15 = t13 * 1.4901161193847656e-08
+    t18 = t15 / t9
+    t21 = tracking_index * (t9 + (t15 + 1.1102230246251565e-16))
+    t23 = 4.440892098500626e-16 / t21
+    t24 = t23 / tracking_index
+    t29 = 2.220446049250313e-16 / t9
+    t32 = ((t9 + 2.220446049250313e-16) / t9) * (t29 * 5.551115123125783e-17)
+    t38 = (t18 + (((t9 + t32) / t12) * 0.5)) * t24
+    t42 = (t23 * 2.220446049250313e-16) / t10
+    t44 = (t13 * 2.9802322387695312e-08) * 2251799813685248.0
+    t46 = 2.220446049250313e-16 / t15
+    t52 = t29 * 0.5
+    t55 = (((t44 * 3.0) + t46) * 0.5) + (1.0 + ((1.0 + (t46 * 0.5)) * t52))
+    t66 = (1.9721522630525295e-31 / t10) / tracking_index
+    t70 = (0.5 + (t29 * 0.25)) * (5.0 + (t66 / t12))
+    t76 = t46 * ((t70 + ((t66 / t9) * t52)) * 0.25)
+    t40 = -((t18 * t24) * t38)
+    t58 = -(t42 * (t42 * t55))
+    t77 = (t44 * 0.75) + t76
+    return (t40, t58, t77)
 
 
 def _updated_covariance_second_derivatives_block(
@@ -1827,85 +1829,85 @@ def _updated_covariance_second_derivatives_block(
     n4: float = 2.9802322387695312e-08,
     n5: float = 4.440892098500626e-16,
     n6: float = 2.220446049250313e-16,
-    n7: float = 2251799813685248.0,
-    n8: float = 3.0,
-    n9: float = 0.5,
-    n10: float = 1.0,
-    n11: float = 5.551115123125783e-17,
-    n12: float = 0.25,
-    n13: float = 5.0,
-    n14: float = 0.75,
+    n7: float = 5.551115123125783e-17,
+    n8: float = 0.5,
+    n9: float = 2251799813685248.0,
+    n10: float = 3.0,
+    n11: float = 1.0,
+    n12: float = 0.75,
+    n13: float = 0.25,
+    n14: float = 5.0,
 ) -> None:
     (tracking_index,) = given
     updated_11, updated_12, updated_22 = out
-    w0, w1, w2, w3, w4, w5, w6, w7, w8, w9 = work
+    w0, w1, w2, w3, w4, w5, w6, w7, w8 = work
     p = sqrt(tracking_index, updated_11)
-    t3 = divide(n0, tracking_index, updated_12)
-    t5 = multiply(tracking_index, n1, w0)
-    t6 = add(t3, t5, updated_12)
-    h_scaled = sqrt(t6, updated_22)
+    t4 = divide(n0, tracking_index, updated_12)
+    t6 = multiply(tracking_index, n1, w0)
+    t7 = add(t4, t6, updated_12)
+    h_scaled = sqrt(t7, updated_22)
     kappa = divide(h_scaled, p, w0)
     half_eta = multiply(p, h_scaled, updated_11)
-    t11 = add(kappa, n2, updated_12)
-    rho_scaled = sqrt(t11, updated_22)
+    t12 = add(kappa, n2, updated_12)
+    rho_scaled = sqrt(t12, updated_22)
     rho = multiply(rho_scaled, n3, w1)
     twice_rho = multiply(rho_scaled, n4, updated_22)
-    t17 = add(rho, n2, w2)
-    t18 = add(kappa, t17, w2)
-    t19 = multiply(tracking_index, t18, w2)
-    t21 = divide(n5, t19, w2)
-    t22 = divide(t21, tracking_index, w3)
-    t24 = multiply(t21, n6, w2)
-    t25 = divide(t24, half_eta, w2)
-    t26 = divide(n6, rho, w4)
-    t27 = divide(n6, kappa, w5)
-    t29 = multiply(twice_rho, n7, updated_22)
-    t31 = multiply(t29, n8, w6)
-    t32 = add(t31, t26, w6)
-    t34 = multiply(t32, n9, w6)
-    t35 = multiply(t26, n9, w7)
-    t37 = add(n10, t35, w7)
-    t38 = multiply(t27, n9, w8)
-    t39 = multiply(t37, t38, w7)
-    t40 = add(n10, t39, w7)
-    t41 = add(t34, t40, w6)
-    t42 = multiply(t25, t41, w6)
-    t43 = multiply(t25, t42, w2)
-    t44 = divide(rho, kappa, w1)
-    t45 = multiply(t44, t22, w6)
-    t46 = add(kappa, n6, w7)
-    t47 = divide(t46, kappa, w7)
-    t49 = multiply(t27, n11, w9)
-    t50 = multiply(t47, t49, w7)
-    t51 = add(kappa, t50, w7)
-    t52 = divide(t51, t11, w7)
-    t53 = multiply(t52, n9, w7)
-    t54 = add(t44, t53, w1)
-    t55 = multiply(t54, t22, w1)
-    t56 = multiply(t45, t55, w6)
-    t59 = divide(n0, half_eta, updated_11)
-    t60 = divide(t59, tracking_index, updated_11)
-    t61 = divide(t60, t11, updated_12)
-    t63 = multiply(t27, n12, w5)
-    t65 = add(n9, t63, w5)
-    t67 = add(n13, t61, updated_12)
-    t68 = multiply(t65, t67, w5)
-    t69 = divide(t60, kappa, updated_11)
-    t70 = multiply(t69, t38, updated_11)
-    t71 = add(t68, t70, w5)
-    t73 = multiply(t29, n14, updated_22)
-    t75 = multiply(t71, n12, w5)
-    t76 = multiply(t26, t75, w4)
-    negative(t56, updated_11)
-    negative(t43, updated_12)
-    add(t73, t76, updated_22)
+    t18 = divide(rho, kappa, w2)
+    t19 = add(rho, n2, w3)
+    t20 = add(kappa, t19, w3)
+    t21 = multiply(tracking_index, t20, w3)
+    t23 = divide(n5, t21, w3)
+    t24 = divide(t23, tracking_index, w4)
+    t25 = multiply(t18, t24, w5)
+    t27 = add(kappa, n6, w6)
+    t28 = divide(t27, kappa, w6)
+    t29 = divide(n6, kappa, w7)
+    t31 = multiply(t29, n7, w8)
+    t32 = multiply(t28, t31, w6)
+    t33 = add(kappa, t32, w6)
+    t34 = divide(t33, t12, w6)
+    t36 = multiply(t34, n8, w6)
+    t37 = add(t18, t36, w2)
+    t38 = multiply(t37, t24, w2)
+    t39 = multiply(t25, t38, w5)
+    t41 = multiply(t23, n6, w3)
+    t42 = divide(t41, half_eta, w3)
+    t44 = multiply(twice_rho, n9, updated_22)
+    t45 = multiply(t44, n10, w2)
+    t46 = divide(n6, rho, w1)
+    t47 = add(t45, t46, w2)
+    t48 = multiply(t47, n8, w2)
+    t49 = multiply(t46, n8, w4)
+    t51 = add(n11, t49, w4)
+    t52 = multiply(t29, n8, w6)
+    t53 = multiply(t51, t52, w4)
+    t54 = add(n11, t53, w4)
+    t55 = add(t48, t54, w2)
+    t56 = multiply(t42, t55, w2)
+    t57 = multiply(t42, t56, w3)
+    t60 = multiply(t44, n12, updated_22)
+    t62 = multiply(t29, n13, w7)
+    t64 = add(n8, t62, w7)
+    t65 = divide(n0, half_eta, updated_11)
+    t66 = divide(t65, tracking_index, updated_11)
+    t67 = divide(t66, t12, updated_12)
+    t69 = add(n14, t67, updated_12)
+    t70 = multiply(t64, t69, w7)
+    t71 = divide(t66, kappa, updated_11)
+    t72 = multiply(t71, t52, updated_11)
+    t73 = add(t70, t72, w7)
+    t75 = multiply(t73, n13, w7)
+    t76 = multiply(t46, t75, w1)
+    negative(t39, updated_11)
+    negative(t57, updated_12)
+    add(t60, t76, updated_22)
 
 
 _UPDATED_COVARIANCE_SECOND_DERIVATIVES = Signature(
     "updated_covariance_second_derivatives",
     (_TRACKING_INDEX_DOMAIN,),
     ("updated_11", "updated_12", "updated_22"),
-    10,
+    9,
     _updated_covariance_second_derivatives_block,
     numbers=_updated_covariance_second_derivatives_of_numbers,
 )

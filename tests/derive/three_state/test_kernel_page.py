@@ -8,9 +8,8 @@ import pytest
 
 from gainproof.derive.families import acceleration_increments
 from gainproof.derive.pages.formula import Formula
-from gainproof.derive.pages.kernel_formulas import read_sections
+from gainproof.derive.pages.kernel_formulas import SCALE, formula_of, read_sections
 from gainproof.derive.three_state import kernels
-from gainproof.derive.three_state.kernel_meanings import SCALE, formula_of
 from gainproof.derive.three_state.three_state import derive_three_state
 from gainproof.verify.certificate import check
 
