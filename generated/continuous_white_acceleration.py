@@ -168,12 +168,12 @@ def _gains_of_numbers(tracking_index: float, form: Form = Double) -> tuple[float
     t17 = t15 * 2.0
     t21 = t5 * (t17 + (t5 * 1.3333333333333333))
     t22 = form.sqrt(t21)
-    t32 = (t5 / 6.0) / t22
-    t39 = (t5 * 6.666666666666667) + ((t5 * 16.0) * (t32 * (t32 + 1.0)))
-    t45 = (t5 * 1.152921504606847e18) / (t17 + ((t22 * 4.0) + t39))
-    t27 = (t5 * 4.0) / (t15 + (t5 + t22))
-    t48 = form.sqrt(t45) * 3.725290298461914e-09
-    return (t48, t27)
+    t27 = (t5 / 6.0) / t22
+    t34 = (t5 * 6.666666666666667) + ((t5 * 16.0) * (t27 * (t27 + 1.0)))
+    t41 = (t5 * 1.152921504606847e18) / (t17 + ((t22 * 4.0) + t34))
+    t44 = form.sqrt(t41) * 3.725290298461914e-09
+    t48 = (t5 * 4.0) / (t15 + (t5 + t22))
+    return (t44, t48)
 
 
 def _gains_block(
@@ -188,57 +188,57 @@ def _gains_block(
     n4: float = 3.0,
     n5: float = 2.0,
     n6: float = 1.3333333333333333,
-    n7: float = 4.0,
-    n8: float = 6.666666666666667,
-    n9: float = 6.0,
-    n10: float = 16.0,
-    n11: float = 1.0,
-    n12: float = 1.152921504606847e18,
+    n7: float = 6.666666666666667,
+    n8: float = 6.0,
+    n9: float = 16.0,
+    n10: float = 1.0,
+    n11: float = 1.152921504606847e18,
+    n12: float = 4.0,
     n13: float = 3.725290298461914e-09,
 ) -> None:
     (tracking_index,) = given
     alpha, beta = out
-    w0, w1, w2, w3, w4, w5, w6 = work
+    w0, w1, w2, w3, w4, w5 = work
     t2 = multiply(tracking_index, n0, w0)
     index_or_switch = minimum(t2, n1, out=w0)
-    t7 = divide(n2, tracking_index, beta)
-    four_or_less = minimum(n3, t7, out=beta)
-    t10 = square(four_or_less, beta)
+    t7 = divide(n2, tracking_index, alpha)
+    four_or_less = minimum(n3, t7, out=alpha)
+    t10 = square(four_or_less, alpha)
     t11 = square(index_or_switch, w1)
-    t13 = divide(t11, n4, alpha)
-    t14 = add(t10, t13, beta)
-    eta_scaled = sqrt(t14, beta)
+    t13 = divide(t11, n4, beta)
+    t14 = add(t10, t13, alpha)
+    eta_scaled = sqrt(t14, alpha)
     t17 = multiply(eta_scaled, n5, w1)
-    t19 = multiply(index_or_switch, n6, alpha)
-    t20 = add(t17, t19, alpha)
-    t21 = multiply(index_or_switch, t20, alpha)
-    ratio_scaled = sqrt(t21, alpha)
+    t19 = multiply(index_or_switch, n6, beta)
+    t20 = add(t17, t19, beta)
+    t21 = multiply(index_or_switch, t20, beta)
+    ratio_scaled = sqrt(t21, beta)
     t24 = multiply(index_or_switch, n7, w2)
-    t25 = add(index_or_switch, ratio_scaled, w3)
-    t26 = add(eta_scaled, t25, beta)
-    t29 = multiply(index_or_switch, n8, w3)
-    t31 = divide(index_or_switch, n9, w4)
-    t32 = divide(t31, ratio_scaled, w4)
-    t34 = multiply(index_or_switch, n10, w5)
-    t36 = add(t32, n11, w6)
-    t37 = multiply(t32, t36, w4)
-    t38 = multiply(t34, t37, w5)
-    t39 = add(t29, t38, w3)
-    t41 = multiply(index_or_switch, n12, w0)
-    t42 = multiply(ratio_scaled, n7, alpha)
-    t43 = add(t42, t39, alpha)
-    t44 = add(t17, t43, w1)
-    t45 = divide(t41, t44, w0)
-    alpha_raised = sqrt(t45, w0)
-    divide(t24, t26, beta)
+    t26 = divide(index_or_switch, n8, w3)
+    t27 = divide(t26, ratio_scaled, w3)
+    t29 = multiply(index_or_switch, n9, w4)
+    t31 = add(t27, n10, w5)
+    t32 = multiply(t27, t31, w3)
+    t33 = multiply(t29, t32, w4)
+    t34 = add(t24, t33, w2)
+    t36 = multiply(index_or_switch, n11, w3)
+    t38 = multiply(ratio_scaled, n12, w4)
+    t39 = add(t38, t34, w4)
+    t40 = add(t17, t39, w1)
+    t41 = divide(t36, t40, w3)
+    alpha_raised = sqrt(t41, w3)
+    t45 = multiply(index_or_switch, n12, w1)
+    t46 = add(index_or_switch, ratio_scaled, w0)
+    t47 = add(eta_scaled, t46, w0)
     multiply(alpha_raised, n13, alpha)
+    divide(t45, t47, beta)
 
 
 _GAINS = Signature(
     "gains",
     (_TRACKING_INDEX_DOMAIN,),
     ("alpha", "beta"),
-    7,
+    6,
     _gains_block,
     numbers=_gains_of_numbers,
 )
@@ -293,11 +293,11 @@ def gain_derivatives(
         acceleration_density*sampling_interval**3/measurement_deviation**2; a number above 0 and
         finite.
 
-    alpha: derivative of the position gain. Relative error at most 10.42 * 2^-52 (float64), 10.42 *
+    alpha: derivative of the position gain. Relative error at most 9.92 * 2^-52 (float64), 9.92 *
         2^-23 (float32), proved for 5e-324 <= tracking_index <= 5.247628584236248e102 (float64) and
         1e-45 <= tracking_index <= 6.49139e12 (float32).
-    beta: derivative of the velocity gain times the sampling interval. Relative error at most 10.99
-        * 2^-52 (float64), 10.99 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=
+    beta: derivative of the velocity gain times the sampling interval. Relative error at most 10.01
+        * 2^-52 (float64), 10.01 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=
         9.352083952218625e102 (float64) and 1e-45 <= tracking_index <= 1.1568659e13 (float32).
 
     Outside an output's range, a few numbers next to its ends apart, its true value is no normal
@@ -334,11 +334,11 @@ def _gain_derivatives_of_numbers(tracking_index: float, form: Form = Double) -> 
     t12 = form.sqrt(t8 + 7.401486830834377e-17)
     t14 = t12 * 1.4901161193847656e-08
     t16 = t14 + 1.1102230246251565e-16
-    t20 = 6.617444900424222e-24 / (tracking_index * (t8 + t16))
-    t23 = ((t20 / (t1 * t7)) * t20) / t14
-    t26 = t23 * (t8 + 3.700743415417188e-17)
-    t29 = (t23 * 2.0) * t16
-    return (t26, t29)
+    t20 = (tracking_index * (t8 + t16)) * 2251799813685248.0
+    t25 = 2.220446049250313e-16 / ((t20 * t20) * ((t1 * t7) * t14))
+    t28 = t25 * (t8 + 3.700743415417188e-17)
+    t31 = (t25 * 2.0) * t16
+    return (t28, t31)
 
 
 def _gain_derivatives_block(
@@ -351,9 +351,10 @@ def _gain_derivatives_block(
     n2: float = 7.401486830834377e-17,
     n3: float = 1.4901161193847656e-08,
     n4: float = 1.1102230246251565e-16,
-    n5: float = 6.617444900424222e-24,
-    n6: float = 3.700743415417188e-17,
-    n7: float = 2.0,
+    n5: float = 2251799813685248.0,
+    n6: float = 2.220446049250313e-16,
+    n7: float = 3.700743415417188e-17,
+    n8: float = 2.0,
 ) -> None:
     (tracking_index,) = given
     alpha, beta = out
@@ -371,14 +372,15 @@ def _gain_derivatives_block(
     t16 = add(rho, n4, w1)
     t17 = add(kappa, t16, w2)
     t18 = multiply(tracking_index, t17, w2)
-    t20 = divide(n5, t18, w2)
-    t21 = divide(t20, half_eta, alpha)
-    t22 = multiply(t21, t20, alpha)
-    t23 = divide(t22, rho, alpha)
-    t25 = add(kappa, n6, w0)
-    t28 = multiply(t23, n7, w2)
-    multiply(t23, t25, alpha)
-    multiply(t28, t16, beta)
+    t20 = multiply(t18, n5, w2)
+    t21 = square(t20, w2)
+    t22 = multiply(half_eta, rho, alpha)
+    t23 = multiply(t21, t22, w2)
+    t25 = divide(n6, t23, w2)
+    t27 = add(kappa, n7, w0)
+    t30 = multiply(t25, n8, beta)
+    multiply(t25, t27, alpha)
+    multiply(t30, t16, beta)
 
 
 _GAIN_DERIVATIVES = Signature(
@@ -412,11 +414,11 @@ def gains_with_derivatives(
         3.01 * 2^-23 (float32), proved for 2.2250738585072014e-308 <= tracking_index <=
         1.7976931348623157e308 (float64) and 1.1754944e-38 <= tracking_index <= 3.4028235e38
         (float32).
-    d_alpha: derivative of the position gain. Relative error at most 12.02 * 2^-52 (float64), 12.02
+    d_alpha: derivative of the position gain. Relative error at most 10.52 * 2^-52 (float64), 10.52
         * 2^-23 (float32), proved for 5e-324 <= tracking_index <= 5.247628584236248e102 (float64)
         and 1e-45 <= tracking_index <= 6.49139e12 (float32).
     d_beta: derivative of the velocity gain times the sampling interval. Relative error at most
-        13.17 * 2^-52 (float64), 13.17 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=
+        11.67 * 2^-52 (float64), 11.67 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=
         9.352083952218625e102 (float64) and 1e-45 <= tracking_index <= 1.1568659e13 (float32).
 
     Outside an output's range, a few numbers next to its ends apart, its true value is no normal
@@ -450,21 +452,21 @@ def _gains_with_derivatives_of_numbers(
 ) -> tuple[float, ...]:
     t1 = form.sqrt(tracking_index)
     t4 = t1 * 9.094947017729282e-13
-    t6 = 1.3234889800848443e-23 / tracking_index
-    t8 = tracking_index * 2.757268708510092e-25
-    t10 = form.sqrt(t6 + t8)
-    t12 = (t4 / 3.0) + t10
-    t13 = t4 + t10
-    t16 = form.sqrt(t4 * (t13 + t12))
-    t19 = (t13 + t16) * 0.5
-    t21 = t4 * 2.0
-    t23 = t1 * t19
-    t28 = 6.018531076210112e-36 / ((t23 * t23) * (t1 * t10))
-    t20 = t16 / t19
-    t22 = t21 / t19
-    t30 = t28 * (t12 / t16)
-    t33 = t28 * ((t21 / t16) + 2.0)
-    return (t20, t22, t30, t33)
+    t6 = t1 * 1.8189894035458565e-12
+    t8 = 1.3234889800848443e-23 / tracking_index
+    t10 = tracking_index * 2.757268708510092e-25
+    t12 = form.sqrt(t8 + t10)
+    t14 = (t4 / 3.0) + t12
+    t15 = t4 + t12
+    t18 = form.sqrt(t4 * (t15 + t14))
+    t21 = (t15 + t18) * 0.5
+    t27 = ((tracking_index * t21) * t21) * (t1 * t12)
+    t29 = 6.018531076210112e-36 / t27
+    t22 = t18 / t21
+    t23 = t6 / t21
+    t31 = t29 * (t14 / t18)
+    t34 = t29 * ((t6 / t18) + 2.0)
+    return (t22, t23, t31, t34)
 
 
 def _gains_with_derivatives_block(
@@ -473,50 +475,51 @@ def _gains_with_derivatives_block(
     work: Arrays,
     _single: bool,
     n0: float = 9.094947017729282e-13,
-    n1: float = 1.3234889800848443e-23,
-    n2: float = 2.757268708510092e-25,
-    n3: float = 3.0,
-    n4: float = 0.5,
-    n5: float = 2.0,
+    n1: float = 1.8189894035458565e-12,
+    n2: float = 1.3234889800848443e-23,
+    n3: float = 2.757268708510092e-25,
+    n4: float = 3.0,
+    n5: float = 0.5,
     n6: float = 6.018531076210112e-36,
+    n7: float = 2.0,
 ) -> None:
     (tracking_index,) = given
     alpha, beta, d_alpha, d_beta = out
-    w0, w1, w2, w3 = work
+    w0, w1, w2, w3, w4 = work
     p = sqrt(tracking_index, alpha)
     t4 = multiply(p, n0, w0)
-    t6 = divide(n1, tracking_index, w1)
-    t8 = multiply(tracking_index, n2, w2)
-    t9 = add(t6, t8, w1)
-    h_at_once = sqrt(t9, beta)
-    t11 = divide(t4, n3, w1)
-    t12 = add(t11, h_at_once, w1)
-    t13 = add(t4, h_at_once, w2)
-    t14 = add(t13, t12, w3)
-    t15 = multiply(t4, t14, w3)
-    twice_ratio = sqrt(t15, d_beta)
-    t17 = add(t13, twice_ratio, w2)
-    t19 = multiply(t17, n4, w2)
-    t21 = multiply(t4, n5, w0)
-    t23 = multiply(p, t19, w3)
-    t24 = square(t23, w3)
-    t25 = multiply(p, h_at_once, alpha)
-    t26 = multiply(t24, t25, w3)
-    t28 = divide(n6, t26, w3)
-    divide(twice_ratio, t19, alpha)
-    divide(t21, t19, beta)
-    t29 = divide(t12, twice_ratio, d_alpha)
-    multiply(t28, t29, d_alpha)
-    t31 = divide(t21, twice_ratio, d_beta)
-    t32 = add(t31, n5, d_beta)
-    multiply(t28, t32, d_beta)
+    t6 = multiply(p, n1, w1)
+    t8 = divide(n2, tracking_index, w2)
+    t10 = multiply(tracking_index, n3, w3)
+    t11 = add(t8, t10, w2)
+    h_at_once = sqrt(t11, beta)
+    t13 = divide(t4, n4, w2)
+    t14 = add(t13, h_at_once, w2)
+    t15 = add(t4, h_at_once, w3)
+    t16 = add(t15, t14, w4)
+    t17 = multiply(t4, t16, w0)
+    twice_ratio = sqrt(t17, d_beta)
+    t19 = add(t15, twice_ratio, w3)
+    t21 = multiply(t19, n5, w3)
+    t24 = multiply(tracking_index, t21, w0)
+    t25 = multiply(t24, t21, w0)
+    t26 = multiply(p, h_at_once, alpha)
+    t27 = multiply(t25, t26, w0)
+    t29 = divide(n6, t27, w0)
+    divide(twice_ratio, t21, alpha)
+    divide(t6, t21, beta)
+    t30 = divide(t14, twice_ratio, d_alpha)
+    multiply(t29, t30, d_alpha)
+    t32 = divide(t6, twice_ratio, d_beta)
+    t33 = add(t32, n7, d_beta)
+    multiply(t29, t33, d_beta)
 
 
 _GAINS_WITH_DERIVATIVES = Signature(
     "gains_with_derivatives",
     (_TRACKING_INDEX_DOMAIN,),
     ("alpha", "beta", "d_alpha", "d_beta"),
-    4,
+    5,
     _gains_with_derivatives_block,
     numbers=_gains_with_derivatives_of_numbers,
 )
@@ -576,13 +579,13 @@ def _predictor_gains_of_numbers(tracking_index: float, form: Form = Double) -> t
     t17 = t15 * 2.0
     t21 = t5 * (t17 + (t5 * 1.3333333333333333))
     t22 = form.sqrt(t21)
-    t27 = (t5 * 4.0) / (t15 + (t5 + t22))
-    t32 = (t5 / 6.0) / t22
-    t39 = (t5 * 6.666666666666667) + ((t5 * 16.0) * (t32 * (t32 + 1.0)))
-    t45 = (t5 * 1.152921504606847e18) / (t17 + ((t22 * 4.0) + t39))
-    t48 = form.sqrt(t45) * 3.725290298461914e-09
-    t49 = t48 + t27
-    return (t49, t27)
+    t27 = (t5 / 6.0) / t22
+    t34 = (t5 * 6.666666666666667) + ((t5 * 16.0) * (t27 * (t27 + 1.0)))
+    t41 = (t5 * 1.152921504606847e18) / (t17 + ((t22 * 4.0) + t34))
+    t44 = form.sqrt(t41) * 3.725290298461914e-09
+    t48 = (t5 * 4.0) / (t15 + (t5 + t22))
+    t49 = t44 + t48
+    return (t49, t48)
 
 
 def _predictor_gains_block(
@@ -597,12 +600,12 @@ def _predictor_gains_block(
     n4: float = 3.0,
     n5: float = 2.0,
     n6: float = 1.3333333333333333,
-    n7: float = 4.0,
-    n8: float = 6.666666666666667,
-    n9: float = 6.0,
-    n10: float = 16.0,
-    n11: float = 1.0,
-    n12: float = 1.152921504606847e18,
+    n7: float = 6.666666666666667,
+    n8: float = 6.0,
+    n9: float = 16.0,
+    n10: float = 1.0,
+    n11: float = 1.152921504606847e18,
+    n12: float = 4.0,
     n13: float = 3.725290298461914e-09,
 ) -> None:
     (tracking_index,) = given
@@ -623,25 +626,25 @@ def _predictor_gains_block(
     t21 = multiply(index_or_switch, t20, position)
     ratio_scaled = sqrt(t21, position)
     t24 = multiply(index_or_switch, n7, w2)
-    t25 = add(index_or_switch, ratio_scaled, w3)
-    t26 = add(eta_scaled, t25, velocity)
-    divide(t24, t26, velocity)
-    t29 = multiply(index_or_switch, n8, w2)
-    t31 = divide(index_or_switch, n9, w3)
-    t32 = divide(t31, ratio_scaled, w3)
-    t34 = multiply(index_or_switch, n10, w4)
-    t36 = add(t32, n11, w5)
-    t37 = multiply(t32, t36, w3)
-    t38 = multiply(t34, t37, w4)
-    t39 = add(t29, t38, w2)
-    t41 = multiply(index_or_switch, n12, w0)
-    t42 = multiply(ratio_scaled, n7, position)
-    t43 = add(t42, t39, position)
-    t44 = add(t17, t43, w1)
-    t45 = divide(t41, t44, w0)
-    alpha_raised = sqrt(t45, w0)
-    t48 = multiply(alpha_raised, n13, w0)
-    add(t48, velocity, position)
+    t26 = divide(index_or_switch, n8, w3)
+    t27 = divide(t26, ratio_scaled, w3)
+    t29 = multiply(index_or_switch, n9, w4)
+    t31 = add(t27, n10, w5)
+    t32 = multiply(t27, t31, w3)
+    t33 = multiply(t29, t32, w4)
+    t34 = add(t24, t33, w2)
+    t36 = multiply(index_or_switch, n11, w3)
+    t38 = multiply(ratio_scaled, n12, w4)
+    t39 = add(t38, t34, w4)
+    t40 = add(t17, t39, w1)
+    t41 = divide(t36, t40, w3)
+    alpha_raised = sqrt(t41, w3)
+    t44 = multiply(alpha_raised, n13, w3)
+    t45 = multiply(index_or_switch, n12, w1)
+    t46 = add(index_or_switch, ratio_scaled, w0)
+    t47 = add(eta_scaled, t46, velocity)
+    divide(t45, t47, velocity)
+    add(t44, velocity, position)
 
 
 _PREDICTOR_GAINS = Signature(
@@ -666,11 +669,11 @@ def predictor_gain_derivatives(
         acceleration_density*sampling_interval**3/measurement_deviation**2; a number above 0 and
         finite.
 
-    position: derivative of the position entry of F K, alpha + beta. Relative error at most 12.94 *
-        2^-52 (float64), 12.94 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=
+    position: derivative of the position entry of F K, alpha + beta. Relative error at most 10.51 *
+        2^-52 (float64), 10.51 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=
         9.873247422805948e102 (float64) and 1e-45 <= tracking_index <= 1.2213346e13 (float32).
     velocity: derivative of the velocity entry of F K times the sampling interval, beta. Relative
-        error at most 10.99 * 2^-52 (float64), 10.99 * 2^-23 (float32), proved for 5e-324 <=
+        error at most 10.01 * 2^-52 (float64), 10.01 * 2^-23 (float32), proved for 5e-324 <=
         tracking_index <= 9.352083952218625e102 (float64) and 1e-45 <= tracking_index <=
         1.1568659e13 (float32).
 
@@ -715,11 +718,11 @@ def _predictor_gain_derivatives_of_numbers(
     t12 = form.sqrt(t8 + 7.401486830834377e-17)
     t14 = t12 * 1.4901161193847656e-08
     t16 = t14 + 1.1102230246251565e-16
-    t20 = 6.617444900424222e-24 / (tracking_index * (t8 + t16))
-    t23 = ((t20 / (t1 * t7)) * t20) / t14
-    t29 = (t23 * 2.0) * t16
-    t30 = (t23 * (t8 + 3.700743415417188e-17)) + t29
-    return (t30, t29)
+    t20 = (tracking_index * (t8 + t16)) * 2251799813685248.0
+    t25 = 2.220446049250313e-16 / ((t20 * t20) * ((t1 * t7) * t14))
+    t31 = (t25 * 2.0) * t16
+    t32 = (t25 * (t8 + 3.700743415417188e-17)) + t31
+    return (t32, t31)
 
 
 def _predictor_gain_derivatives_block(
@@ -732,9 +735,10 @@ def _predictor_gain_derivatives_block(
     n2: float = 7.401486830834377e-17,
     n3: float = 1.4901161193847656e-08,
     n4: float = 1.1102230246251565e-16,
-    n5: float = 6.617444900424222e-24,
-    n6: float = 3.700743415417188e-17,
-    n7: float = 2.0,
+    n5: float = 2251799813685248.0,
+    n6: float = 2.220446049250313e-16,
+    n7: float = 3.700743415417188e-17,
+    n8: float = 2.0,
 ) -> None:
     (tracking_index,) = given
     position, velocity = out
@@ -752,15 +756,16 @@ def _predictor_gain_derivatives_block(
     t16 = add(rho, n4, w1)
     t17 = add(kappa, t16, w2)
     t18 = multiply(tracking_index, t17, w2)
-    t20 = divide(n5, t18, w2)
-    t21 = divide(t20, half_eta, velocity)
-    t22 = multiply(t21, t20, velocity)
-    t23 = divide(t22, rho, velocity)
-    t25 = add(kappa, n6, w0)
-    t26 = multiply(t23, t25, w0)
-    t28 = multiply(t23, n7, velocity)
-    multiply(t28, t16, velocity)
-    add(t26, velocity, position)
+    t20 = multiply(t18, n5, w2)
+    t21 = square(t20, w2)
+    t22 = multiply(half_eta, rho, velocity)
+    t23 = multiply(t21, t22, w2)
+    t25 = divide(n6, t23, w2)
+    t27 = add(kappa, n7, w0)
+    t28 = multiply(t25, t27, w0)
+    t30 = multiply(t25, n8, w2)
+    multiply(t30, t16, velocity)
+    add(t28, velocity, position)
 
 
 _PREDICTOR_GAIN_DERIVATIVES = Signature(
@@ -1170,10 +1175,10 @@ def updated_covariance_derivatives(
         finite.
 
     updated_11: derivative of the variance of the updated position over sigma_v^2. Relative error at
-        most 10.42 * 2^-52 (float64), 10.42 * 2^-23 (float32), proved for 5e-324 <= tracking_index
-        <= 5.247628584236248e102 (float64) and 1e-45 <= tracking_index <= 6.49139e12 (float32).
+        most 9.92 * 2^-52 (float64), 9.92 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=
+        5.247628584236248e102 (float64) and 1e-45 <= tracking_index <= 6.49139e12 (float32).
     updated_12: derivative of the covariance of updated position and velocity times T/sigma_v^2.
-        Relative error at most 10.99 * 2^-52 (float64), 10.99 * 2^-23 (float32), proved for 5e-324
+        Relative error at most 10.01 * 2^-52 (float64), 10.01 * 2^-23 (float32), proved for 5e-324
         <= tracking_index <= 9.352083952218625e102 (float64) and 1e-45 <= tracking_index <=
         1.1568659e13 (float32).
     updated_22: derivative of the variance of the updated velocity times T^2/sigma_v^2. Relative
@@ -1223,15 +1228,15 @@ def _updated_covariance_derivatives_of_numbers(
     t12 = form.sqrt(t8 + 7.401486830834377e-17)
     t14 = t12 * 1.4901161193847656e-08
     t16 = t14 + 1.1102230246251565e-16
-    t20 = 6.617444900424222e-24 / (tracking_index * (t8 + t16))
-    t23 = ((t20 / (t1 * t7)) * t20) / t14
-    t32 = (t8 + 1.850371707708594e-17) / t16
-    t36 = 1.0 + ((t32 * 1.1102230246251565e-16) / t14)
-    t43 = ((t8 + 2.220446049250313e-16) / t8) * (9.25185853854297e-18 / t14)
-    t26 = t23 * (t8 + 3.700743415417188e-17)
-    t29 = (t23 * 2.0) * t16
-    t45 = tracking_index * ((t32 * t36) + t43)
-    return (t26, t29, t45)
+    t20 = (tracking_index * (t8 + t16)) * 2251799813685248.0
+    t25 = 2.220446049250313e-16 / ((t20 * t20) * ((t1 * t7) * t14))
+    t34 = (t8 + 1.850371707708594e-17) / t16
+    t38 = 1.0 + ((t34 * 1.1102230246251565e-16) / t14)
+    t44 = ((t8 + 2.220446049250313e-16) / t8) * (9.25185853854297e-18 / t14)
+    t28 = t25 * (t8 + 3.700743415417188e-17)
+    t31 = (t25 * 2.0) * t16
+    t46 = tracking_index * ((t34 * t38) + t44)
+    return (t28, t31, t46)
 
 
 def _updated_covariance_derivatives_block(
@@ -1244,12 +1249,12 @@ def _updated_covariance_derivatives_block(
     n2: float = 7.401486830834377e-17,
     n3: float = 1.4901161193847656e-08,
     n4: float = 1.1102230246251565e-16,
-    n5: float = 6.617444900424222e-24,
-    n6: float = 3.700743415417188e-17,
-    n7: float = 2.0,
-    n8: float = 1.850371707708594e-17,
-    n9: float = 1.0,
-    n10: float = 2.220446049250313e-16,
+    n5: float = 2251799813685248.0,
+    n6: float = 2.220446049250313e-16,
+    n7: float = 3.700743415417188e-17,
+    n8: float = 2.0,
+    n9: float = 1.850371707708594e-17,
+    n10: float = 1.0,
     n11: float = 9.25185853854297e-18,
 ) -> None:
     (tracking_index,) = given
@@ -1268,26 +1273,27 @@ def _updated_covariance_derivatives_block(
     t16 = add(rho, n4, updated_22)
     t17 = add(kappa, t16, w1)
     t18 = multiply(tracking_index, t17, w1)
-    t20 = divide(n5, t18, w1)
-    t21 = divide(t20, half_eta, updated_11)
-    t22 = multiply(t21, t20, updated_11)
-    t23 = divide(t22, rho, updated_11)
-    t25 = add(kappa, n6, w1)
-    t28 = multiply(t23, n7, w2)
-    t31 = add(kappa, n8, w3)
-    t32 = divide(t31, t16, w3)
-    t33 = multiply(t32, n4, w4)
-    t34 = divide(t33, rho, w4)
-    t36 = add(n9, t34, w4)
-    t37 = multiply(t32, t36, w3)
-    t39 = add(kappa, n10, w4)
-    t40 = divide(t39, kappa, w4)
-    t42 = divide(n11, rho, updated_12)
-    t43 = multiply(t40, t42, w4)
-    t44 = add(t37, t43, w3)
-    multiply(t23, t25, updated_11)
-    multiply(t28, t16, updated_12)
-    multiply(tracking_index, t44, updated_22)
+    t20 = multiply(t18, n5, w1)
+    t21 = square(t20, w1)
+    t22 = multiply(half_eta, rho, updated_11)
+    t23 = multiply(t21, t22, w1)
+    t25 = divide(n6, t23, w1)
+    t27 = add(kappa, n7, updated_11)
+    t30 = multiply(t25, n8, w2)
+    t33 = add(kappa, n9, w3)
+    t34 = divide(t33, t16, w3)
+    t35 = multiply(t34, n4, w4)
+    t36 = divide(t35, rho, w4)
+    t38 = add(n10, t36, w4)
+    t39 = multiply(t34, t38, w3)
+    t40 = add(kappa, n6, w4)
+    t41 = divide(t40, kappa, w4)
+    t43 = divide(n11, rho, updated_12)
+    t44 = multiply(t41, t43, w4)
+    t45 = add(t39, t44, w3)
+    multiply(t25, t27, updated_11)
+    multiply(t30, t16, updated_12)
+    multiply(tracking_index, t45, updated_22)
 
 
 _UPDATED_COVARIANCE_DERIVATIVES = Signature(
@@ -1315,12 +1321,12 @@ def gain_second_derivatives(
         acceleration_density*sampling_interval**3/measurement_deviation**2; a number above 0 and
         finite.
 
-    alpha: second derivative by Lambda of the position gain. Relative error at most 17.20 * 2^-52
-        (float64), 17.19 * 2^-23 (float32), proved for 1.5697348409117346e-206 <= tracking_index <=
-        1.442954478563842e77 (float64) and 1.0258406e-26 <= tracking_index <= 5.3522156e09
+    alpha: second derivative by Lambda of the position gain. Relative error at most 15.70 * 2^-52
+        (float64), 15.69 * 2^-23 (float32), proved for 1.5697348409117324e-206 <= tracking_index <=
+        1.442954478563842e77 (float64) and 1.0258398e-26 <= tracking_index <= 5.3522156e09
         (float32).
     beta: second derivative by Lambda of the velocity gain times the sampling interval. Relative
-        error at most 15.92 * 2^-52 (float64), 15.91 * 2^-23 (float32), proved for 5e-324 <=
+        error at most 15.42 * 2^-52 (float64), 15.41 * 2^-23 (float32), proved for 5e-324 <=
         tracking_index <= 2.225674301282913e77 (float64) and 1e-45 <= tracking_index <= 8.2554844e09
         (float32).
 
@@ -1360,27 +1366,27 @@ def _gain_second_derivatives_of_numbers(
     t5 = tracking_index * 4.108650548026103e-33
     t7 = form.sqrt(t3 + t5)
     t8 = t7 / t1
-    t12 = form.sqrt(t8 + 7.401486830834377e-17)
-    t14 = t12 * 1.4901161193847656e-08
+    t11 = t8 + 7.401486830834377e-17
+    t14 = form.sqrt(t11) * 1.4901161193847656e-08
     t18 = tracking_index * (t8 + (t14 + 1.1102230246251565e-16))
-    t20 = 4.440892098500626e-16 / t18
-    t23 = (t20 / tracking_index) * 2.220446049250313e-16
-    t24 = t23 / t14
-    t25 = 2.220446049250313e-16 / t8
-    t29 = 1.0 + (t25 * 0.16666666666666666)
-    t31 = 2.220446049250313e-16 / t14
-    t35 = (t25 * 0.009259259259259259) + 0.041666666666666664
-    t39 = t25 * ((t25 * t35) + 0.08333333333333333)
-    t43 = t8 + ((t39 + 0.5) * 2.220446049250313e-16)
-    t47 = (t29 * t29) + (t31 * (t43 * 2251799813685248.0))
-    t52 = (t20 * 2.220446049250313e-16) / (t1 * t7)
-    t56 = (t25 * 0.10185185185185185) + 0.6666666666666666
+    t21 = (4.440892098500626e-16 / t18) / tracking_index
+    t23 = 2.220446049250313e-16 / t8
+    t27 = 1.0 + (t23 * 0.16666666666666666)
+    t29 = 2.220446049250313e-16 / t14
+    t33 = (t23 * 0.009259259259259259) + 0.041666666666666664
+    t37 = t23 * ((t23 * t33) + 0.08333333333333333)
+    t41 = t8 + ((t37 + 0.5) * 2.220446049250313e-16)
+    t45 = (t27 * t27) + (t29 * (t41 * 2251799813685248.0))
+    t48 = t21 * ((t45 * 2.220446049250313e-16) / t11)
+    t56 = (t23 * 0.10185185185185185) + 0.6666666666666666
     t59 = (t8 + (t56 * 2.220446049250313e-16)) / t14
-    t66 = ((t59 * 1.5) + t29) / (1.0 + (t25 * 0.3333333333333333))
-    t70 = (2.0 + t31) * (t25 * 0.08333333333333333)
-    t50 = -(t24 * (t24 * t47))
-    t74 = -(t52 * (t52 * (t66 + t70)))
-    return (t50, t74)
+    t66 = ((t59 * 1.5) + t27) / (1.0 + (t23 * 0.3333333333333333))
+    t70 = (2.0 + t29) * (t23 * 0.08333333333333333)
+    t72 = (1.9721522630525295e-31 / (t18 * t18)) * (t66 + t70)
+    t74 = (t1 * t7) * 4503599627370496.0
+    t50 = -(t21 * t48)
+    t77 = -((t72 / t74) / t74)
+    return (t50, t77)
 
 
 def _gain_second_derivatives_block(
@@ -1407,10 +1413,11 @@ def _gain_second_derivatives_block(
     n16: float = 1.5,
     n17: float = 0.3333333333333333,
     n18: float = 2.0,
+    n19: float = 4503599627370496.0,
 ) -> None:
     (tracking_index,) = given
     alpha, beta = out
-    w0, w1, w2, w3, w4, w5, w6, w7 = work
+    w0, w1, w2, w3, w4, w5, w6, w7, w8 = work
     p = sqrt(tracking_index, alpha)
     t3 = divide(n0, tracking_index, beta)
     t5 = multiply(tracking_index, n1, w0)
@@ -1419,60 +1426,62 @@ def _gain_second_derivatives_block(
     kappa = divide(h_scaled, p, w0)
     half_eta = multiply(p, h_scaled, alpha)
     t11 = add(kappa, n2, beta)
-    rho_scaled = sqrt(t11, beta)
-    rho = multiply(rho_scaled, n3, beta)
-    t16 = add(rho, n4, w1)
-    t17 = add(kappa, t16, w1)
-    t18 = multiply(tracking_index, t17, w1)
-    t20 = divide(n5, t18, w1)
-    t21 = divide(t20, tracking_index, w2)
-    t23 = multiply(t21, n6, w2)
-    t24 = divide(t23, rho, w2)
-    t25 = divide(n6, kappa, w3)
-    t27 = multiply(t25, n7, w4)
-    t29 = add(n8, t27, w4)
-    t30 = square(t29, w5)
-    t31 = divide(n6, rho, w6)
-    t33 = multiply(t25, n9, w7)
-    t35 = add(t33, n10, w7)
-    t36 = multiply(t25, t35, w7)
-    t38 = add(t36, n11, w7)
-    t39 = multiply(t25, t38, w7)
-    t41 = add(t39, n12, w7)
-    t42 = multiply(t41, n6, w7)
-    t43 = add(kappa, t42, w7)
-    t45 = multiply(t43, n13, w7)
-    t46 = multiply(t31, t45, w7)
-    t47 = add(t30, t46, w5)
-    t48 = multiply(t24, t47, w5)
-    t49 = multiply(t24, t48, w2)
-    t51 = multiply(t20, n6, w1)
-    t52 = divide(t51, half_eta, w1)
-    t54 = multiply(t25, n14, w5)
-    t56 = add(t54, n15, w5)
-    t57 = multiply(t56, n6, w5)
+    rho_scaled = sqrt(t11, w1)
+    rho = multiply(rho_scaled, n3, w1)
+    t16 = add(rho, n4, w2)
+    t17 = add(kappa, t16, w2)
+    t18 = multiply(tracking_index, t17, w2)
+    t20 = divide(n5, t18, w3)
+    t21 = divide(t20, tracking_index, w3)
+    t23 = divide(n6, kappa, w4)
+    t25 = multiply(t23, n7, w5)
+    t27 = add(n8, t25, w5)
+    t28 = square(t27, w6)
+    t29 = divide(n6, rho, w7)
+    t31 = multiply(t23, n9, w8)
+    t33 = add(t31, n10, w8)
+    t34 = multiply(t23, t33, w8)
+    t36 = add(t34, n11, w8)
+    t37 = multiply(t23, t36, w8)
+    t39 = add(t37, n12, w8)
+    t40 = multiply(t39, n6, w8)
+    t41 = add(kappa, t40, w8)
+    t43 = multiply(t41, n13, w8)
+    t44 = multiply(t29, t43, w8)
+    t45 = add(t28, t44, w6)
+    t46 = multiply(t45, n6, w6)
+    t47 = divide(t46, t11, w6)
+    t48 = multiply(t21, t47, w6)
+    t49 = multiply(t21, t48, w3)
+    t51 = square(t18, w2)
+    t52 = divide(n0, t51, w2)
+    t54 = multiply(t23, n14, w6)
+    t56 = add(t54, n15, w6)
+    t57 = multiply(t56, n6, w6)
     t58 = add(kappa, t57, w0)
     t59 = divide(t58, rho, w0)
     t61 = multiply(t59, n16, w0)
-    t62 = add(t61, t29, w0)
-    t64 = multiply(t25, n17, w4)
-    t65 = add(n8, t64, w4)
+    t62 = add(t61, t27, w0)
+    t64 = multiply(t23, n17, w1)
+    t65 = add(n8, t64, w1)
     t66 = divide(t62, t65, w0)
-    t68 = add(n18, t31, w6)
-    t69 = multiply(t25, n11, w3)
-    t70 = multiply(t68, t69, w6)
+    t68 = add(n18, t29, w7)
+    t69 = multiply(t23, n11, w4)
+    t70 = multiply(t68, t69, w7)
     t71 = add(t66, t70, w0)
-    t72 = multiply(t52, t71, w0)
-    t73 = multiply(t52, t72, w1)
+    t72 = multiply(t52, t71, w2)
+    t74 = multiply(half_eta, n19, alpha)
+    t75 = divide(t72, t74, w2)
+    t76 = divide(t75, t74, w2)
     negative(t49, alpha)
-    negative(t73, beta)
+    negative(t76, beta)
 
 
 _GAIN_SECOND_DERIVATIVES = Signature(
     "gain_second_derivatives",
     (_TRACKING_INDEX_DOMAIN,),
     ("alpha", "beta"),
-    8,
+    9,
     _gain_second_derivatives_block,
     numbers=_gain_second_derivatives_of_numbers,
 )
@@ -1492,11 +1501,11 @@ def predictor_gain_second_derivatives(
         finite.
 
     position: second derivative by Lambda of the position entry of F K, alpha + beta. Relative error
-        at most 19.21 * 2^-52 (float64), 19.20 * 2^-23 (float32), proved for 1.5697348409117355e-206
-        <= tracking_index <= 2.318063502250569e77 (float64) and 1.0258408e-26 <= tracking_index <=
+        at most 18.82 * 2^-52 (float64), 18.80 * 2^-23 (float32), proved for 1.5697348409117332e-206
+        <= tracking_index <= 2.318063502250569e77 (float64) and 1.02584e-26 <= tracking_index <=
         8.598175e09 (float32).
     velocity: second derivative by Lambda of the velocity entry of F K times the sampling interval,
-        beta. Relative error at most 15.92 * 2^-52 (float64), 15.91 * 2^-23 (float32), proved for
+        beta. Relative error at most 15.42 * 2^-52 (float64), 15.41 * 2^-23 (float32), proved for
         5e-324 <= tracking_index <= 2.225674301282913e77 (float64) and 1e-45 <= tracking_index <=
         8.2554844e09 (float32).
 
@@ -1539,28 +1548,28 @@ def _predictor_gain_second_derivatives_of_numbers(
     t5 = tracking_index * 4.108650548026103e-33
     t7 = form.sqrt(t3 + t5)
     t8 = t7 / t1
-    t12 = form.sqrt(t8 + 7.401486830834377e-17)
-    t14 = t12 * 1.4901161193847656e-08
+    t11 = t8 + 7.401486830834377e-17
+    t14 = form.sqrt(t11) * 1.4901161193847656e-08
     t18 = tracking_index * (t8 + (t14 + 1.1102230246251565e-16))
-    t20 = 4.440892098500626e-16 / t18
-    t21 = t20 / tracking_index
-    t23 = 2.220446049250313e-16 / t14
-    t24 = 2.220446049250313e-16 / t8
-    t28 = 1.0 + (t24 * 0.16666666666666666)
-    t33 = (t24 * 0.009259259259259259) + 0.041666666666666664
-    t37 = t24 * ((t24 * t33) + 0.08333333333333333)
+    t21 = (4.440892098500626e-16 / t18) / tracking_index
+    t23 = 2.220446049250313e-16 / t8
+    t27 = 1.0 + (t23 * 0.16666666666666666)
+    t29 = 2.220446049250313e-16 / t14
+    t33 = (t23 * 0.009259259259259259) + 0.041666666666666664
+    t37 = t23 * ((t23 * t33) + 0.08333333333333333)
     t41 = t8 + ((t37 + 0.5) * 2.220446049250313e-16)
-    t45 = (t28 * t28) + (t23 * (t41 * 2251799813685248.0))
-    t51 = (t24 * 0.10185185185185185) + 0.6666666666666666
+    t45 = (t27 * t27) + (t29 * (t41 * 2251799813685248.0))
+    t51 = (t23 * 0.10185185185185185) + 0.6666666666666666
     t54 = (t8 + (t51 * 2.220446049250313e-16)) / t14
-    t61 = ((t54 * 1.5) + t28) / (1.0 + (t24 * 0.3333333333333333))
-    t65 = (2.0 + t23) * (t24 * 0.08333333333333333)
+    t61 = ((t54 * 1.5) + t27) / (1.0 + (t23 * 0.3333333333333333))
+    t65 = (2.0 + t29) * (t23 * 0.08333333333333333)
     t66 = t61 + t65
-    t69 = (t23 * (t23 * t45)) + (t24 * (t24 * t66))
-    t74 = (t20 * 2.220446049250313e-16) / (t1 * t7)
+    t69 = ((t45 * 2.220446049250313e-16) / t11) + (t23 * (t23 * t66))
+    t75 = (1.9721522630525295e-31 / (t18 * t18)) * t66
+    t77 = (t1 * t7) * 4503599627370496.0
     t72 = -(t21 * (t21 * t69))
-    t77 = -(t74 * (t74 * t66))
-    return (t72, t77)
+    t80 = -((t75 / t77) / t77)
+    return (t72, t80)
 
 
 def _predictor_gain_second_derivatives_block(
@@ -1587,10 +1596,11 @@ def _predictor_gain_second_derivatives_block(
     n16: float = 1.5,
     n17: float = 0.3333333333333333,
     n18: float = 2.0,
+    n19: float = 4503599627370496.0,
 ) -> None:
     (tracking_index,) = given
     position, velocity = out
-    w0, w1, w2, w3, w4, w5, w6, w7 = work
+    w0, w1, w2, w3, w4, w5, w6, w7, w8 = work
     p = sqrt(tracking_index, position)
     t3 = divide(n0, tracking_index, velocity)
     t5 = multiply(tracking_index, n1, w0)
@@ -1599,63 +1609,65 @@ def _predictor_gain_second_derivatives_block(
     kappa = divide(h_scaled, p, w0)
     half_eta = multiply(p, h_scaled, position)
     t11 = add(kappa, n2, velocity)
-    rho_scaled = sqrt(t11, velocity)
-    rho = multiply(rho_scaled, n3, velocity)
-    t16 = add(rho, n4, w1)
-    t17 = add(kappa, t16, w1)
-    t18 = multiply(tracking_index, t17, w1)
-    t20 = divide(n5, t18, w1)
-    t21 = divide(t20, tracking_index, w2)
-    t23 = divide(n6, rho, w3)
-    t24 = divide(n6, kappa, w4)
-    t26 = multiply(t24, n7, w5)
-    t28 = add(n8, t26, w5)
-    t29 = square(t28, w6)
-    t31 = multiply(t24, n9, w7)
-    t33 = add(t31, n10, w7)
-    t34 = multiply(t24, t33, w7)
-    t36 = add(t34, n11, w7)
-    t37 = multiply(t24, t36, w7)
-    t39 = add(t37, n12, w7)
-    t40 = multiply(t39, n6, w7)
-    t41 = add(kappa, t40, w7)
-    t43 = multiply(t41, n13, w7)
-    t44 = multiply(t23, t43, w7)
-    t45 = add(t29, t44, w6)
-    t46 = multiply(t23, t45, w6)
-    t47 = multiply(t23, t46, w6)
-    t49 = multiply(t24, n14, w7)
-    t51 = add(t49, n15, w7)
-    t52 = multiply(t51, n6, w7)
+    rho_scaled = sqrt(t11, w1)
+    rho = multiply(rho_scaled, n3, w1)
+    t16 = add(rho, n4, w2)
+    t17 = add(kappa, t16, w2)
+    t18 = multiply(tracking_index, t17, w2)
+    t20 = divide(n5, t18, w3)
+    t21 = divide(t20, tracking_index, w3)
+    t23 = divide(n6, kappa, w4)
+    t25 = multiply(t23, n7, w5)
+    t27 = add(n8, t25, w5)
+    t28 = square(t27, w6)
+    t29 = divide(n6, rho, w7)
+    t31 = multiply(t23, n9, w8)
+    t33 = add(t31, n10, w8)
+    t34 = multiply(t23, t33, w8)
+    t36 = add(t34, n11, w8)
+    t37 = multiply(t23, t36, w8)
+    t39 = add(t37, n12, w8)
+    t40 = multiply(t39, n6, w8)
+    t41 = add(kappa, t40, w8)
+    t43 = multiply(t41, n13, w8)
+    t44 = multiply(t29, t43, w8)
+    t45 = add(t28, t44, w6)
+    t46 = multiply(t45, n6, w6)
+    t47 = divide(t46, t11, w6)
+    t49 = multiply(t23, n14, w8)
+    t51 = add(t49, n15, w8)
+    t52 = multiply(t51, n6, w8)
     t53 = add(kappa, t52, w0)
     t54 = divide(t53, rho, w0)
     t56 = multiply(t54, n16, w0)
-    t57 = add(t56, t28, w0)
-    t59 = multiply(t24, n17, w5)
-    t60 = add(n8, t59, w5)
+    t57 = add(t56, t27, w0)
+    t59 = multiply(t23, n17, w1)
+    t60 = add(n8, t59, w1)
     t61 = divide(t57, t60, w0)
-    t63 = add(n18, t23, w3)
-    t64 = multiply(t24, n11, w5)
-    t65 = multiply(t63, t64, w3)
+    t63 = add(n18, t29, w7)
+    t64 = multiply(t23, n11, w1)
+    t65 = multiply(t63, t64, w7)
     t66 = add(t61, t65, w0)
-    t67 = multiply(t24, t66, w3)
-    t68 = multiply(t24, t67, w4)
+    t67 = multiply(t23, t66, w1)
+    t68 = multiply(t23, t67, w4)
     t69 = add(t47, t68, w6)
     t70 = multiply(t21, t69, w6)
-    t71 = multiply(t21, t70, w2)
-    t73 = multiply(t20, n6, w1)
-    t74 = divide(t73, half_eta, w1)
-    t75 = multiply(t74, t66, w0)
-    t76 = multiply(t74, t75, w1)
+    t71 = multiply(t21, t70, w3)
+    t73 = square(t18, w2)
+    t74 = divide(n0, t73, w2)
+    t75 = multiply(t74, t66, w2)
+    t77 = multiply(half_eta, n19, position)
+    t78 = divide(t75, t77, w2)
+    t79 = divide(t78, t77, w2)
     negative(t71, position)
-    negative(t76, velocity)
+    negative(t79, velocity)
 
 
 _PREDICTOR_GAIN_SECOND_DERIVATIVES = Signature(
     "predictor_gain_second_derivatives",
     (_TRACKING_INDEX_DOMAIN,),
     ("position", "velocity"),
-    8,
+    9,
     _predictor_gain_second_derivatives_block,
     numbers=_predictor_gain_second_derivatives_of_numbers,
 )
@@ -1889,11 +1901,11 @@ def updated_covariance_second_derivatives(
         finite.
 
     updated_11: second derivative by Lambda of the variance of the updated position over sigma_v^2.
-        Relative error at most 17.20 * 2^-52 (float64), 17.19 * 2^-23 (float32), proved for
-        1.5697348409117346e-206 <= tracking_index <= 1.442954478563842e77 (float64) and
-        1.0258406e-26 <= tracking_index <= 5.3522156e09 (float32).
+        Relative error at most 15.70 * 2^-52 (float64), 15.69 * 2^-23 (float32), proved for
+        1.5697348409117324e-206 <= tracking_index <= 1.442954478563842e77 (float64) and
+        1.0258398e-26 <= tracking_index <= 5.3522156e09 (float32).
     updated_12: second derivative by Lambda of the covariance of updated position and velocity times
-        T/sigma_v^2. Relative error at most 15.92 * 2^-52 (float64), 15.91 * 2^-23 (float32), proved
+        T/sigma_v^2. Relative error at most 15.42 * 2^-52 (float64), 15.41 * 2^-23 (float32), proved
         for 5e-324 <= tracking_index <= 2.225674301282913e77 (float64) and 1e-45 <= tracking_index
         <= 8.2554844e09 (float32).
     updated_22: second derivative by Lambda of the variance of the updated velocity times
@@ -1944,31 +1956,32 @@ def _updated_covariance_second_derivatives_of_numbers(
     t11 = t8 + 7.401486830834377e-17
     t14 = form.sqrt(t11) * 1.4901161193847656e-08
     t16 = t14 + 1.1102230246251565e-16
-    t20 = 4.440892098500626e-16 / (tracking_index * (t8 + t16))
-    t23 = (t20 / tracking_index) * 2.220446049250313e-16
-    t24 = t23 / t14
-    t25 = 2.220446049250313e-16 / t8
-    t29 = 1.0 + (t25 * 0.16666666666666666)
-    t31 = 2.220446049250313e-16 / t14
-    t35 = (t25 * 0.009259259259259259) + 0.041666666666666664
-    t39 = t25 * ((t25 * t35) + 0.08333333333333333)
-    t43 = t8 + ((t39 + 0.5) * 2.220446049250313e-16)
-    t47 = (t29 * t29) + (t31 * (t43 * 2251799813685248.0))
-    t52 = (t20 * 2.220446049250313e-16) / t9
-    t56 = (t25 * 0.10185185185185185) + 0.6666666666666666
+    t18 = tracking_index * (t8 + t16)
+    t21 = (4.440892098500626e-16 / t18) / tracking_index
+    t23 = 2.220446049250313e-16 / t8
+    t27 = 1.0 + (t23 * 0.16666666666666666)
+    t29 = 2.220446049250313e-16 / t14
+    t33 = (t23 * 0.009259259259259259) + 0.041666666666666664
+    t37 = t23 * ((t23 * t33) + 0.08333333333333333)
+    t41 = t8 + ((t37 + 0.5) * 2.220446049250313e-16)
+    t45 = (t27 * t27) + (t29 * (t41 * 2251799813685248.0))
+    t48 = t21 * ((t45 * 2.220446049250313e-16) / t11)
+    t56 = (t23 * 0.10185185185185185) + 0.6666666666666666
     t59 = (t8 + (t56 * 2.220446049250313e-16)) / t14
-    t66 = ((t59 * 1.5) + t29) / (1.0 + (t25 * 0.3333333333333333))
-    t70 = (2.0 + t31) * (t25 * 0.08333333333333333)
-    t76 = (1.9721522630525295e-31 / t9) / tracking_index
-    t80 = (t8 + 1.850371707708594e-17) / t16
-    t83 = 1.0 + t25
-    t85 = ((t80 * 2.220446049250313e-16) * t80) + (t83 * 1.850371707708594e-17)
-    t90 = (t85 / t11) * ((t76 + (t85 * 0.5)) / t14)
-    t95 = (t83 + ((t76 / t8) * (t25 * 0.5))) * 0.08333333333333333
-    t50 = -(t24 * (t24 * t47))
-    t74 = -(t52 * (t52 * (t66 + t70)))
-    t97 = (t90 * 0.5) + (t31 * t95)
-    return (t50, t74, t97)
+    t66 = ((t59 * 1.5) + t27) / (1.0 + (t23 * 0.3333333333333333))
+    t70 = (2.0 + t29) * (t23 * 0.08333333333333333)
+    t72 = (1.9721522630525295e-31 / (t18 * t18)) * (t66 + t70)
+    t74 = t9 * 4503599627370496.0
+    t79 = (1.9721522630525295e-31 / t9) / tracking_index
+    t83 = (t8 + 1.850371707708594e-17) / t16
+    t86 = 1.0 + t23
+    t88 = ((t83 * 2.220446049250313e-16) * t83) + (t86 * 1.850371707708594e-17)
+    t93 = (t88 / t11) * ((t79 + (t88 * 0.5)) / t14)
+    t98 = (t86 + ((t79 / t8) * (t23 * 0.5))) * 0.08333333333333333
+    t50 = -(t21 * t48)
+    t77 = -((t72 / t74) / t74)
+    t100 = (t93 * 0.5) + (t29 * t98)
+    return (t50, t77, t100)
 
 
 def _updated_covariance_second_derivatives_block(
@@ -1995,7 +2008,8 @@ def _updated_covariance_second_derivatives_block(
     n16: float = 1.5,
     n17: float = 0.3333333333333333,
     n18: float = 2.0,
-    n19: float = 1.850371707708594e-17,
+    n19: float = 4503599627370496.0,
+    n20: float = 1.850371707708594e-17,
 ) -> None:
     (tracking_index,) = given
     updated_11, updated_12, updated_22 = out
@@ -2013,70 +2027,72 @@ def _updated_covariance_second_derivatives_block(
     t16 = add(rho, n4, w1)
     t17 = add(kappa, t16, w2)
     t18 = multiply(tracking_index, t17, w2)
-    t20 = divide(n5, t18, w2)
+    t20 = divide(n5, t18, w3)
     t21 = divide(t20, tracking_index, w3)
-    t23 = multiply(t21, n6, w3)
-    t24 = divide(t23, rho, w3)
-    t25 = divide(n6, kappa, w4)
-    t27 = multiply(t25, n7, w5)
-    t29 = add(n8, t27, w5)
-    t30 = square(t29, w6)
-    t31 = divide(n6, rho, w7)
-    t33 = multiply(t25, n9, w8)
-    t35 = add(t33, n10, w8)
-    t36 = multiply(t25, t35, w8)
-    t38 = add(t36, n11, w8)
-    t39 = multiply(t25, t38, w8)
-    t41 = add(t39, n12, w8)
-    t42 = multiply(t41, n6, w8)
-    t43 = add(kappa, t42, w8)
-    t45 = multiply(t43, n13, w8)
-    t46 = multiply(t31, t45, w8)
-    t47 = add(t30, t46, w6)
-    t48 = multiply(t24, t47, w6)
-    t49 = multiply(t24, t48, w3)
-    t51 = multiply(t20, n6, w2)
-    t52 = divide(t51, half_eta, w2)
-    t54 = multiply(t25, n14, w6)
+    t23 = divide(n6, kappa, w4)
+    t25 = multiply(t23, n7, w5)
+    t27 = add(n8, t25, w5)
+    t28 = square(t27, w6)
+    t29 = divide(n6, rho, w7)
+    t31 = multiply(t23, n9, w8)
+    t33 = add(t31, n10, w8)
+    t34 = multiply(t23, t33, w8)
+    t36 = add(t34, n11, w8)
+    t37 = multiply(t23, t36, w8)
+    t39 = add(t37, n12, w8)
+    t40 = multiply(t39, n6, w8)
+    t41 = add(kappa, t40, w8)
+    t43 = multiply(t41, n13, w8)
+    t44 = multiply(t29, t43, w8)
+    t45 = add(t28, t44, w6)
+    t46 = multiply(t45, n6, w6)
+    t47 = divide(t46, t11, w6)
+    t48 = multiply(t21, t47, w6)
+    t49 = multiply(t21, t48, w3)
+    t51 = square(t18, w2)
+    t52 = divide(n0, t51, w2)
+    t54 = multiply(t23, n14, w6)
     t56 = add(t54, n15, w6)
     t57 = multiply(t56, n6, w6)
     t58 = add(kappa, t57, w6)
     t59 = divide(t58, rho, w6)
     t61 = multiply(t59, n16, w6)
-    t62 = add(t61, t29, w6)
-    t64 = multiply(t25, n17, w5)
+    t62 = add(t61, t27, w6)
+    t64 = multiply(t23, n17, w5)
     t65 = add(n8, t64, w5)
     t66 = divide(t62, t65, w6)
-    t68 = add(n18, t31, w5)
-    t69 = multiply(t25, n11, w8)
+    t68 = add(n18, t29, w5)
+    t69 = multiply(t23, n11, w8)
     t70 = multiply(t68, t69, w5)
     t71 = add(t66, t70, w6)
-    t72 = multiply(t52, t71, w6)
-    t73 = multiply(t52, t72, w2)
-    t75 = divide(n0, half_eta, updated_11)
-    t76 = divide(t75, tracking_index, updated_11)
-    t77 = divide(t76, kappa, w5)
-    t79 = add(kappa, n19, w0)
-    t80 = divide(t79, t16, w0)
-    t81 = multiply(t80, n6, w1)
-    t82 = multiply(t81, t80, w1)
-    t83 = add(n8, t25, w0)
-    t84 = multiply(t83, n19, w6)
-    t85 = add(t82, t84, w1)
-    t86 = divide(t85, t11, updated_12)
-    t87 = multiply(t85, n12, w1)
-    t88 = add(t76, t87, updated_11)
-    t89 = divide(t88, rho, updated_11)
-    t90 = multiply(t86, t89, updated_12)
-    t91 = multiply(t90, n12, w1)
-    t92 = multiply(t25, n12, w4)
-    t93 = multiply(t77, t92, w5)
-    t94 = add(t83, t93, w0)
-    t95 = multiply(t94, n11, w0)
-    t96 = multiply(t31, t95, w7)
+    t72 = multiply(t52, t71, w2)
+    t74 = multiply(half_eta, n19, w5)
+    t75 = divide(t72, t74, w2)
+    t76 = divide(t75, t74, w2)
+    t78 = divide(n0, half_eta, updated_11)
+    t79 = divide(t78, tracking_index, updated_11)
+    t80 = divide(t79, kappa, w5)
+    t82 = add(kappa, n20, w0)
+    t83 = divide(t82, t16, w0)
+    t84 = multiply(t83, n6, w1)
+    t85 = multiply(t84, t83, w1)
+    t86 = add(n8, t23, w0)
+    t87 = multiply(t86, n20, w6)
+    t88 = add(t85, t87, w1)
+    t89 = divide(t88, t11, updated_12)
+    t90 = multiply(t88, n12, w1)
+    t91 = add(t79, t90, updated_11)
+    t92 = divide(t91, rho, updated_11)
+    t93 = multiply(t89, t92, updated_12)
+    t94 = multiply(t93, n12, w1)
+    t95 = multiply(t23, n12, w4)
+    t96 = multiply(t80, t95, w5)
+    t97 = add(t86, t96, w0)
+    t98 = multiply(t97, n11, w0)
+    t99 = multiply(t29, t98, w7)
     negative(t49, updated_11)
-    negative(t73, updated_12)
-    add(t91, t96, updated_22)
+    negative(t76, updated_12)
+    add(t94, t99, updated_22)
 
 
 _UPDATED_COVARIANCE_SECOND_DERIVATIVES = Signature(

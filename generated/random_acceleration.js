@@ -20,13 +20,13 @@
       const t17 = t7 + t16;
       const t18 = t4 + t17;
       const t20 = 16.0 / t18;
-      const t21 = t2 * 2.0;
-      const t22 = t7 + 5.551115123125783e-17;
-      const t23 = t21 + t22;
       const alpha_raised = Math.sqrt(t20);
-      const t25 = 2.220446049250313e-16 / t23;
-      const t28 = alpha_raised * 3.725290298461914e-09;
-      return { alpha: t28, beta: t25 };
+      const t24 = t2 * 2.0;
+      const t25 = t7 + 5.551115123125783e-17;
+      const t26 = t24 + t25;
+      const t23 = alpha_raised * 3.725290298461914e-09;
+      const t28 = 2.220446049250313e-16 / t26;
+      return { alpha: t23, beta: t28 };
     },
     // Steady-state predictor gain F K.
     predictor_gains(tracking_index) {
@@ -43,14 +43,14 @@
       const t17 = t7 + t16;
       const t18 = t4 + t17;
       const t20 = 16.0 / t18;
-      const t21 = t2 * 2.0;
-      const t22 = t7 + 5.551115123125783e-17;
-      const t23 = t21 + t22;
-      const t25 = 2.220446049250313e-16 / t23;
       const alpha_raised = Math.sqrt(t20);
-      const t28 = alpha_raised * 3.725290298461914e-09;
-      const t29 = t28 + t25;
-      return { position: t29, velocity: t25 };
+      const t23 = alpha_raised * 3.725290298461914e-09;
+      const t24 = t2 * 2.0;
+      const t25 = t7 + 5.551115123125783e-17;
+      const t26 = t24 + t25;
+      const t28 = 2.220446049250313e-16 / t26;
+      const t29 = t23 + t28;
+      return { position: t29, velocity: t28 };
     },
     // Poles of the filter: a complex pair or two real numbers.
     closed_loop_poles(tracking_index) {
@@ -59,41 +59,40 @@
       const t4 = kappa + 1.3877787807814457e-17;
       const rho_scaled = Math.sqrt(t4);
       const rho = rho_scaled * 7.450580596923828e-09;
-      const twice_rho = rho_scaled * 1.4901161193847656e-08;
-      const t13 = tracking_index * 0.25;
-      const t14 = 2.0 - t13;
-      const distance = Math.abs(t14);
+      const t11 = tracking_index * 0.25;
+      const t12 = 2.0 - t11;
+      const distance = Math.abs(t12);
       const below = Math.sqrt(distance);
-      const t17 = 2.0 + t13;
-      const above = Math.sqrt(t17);
-      const t19 = tracking_index * 0.5;
-      const t20 = 2.0 - t19;
-      const t22 = kappa + 2.7755575615628914e-17;
-      const t23 = tracking_index * t22;
-      const t24 = t20 / t23;
-      const t25 = 2.0 + t19;
-      const t27 = twice_rho + 5.551115123125783e-17;
-      const t28 = t27 * t27;
-      const t29 = tracking_index * t28;
-      const t31 = 2.465190328815662e-32 / t29;
-      const t32 = t25 * t31;
-      const t33 = t24 * t32;
+      const t15 = 2.0 + t11;
+      const above = Math.sqrt(t15);
+      const t17 = tracking_index * 0.5;
+      const t18 = 2.0 - t17;
+      const t20 = kappa + 2.7755575615628914e-17;
+      const t21 = tracking_index * t20;
+      const t22 = t18 / t21;
+      const t23 = 2.0 + t17;
+      const t24 = rho + 2.7755575615628914e-17;
+      const t25 = kappa + t24;
+      const t26 = tracking_index * t25;
+      const t27 = 1.1102230246251565e-16 / t26;
+      const t28 = t23 * t27;
+      const t29 = t22 * t28;
+      const t30 = t29 * 2.7755575615628914e-17;
+      const t31 = below / rho;
+      const t32 = above * t27;
+      const t33 = t31 * t32;
       const t34 = t33 * 2.7755575615628914e-17;
-      const t35 = below / rho;
-      const t36 = above * t31;
-      const t37 = t35 * t36;
-      const t38 = t37 * 2.7755575615628914e-17;
-      const middle_size = Math.abs(t34);
-      const t40 = middle_size + t38;
-      const t41 = t31 / t40;
-      const t42 = t41 * t31;
-      const t44 = -t40;
-      const t46 = -t42;
-      const t49 = -t38;
-      const choice_1 = tracking_index < 8.0 ? t34 : t44;
-      const choice_2 = tracking_index < 8.0 ? t34 : t46;
-      const choice_3 = tracking_index < 8.0 ? t38 : 0.0;
-      const choice_4 = tracking_index < 8.0 ? t49 : 0.0;
+      const middle_size = Math.abs(t30);
+      const t36 = middle_size + t34;
+      const t37 = t27 / t36;
+      const t38 = t37 * t27;
+      const t40 = -t36;
+      const t42 = -t38;
+      const t45 = -t34;
+      const choice_1 = tracking_index < 8.0 ? t30 : t40;
+      const choice_2 = tracking_index < 8.0 ? t30 : t42;
+      const choice_3 = tracking_index < 8.0 ? t34 : 0.0;
+      const choice_4 = tracking_index < 8.0 ? t45 : 0.0;
       return { first_real: choice_1, first_imaginary: choice_3, second_real: choice_2, second_imaginary: choice_4 };
     },
     // Predicted covariance in units of sigma_v^2 and T.
@@ -102,20 +101,20 @@
       const kappa = 1.1102230246251565e-16 / tracking_index;
       const t4 = kappa + 1.3877787807814457e-17;
       const rho_scaled = Math.sqrt(t4);
-      const twice_rho = rho_scaled * 1.4901161193847656e-08;
-      const t9 = twice_rho + 5.551115123125783e-17;
-      const t10 = t9 * t9;
+      const rho = rho_scaled * 7.450580596923828e-09;
+      const t9 = rho + 2.7755575615628914e-17;
+      const t10 = kappa + t9;
       const t11 = tracking_index * t10;
-      const t13 = t11 * 4.056481920730334e31;
-      const t14 = tracking_index * twice_rho;
-      const t16 = t14 * 9007199254740992.0;
-      const t20 = 2.220446049250313e-16 / t9;
-      const t21 = tracking_index * t20;
-      const t22 = tracking_index * tracking_index;
+      const t13 = t11 * 9007199254740992.0;
+      const t14 = tracking_index * rho;
+      const t16 = t14 * 1.8014398509481984e16;
+      const t19 = 1.1102230246251565e-16 / t9;
+      const t20 = tracking_index * t19;
+      const t21 = tracking_index * tracking_index;
       const t17 = t13 * t16;
       const t18 = tracking_index * t13;
-      const t23 = t21 + t22;
-      return { predicted_11: t17, predicted_12: t18, predicted_22: t23 };
+      const t22 = t20 + t21;
+      return { predicted_11: t17, predicted_12: t18, predicted_22: t22 };
     },
     // Updated covariance in units of sigma_v^2 and T.
     updated_covariance(tracking_index) {
@@ -123,15 +122,15 @@
       const kappa = 1.1102230246251565e-16 / tracking_index;
       const t4 = kappa + 1.3877787807814457e-17;
       const rho_scaled = Math.sqrt(t4);
-      const twice_rho = rho_scaled * 1.4901161193847656e-08;
-      const t9 = twice_rho + 5.551115123125783e-17;
-      const t10 = t9 * t9;
-      const t12 = 2.220446049250313e-16 / t10;
-      const t15 = 2.220446049250313e-16 / t9;
-      const t13 = t12 * twice_rho;
-      const t14 = t12 * 1.1102230246251565e-16;
-      const t16 = tracking_index * t15;
-      return { updated_11: t13, updated_12: t14, updated_22: t16 };
+      const rho = rho_scaled * 7.450580596923828e-09;
+      const t10 = rho + 2.7755575615628914e-17;
+      const t11 = kappa + t10;
+      const t12 = 2.0 / t11;
+      const t16 = 1.1102230246251565e-16 / t10;
+      const t13 = t12 * rho;
+      const t15 = t12 * 5.551115123125783e-17;
+      const t17 = tracking_index * t16;
+      return { updated_11: t13, updated_12: t15, updated_22: t17 };
     },
   };
 })();

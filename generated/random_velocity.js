@@ -21,19 +21,19 @@
       const t17 = t15 + t16;
       const t18 = index_or_switch * t17;
       const ratio_scaled = Math.sqrt(t18);
-      const t21 = index_or_switch * 4.0;
-      const t22 = index_or_switch + ratio_scaled;
-      const t23 = eta_scaled + t22;
-      const t26 = index_or_switch * 6.0;
-      const t28 = index_or_switch * 1.152921504606847e18;
-      const t29 = ratio_scaled * 4.0;
-      const t30 = t29 + t26;
-      const t31 = t15 + t30;
-      const t32 = t28 / t31;
-      const alpha_raised = Math.sqrt(t32);
-      const t24 = t21 / t23;
-      const t35 = alpha_raised * 3.725290298461914e-09;
-      return { alpha: t35, beta: t24 };
+      const t21 = index_or_switch * 6.0;
+      const t23 = index_or_switch * 1.152921504606847e18;
+      const t25 = ratio_scaled * 4.0;
+      const t26 = t25 + t21;
+      const t27 = t15 + t26;
+      const t28 = t23 / t27;
+      const alpha_raised = Math.sqrt(t28);
+      const t32 = index_or_switch * 4.0;
+      const t33 = index_or_switch + ratio_scaled;
+      const t34 = eta_scaled + t33;
+      const t31 = alpha_raised * 3.725290298461914e-09;
+      const t35 = t32 / t34;
+      return { alpha: t31, beta: t35 };
     },
     // Steady-state predictor gain F K.
     predictor_gains(tracking_index) {
@@ -51,15 +51,15 @@
       const t17 = t15 + t16;
       const t18 = index_or_switch * t17;
       const ratio_scaled = Math.sqrt(t18);
-      const t21 = index_or_switch * 4.0;
-      const t22 = index_or_switch + ratio_scaled;
-      const t23 = eta_scaled + t22;
-      const t26 = index_or_switch * 1.152921504606847e18;
-      const t27 = t26 / t17;
-      const position_raised = Math.sqrt(t27);
-      const t24 = t21 / t23;
-      const t30 = position_raised * 3.725290298461914e-09;
-      return { position: t30, velocity: t24 };
+      const t21 = index_or_switch * 1.152921504606847e18;
+      const t22 = t21 / t17;
+      const position_raised = Math.sqrt(t22);
+      const t27 = index_or_switch * 4.0;
+      const t28 = index_or_switch + ratio_scaled;
+      const t29 = eta_scaled + t28;
+      const t25 = position_raised * 3.725290298461914e-09;
+      const t30 = t27 / t29;
+      return { position: t25, velocity: t30 };
     },
     // Poles of the filter: a complex pair or two real numbers.
     closed_loop_poles(tracking_index) {

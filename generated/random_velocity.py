@@ -166,10 +166,10 @@ def _gains_of_numbers(tracking_index: float, form: Form = Double) -> tuple[float
     t13 = form.sqrt((t9 * t9) + (t5 * t5))
     t15 = t13 * 2.0
     t19 = form.sqrt(t5 * (t15 + (t5 * 2.0)))
-    t32 = (t5 * 1.152921504606847e18) / (t15 + ((t19 * 4.0) + (t5 * 6.0)))
-    t24 = (t5 * 4.0) / (t13 + (t5 + t19))
-    t35 = form.sqrt(t32) * 3.725290298461914e-09
-    return (t35, t24)
+    t28 = (t5 * 1.152921504606847e18) / (t15 + ((t19 * 4.0) + (t5 * 6.0)))
+    t31 = form.sqrt(t28) * 3.725290298461914e-09
+    t35 = (t5 * 4.0) / (t13 + (t5 + t19))
+    return (t31, t35)
 
 
 def _gains_block(
@@ -182,46 +182,46 @@ def _gains_block(
     n2: float = 5.404319552844595e16,
     n3: float = 7.205759403792794e16,
     n4: float = 2.0,
-    n5: float = 4.0,
-    n6: float = 6.0,
-    n7: float = 1.152921504606847e18,
+    n5: float = 6.0,
+    n6: float = 1.152921504606847e18,
+    n7: float = 4.0,
     n8: float = 3.725290298461914e-09,
 ) -> None:
     (tracking_index,) = given
     alpha, beta = out
-    w0, w1, w2, w3 = work
+    w0, w1, w2, w3, w4 = work
     t2 = multiply(tracking_index, n0, w0)
     index_or_switch = minimum(t2, n1, out=w0)
-    t7 = divide(n2, tracking_index, beta)
-    four_or_less = minimum(n3, t7, out=beta)
-    t10 = square(four_or_less, beta)
+    t7 = divide(n2, tracking_index, alpha)
+    four_or_less = minimum(n3, t7, out=alpha)
+    t10 = square(four_or_less, alpha)
     t11 = square(index_or_switch, w1)
-    t12 = add(t10, t11, beta)
-    eta_scaled = sqrt(t12, alpha)
+    t12 = add(t10, t11, alpha)
+    eta_scaled = sqrt(t12, beta)
     t15 = multiply(eta_scaled, n4, w1)
-    t16 = multiply(index_or_switch, n4, beta)
-    t17 = add(t15, t16, beta)
-    t18 = multiply(index_or_switch, t17, beta)
-    ratio_scaled = sqrt(t18, beta)
+    t16 = multiply(index_or_switch, n4, alpha)
+    t17 = add(t15, t16, alpha)
+    t18 = multiply(index_or_switch, t17, alpha)
+    ratio_scaled = sqrt(t18, alpha)
     t21 = multiply(index_or_switch, n5, w2)
-    t22 = add(index_or_switch, ratio_scaled, w3)
-    t23 = add(eta_scaled, t22, alpha)
-    t26 = multiply(index_or_switch, n6, w3)
-    t28 = multiply(index_or_switch, n7, w0)
-    t29 = multiply(ratio_scaled, n5, beta)
-    t30 = add(t29, t26, beta)
-    t31 = add(t15, t30, w1)
-    t32 = divide(t28, t31, w0)
-    alpha_raised = sqrt(t32, w0)
-    divide(t21, t23, beta)
+    t23 = multiply(index_or_switch, n6, w3)
+    t25 = multiply(ratio_scaled, n7, w4)
+    t26 = add(t25, t21, w4)
+    t27 = add(t15, t26, w1)
+    t28 = divide(t23, t27, w3)
+    alpha_raised = sqrt(t28, w3)
+    t32 = multiply(index_or_switch, n7, w1)
+    t33 = add(index_or_switch, ratio_scaled, w0)
+    t34 = add(eta_scaled, t33, beta)
     multiply(alpha_raised, n8, alpha)
+    divide(t32, t34, beta)
 
 
 _GAINS = Signature(
     "gains",
     (_TRACKING_INDEX_DOMAIN,),
     ("alpha", "beta"),
-    4,
+    5,
     _gains_block,
     numbers=_gains_of_numbers,
 )
@@ -276,11 +276,11 @@ def gain_derivatives(
         sampling_interval**2*velocity_deviation**2/measurement_deviation**2; a number above 0 and
         finite.
 
-    alpha: derivative of the position gain. Relative error at most 9.26 * 2^-52 (float64), 9.26 *
+    alpha: derivative of the position gain. Relative error at most 8.76 * 2^-52 (float64), 8.76 *
         2^-23 (float32), proved for 5e-324 <= tracking_index <= 4.4794894843556084e102 (float64) and
         1e-45 <= tracking_index <= 5.541191e12 (float32).
-    beta: derivative of the velocity gain times the sampling interval. Relative error at most 10.31
-        * 2^-52 (float64), 10.31 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=
+    beta: derivative of the velocity gain times the sampling interval. Relative error at most 9.81 *
+        2^-52 (float64), 9.81 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=
         6.46054178400843e102 (float64) and 1e-45 <= tracking_index <= 7.9917807e12 (float32).
 
     Outside an output's range, a few numbers next to its ends apart, its true value is no normal
@@ -317,12 +317,11 @@ def _gain_derivatives_of_numbers(tracking_index: float, form: Form = Double) -> 
     t12 = form.sqrt(t8 + 1.1102230246251565e-16)
     t14 = t12 * 1.4901161193847656e-08
     t17 = tracking_index * (t8 + (t14 + 1.1102230246251565e-16))
-    t19 = 4.440892098500626e-16 / t17
-    t21 = (t19 * t19) / (t1 * t7)
+    t20 = (1.9721522630525295e-31 / (t17 * t17)) / (t1 * t7)
     t25 = (4.930380657631324e-32 / t14) + 4.440892098500626e-16
-    t22 = t21 * t14
-    t26 = t21 * t25
-    return (t22, t26)
+    t21 = t20 * t14
+    t26 = t20 * t25
+    return (t21, t26)
 
 
 def _gain_derivatives_block(
@@ -334,8 +333,8 @@ def _gain_derivatives_block(
     n1: float = 1.232595164407831e-32,
     n2: float = 1.1102230246251565e-16,
     n3: float = 1.4901161193847656e-08,
-    n4: float = 4.440892098500626e-16,
-    n5: float = 4.930380657631324e-32,
+    n4: float = 4.930380657631324e-32,
+    n5: float = 4.440892098500626e-16,
 ) -> None:
     (tracking_index,) = given
     alpha, beta = out
@@ -353,13 +352,13 @@ def _gain_derivatives_block(
     t15 = add(rho, n2, w1)
     t16 = add(kappa, t15, w0)
     t17 = multiply(tracking_index, t16, w0)
-    t19 = divide(n4, t17, w0)
-    t20 = square(t19, w0)
-    t21 = divide(t20, half_eta, w0)
-    t24 = divide(n5, rho, w1)
-    t25 = add(t24, n4, w1)
-    multiply(t21, rho, alpha)
-    multiply(t21, t25, beta)
+    t18 = square(t17, w0)
+    t19 = divide(n0, t18, w0)
+    t20 = divide(t19, half_eta, w0)
+    t23 = divide(n4, rho, w1)
+    t25 = add(t23, n5, w1)
+    multiply(t20, rho, alpha)
+    multiply(t20, t25, beta)
 
 
 _GAIN_DERIVATIVES = Signature(
@@ -430,22 +429,21 @@ def _gains_with_derivatives_of_numbers(
     form: Form = Double,
 ) -> tuple[float, ...]:
     t1 = form.sqrt(tracking_index)
-    t3 = t1 * 9.094947017729282e-13
-    t5 = 1.3234889800848443e-23 / tracking_index
-    t7 = tracking_index * 8.271806125530277e-25
-    t9 = form.sqrt(t5 + t7)
-    t10 = t3 + t9
-    t14 = form.sqrt((t1 * 1.8189894035458565e-12) * t10)
-    t17 = (t10 + t14) * 0.5
-    t19 = t3 * 2.0
-    t21 = t1 * t17
-    t26 = 6.018531076210112e-36 / ((t21 * t21) * (t1 * t9))
-    t27 = t19 / t14
+    t5 = t1 * 1.8189894035458565e-12
+    t7 = 1.3234889800848443e-23 / tracking_index
+    t9 = tracking_index * 8.271806125530277e-25
+    t11 = form.sqrt(t7 + t9)
+    t12 = (t1 * 9.094947017729282e-13) + t11
+    t14 = form.sqrt(t5 * t12)
+    t17 = (t12 + t14) * 0.5
+    t20 = t1 * t17
+    t25 = 6.018531076210112e-36 / ((t20 * t20) * (t1 * t11))
+    t26 = t5 / t14
     t18 = t14 / t17
-    t20 = t19 / t17
-    t28 = t26 / t27
-    t30 = t26 * (t27 + 2.0)
-    return (t18, t20, t28, t30)
+    t19 = t5 / t17
+    t27 = t25 / t26
+    t29 = t25 * (t26 + 2.0)
+    return (t18, t19, t27, t29)
 
 
 def _gains_with_derivatives_block(
@@ -454,40 +452,39 @@ def _gains_with_derivatives_block(
     work: Arrays,
     _single: bool,
     n0: float = 9.094947017729282e-13,
-    n1: float = 1.3234889800848443e-23,
-    n2: float = 8.271806125530277e-25,
-    n3: float = 1.8189894035458565e-12,
+    n1: float = 1.8189894035458565e-12,
+    n2: float = 1.3234889800848443e-23,
+    n3: float = 8.271806125530277e-25,
     n4: float = 0.5,
-    n5: float = 2.0,
-    n6: float = 6.018531076210112e-36,
+    n5: float = 6.018531076210112e-36,
+    n6: float = 2.0,
 ) -> None:
     (tracking_index,) = given
     alpha, beta, d_alpha, d_beta = out
     w0, w1, w2, w3 = work
     p = sqrt(tracking_index, alpha)
     t3 = multiply(p, n0, w0)
-    t5 = divide(n1, tracking_index, w1)
-    t7 = multiply(tracking_index, n2, w2)
-    t8 = add(t5, t7, w1)
-    h_at_once = sqrt(t8, beta)
-    t10 = add(t3, h_at_once, w1)
-    t12 = multiply(p, n3, w2)
-    t13 = multiply(t12, t10, w2)
-    twice_ratio = sqrt(t13, d_alpha)
-    t15 = add(t10, twice_ratio, w1)
-    t17 = multiply(t15, n4, w1)
-    t19 = multiply(t3, n5, w0)
-    t21 = multiply(p, t17, w2)
-    t22 = square(t21, w2)
-    t23 = multiply(p, h_at_once, alpha)
-    t24 = multiply(t22, t23, w2)
-    t26 = divide(n6, t24, d_beta)
-    t27 = divide(t19, twice_ratio, w2)
-    t29 = add(t27, n5, w3)
+    t5 = multiply(p, n1, w1)
+    t7 = divide(n2, tracking_index, beta)
+    t9 = multiply(tracking_index, n3, w2)
+    t10 = add(t7, t9, beta)
+    h_at_once = sqrt(t10, d_alpha)
+    t12 = add(t3, h_at_once, w0)
+    t13 = multiply(t5, t12, w2)
+    twice_ratio = sqrt(t13, d_beta)
+    t15 = add(t12, twice_ratio, w0)
+    t17 = multiply(t15, n4, w0)
+    t20 = multiply(p, t17, w2)
+    t21 = square(t20, w2)
+    t22 = multiply(p, h_at_once, alpha)
+    t23 = multiply(t21, t22, w2)
+    t25 = divide(n5, t23, w2)
+    t26 = divide(t5, twice_ratio, d_alpha)
+    t28 = add(t26, n6, w3)
     divide(twice_ratio, t17, alpha)
-    divide(t19, t17, beta)
-    divide(t26, t27, d_alpha)
-    multiply(t26, t29, d_beta)
+    divide(t5, t17, beta)
+    divide(t25, t26, d_alpha)
+    multiply(t25, t28, d_beta)
 
 
 _GAINS_WITH_DERIVATIVES = Signature(
@@ -552,10 +549,10 @@ def _predictor_gains_of_numbers(tracking_index: float, form: Form = Double) -> t
     t9 = form.of(7.205759403792794e16) if tracking_index < 0.75 else t7
     t13 = form.sqrt((t9 * t9) + (t5 * t5))
     t17 = (t13 * 2.0) + (t5 * 2.0)
-    t28 = form.sqrt((t5 * 1.152921504606847e18) / t17)
-    t24 = (t5 * 4.0) / (t13 + (t5 + form.sqrt(t5 * t17)))
-    t30 = t28 * 3.725290298461914e-09
-    return (t30, t24)
+    t23 = form.sqrt((t5 * 1.152921504606847e18) / t17)
+    t25 = t23 * 3.725290298461914e-09
+    t30 = (t5 * 4.0) / (t13 + (t5 + form.sqrt(t5 * t17)))
+    return (t25, t30)
 
 
 def _predictor_gains_block(
@@ -568,8 +565,8 @@ def _predictor_gains_block(
     n2: float = 5.404319552844595e16,
     n3: float = 7.205759403792794e16,
     n4: float = 2.0,
-    n5: float = 4.0,
-    n6: float = 1.152921504606847e18,
+    n5: float = 1.152921504606847e18,
+    n6: float = 4.0,
     n7: float = 3.725290298461914e-09,
 ) -> None:
     (tracking_index,) = given
@@ -577,25 +574,25 @@ def _predictor_gains_block(
     w0, w1, w2 = work
     t2 = multiply(tracking_index, n0, w0)
     index_or_switch = minimum(t2, n1, out=w0)
-    t7 = divide(n2, tracking_index, velocity)
-    four_or_less = minimum(n3, t7, out=velocity)
-    t10 = square(four_or_less, velocity)
+    t7 = divide(n2, tracking_index, position)
+    four_or_less = minimum(n3, t7, out=position)
+    t10 = square(four_or_less, position)
     t11 = square(index_or_switch, w1)
-    t12 = add(t10, t11, velocity)
-    eta_scaled = sqrt(t12, position)
+    t12 = add(t10, t11, position)
+    eta_scaled = sqrt(t12, velocity)
     t15 = multiply(eta_scaled, n4, w1)
-    t16 = multiply(index_or_switch, n4, velocity)
+    t16 = multiply(index_or_switch, n4, position)
     t17 = add(t15, t16, w1)
-    t18 = multiply(index_or_switch, t17, velocity)
-    ratio_scaled = sqrt(t18, velocity)
+    t18 = multiply(index_or_switch, t17, position)
+    ratio_scaled = sqrt(t18, position)
     t21 = multiply(index_or_switch, n5, w2)
-    t22 = add(index_or_switch, ratio_scaled, velocity)
-    t23 = add(eta_scaled, t22, position)
-    t26 = multiply(index_or_switch, n6, w0)
-    t27 = divide(t26, t17, w0)
-    position_raised = sqrt(t27, w0)
-    divide(t21, t23, velocity)
+    t22 = divide(t21, t17, w2)
+    position_raised = sqrt(t22, w2)
+    t27 = multiply(index_or_switch, n6, w1)
+    t28 = add(index_or_switch, ratio_scaled, w0)
+    t29 = add(eta_scaled, t28, velocity)
     multiply(position_raised, n7, position)
+    divide(t27, t29, velocity)
 
 
 _PREDICTOR_GAINS = Signature(
@@ -620,11 +617,11 @@ def predictor_gain_derivatives(
         sampling_interval**2*velocity_deviation**2/measurement_deviation**2; a number above 0 and
         finite.
 
-    position: derivative of the position entry of F K, alpha + beta. Relative error at most 10.32 *
-        2^-52 (float64), 10.32 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=
+    position: derivative of the position entry of F K, alpha + beta. Relative error at most 9.82 *
+        2^-52 (float64), 9.82 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=
         7.11074631974658e102 (float64) and 1e-45 <= tracking_index <= 8.796093e12 (float32).
     velocity: derivative of the velocity entry of F K times the sampling interval, beta. Relative
-        error at most 10.31 * 2^-52 (float64), 10.31 * 2^-23 (float32), proved for 5e-324 <=
+        error at most 9.81 * 2^-52 (float64), 9.81 * 2^-23 (float32), proved for 5e-324 <=
         tracking_index <= 6.46054178400843e102 (float64) and 1e-45 <= tracking_index <= 7.9917807e12
         (float32).
 
@@ -669,11 +666,10 @@ def _predictor_gain_derivatives_of_numbers(
     t12 = form.sqrt(t8 + 1.1102230246251565e-16)
     t14 = t12 * 1.4901161193847656e-08
     t17 = tracking_index * (t8 + (t14 + 1.1102230246251565e-16))
-    t19 = 4.440892098500626e-16 / t17
-    t21 = (t19 * t19) / (t1 * t7)
+    t20 = (1.9721522630525295e-31 / (t17 * t17)) / (t1 * t7)
     t25 = (4.930380657631324e-32 / t14) + 4.440892098500626e-16
-    t26 = t21 * t25
-    t27 = (t21 * t14) + t26
+    t26 = t20 * t25
+    t27 = (t20 * t14) + t26
     return (t27, t26)
 
 
@@ -686,8 +682,8 @@ def _predictor_gain_derivatives_block(
     n1: float = 1.232595164407831e-32,
     n2: float = 1.1102230246251565e-16,
     n3: float = 1.4901161193847656e-08,
-    n4: float = 4.440892098500626e-16,
-    n5: float = 4.930380657631324e-32,
+    n4: float = 4.930380657631324e-32,
+    n5: float = 4.440892098500626e-16,
 ) -> None:
     (tracking_index,) = given
     position, velocity = out
@@ -705,14 +701,14 @@ def _predictor_gain_derivatives_block(
     t15 = add(rho, n2, w1)
     t16 = add(kappa, t15, w0)
     t17 = multiply(tracking_index, t16, w0)
-    t19 = divide(n4, t17, w0)
-    t20 = square(t19, w0)
-    t21 = divide(t20, half_eta, w0)
-    t22 = multiply(t21, rho, w1)
-    t24 = divide(n5, rho, position)
-    t25 = add(t24, n4, position)
-    multiply(t21, t25, velocity)
-    add(t22, velocity, position)
+    t18 = square(t17, w0)
+    t19 = divide(n0, t18, w0)
+    t20 = divide(t19, half_eta, w0)
+    t21 = multiply(t20, rho, w1)
+    t23 = divide(n4, rho, position)
+    t25 = add(t23, n5, position)
+    multiply(t20, t25, velocity)
+    add(t21, velocity, position)
 
 
 _PREDICTOR_GAIN_DERIVATIVES = Signature(
@@ -1099,12 +1095,12 @@ def updated_covariance_derivatives(
         finite.
 
     updated_11: derivative of the variance of the updated position over sigma_v^2. Relative error at
-        most 9.26 * 2^-52 (float64), 9.26 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=
+        most 8.76 * 2^-52 (float64), 8.76 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=
         4.4794894843556084e102 (float64) and 1e-45 <= tracking_index <= 5.541191e12 (float32).
     updated_12: derivative of the covariance of updated position and velocity times T/sigma_v^2.
-        Relative error at most 10.31 * 2^-52 (float64), 10.31 * 2^-23 (float32), proved for 5e-324
-        <= tracking_index <= 6.46054178400843e102 (float64) and 1e-45 <= tracking_index <=
-        7.9917807e12 (float32).
+        Relative error at most 9.81 * 2^-52 (float64), 9.81 * 2^-23 (float32), proved for 5e-324 <=
+        tracking_index <= 6.46054178400843e102 (float64) and 1e-45 <= tracking_index <= 7.9917807e12
+        (float32).
     updated_22: derivative of the variance of the updated velocity times T^2/sigma_v^2. Relative
         error at most 3.09 * 2^-52 (float64), 3.09 * 2^-23 (float32), proved for 5e-324 <=
         tracking_index <= 8.988465674311451e307 (float64) and 1e-45 <= tracking_index <=
@@ -1152,14 +1148,13 @@ def _updated_covariance_derivatives_of_numbers(
     t11 = t8 + 1.1102230246251565e-16
     t14 = form.sqrt(t11) * 1.4901161193847656e-08
     t17 = tracking_index * (t8 + (t14 + 1.1102230246251565e-16))
-    t19 = 4.440892098500626e-16 / t17
-    t21 = (t19 * t19) / (t1 * t7)
+    t20 = (1.9721522630525295e-31 / (t17 * t17)) / (t1 * t7)
     t25 = (4.930380657631324e-32 / t14) + 4.440892098500626e-16
     t34 = (t14 * 4503599627370496.0) + (((t11 / t14) * (t11 / t8)) * 0.5)
-    t22 = t21 * t14
-    t26 = t21 * t25
+    t21 = t20 * t14
+    t26 = t20 * t25
     t35 = tracking_index * t34
-    return (t22, t26, t35)
+    return (t21, t26, t35)
 
 
 def _updated_covariance_derivatives_block(
@@ -1171,8 +1166,8 @@ def _updated_covariance_derivatives_block(
     n1: float = 1.232595164407831e-32,
     n2: float = 1.1102230246251565e-16,
     n3: float = 1.4901161193847656e-08,
-    n4: float = 4.440892098500626e-16,
-    n5: float = 4.930380657631324e-32,
+    n4: float = 4.930380657631324e-32,
+    n5: float = 4.440892098500626e-16,
     n6: float = 4503599627370496.0,
     n7: float = 0.5,
 ) -> None:
@@ -1192,19 +1187,19 @@ def _updated_covariance_derivatives_block(
     t15 = add(rho, n2, w1)
     t16 = add(kappa, t15, w1)
     t17 = multiply(tracking_index, t16, w1)
-    t19 = divide(n4, t17, w1)
-    t20 = square(t19, w1)
-    t21 = divide(t20, half_eta, w1)
-    t24 = divide(n5, rho, updated_11)
-    t25 = add(t24, n4, w2)
+    t18 = square(t17, w1)
+    t19 = divide(n0, t18, w1)
+    t20 = divide(t19, half_eta, w1)
+    t23 = divide(n4, rho, updated_11)
+    t25 = add(t23, n5, w2)
     t28 = multiply(rho, n6, updated_11)
     t29 = divide(t11, rho, w3)
     t30 = divide(t11, kappa, updated_12)
     t31 = multiply(t29, t30, w3)
     t33 = multiply(t31, n7, w3)
     t34 = add(t28, t33, w3)
-    multiply(t21, rho, updated_11)
-    multiply(t21, t25, updated_12)
+    multiply(t20, rho, updated_11)
+    multiply(t20, t25, updated_12)
     multiply(tracking_index, t34, updated_22)
 
 
@@ -1233,12 +1228,12 @@ def gain_second_derivatives(
         sampling_interval**2*velocity_deviation**2/measurement_deviation**2; a number above 0 and
         finite.
 
-    alpha: second derivative by Lambda of the position gain. Relative error at most 13.31 * 2^-52
-        (float64), 13.29 * 2^-23 (float32), proved for 1.5697348409117316e-206 <= tracking_index <=
-        1.2814501160326402e77 (float64) and 1.0258395e-26 <= tracking_index <= 4.753162e09
+    alpha: second derivative by Lambda of the position gain. Relative error at most 12.81 * 2^-52
+        (float64), 12.79 * 2^-23 (float32), proved for 1.5697348409117313e-206 <= tracking_index <=
+        1.2814501160326402e77 (float64) and 1.0258394e-26 <= tracking_index <= 4.753162e09
         (float32).
     beta: second derivative by Lambda of the velocity gain times the sampling interval. Relative
-        error at most 12.83 * 2^-52 (float64), 12.76 * 2^-23 (float32), proved for 5e-324 <=
+        error at most 12.33 * 2^-52 (float64), 12.26 * 2^-23 (float32), proved for 5e-324 <=
         tracking_index <= 1.686483196605514e77 (float64) and 1e-45 <= tracking_index <= 6.2555136e09
         (float32).
 
@@ -1281,21 +1276,21 @@ def _gain_second_derivatives_of_numbers(
     t12 = t9 + 1.1102230246251565e-16
     t13 = form.sqrt(t12)
     t15 = t13 * 1.4901161193847656e-08
-    t18 = t15 / t9
-    t21 = tracking_index * (t9 + (t15 + 1.1102230246251565e-16))
-    t23 = 4.440892098500626e-16 / t21
-    t24 = t23 / tracking_index
-    t29 = 2.220446049250313e-16 / t9
-    t32 = ((t9 + 2.220446049250313e-16) / t9) * (t29 * 5.551115123125783e-17)
-    t38 = (t18 + (((t9 + t32) / t12) * 0.5)) * t24
-    t42 = (t23 * 2.220446049250313e-16) / (t1 * t8)
-    t44 = (t13 * 2.9802322387695312e-08) * 2251799813685248.0
-    t46 = 2.220446049250313e-16 / t15
-    t54 = 1.0 + ((1.0 + (t46 * 0.5)) * (t29 * 0.5))
-    t56 = t42 * ((((t44 * 3.0) + t46) * 0.5) + t54)
-    t40 = -((t18 * t24) * t38)
-    t58 = -(t42 * t56)
-    return (t40, t58)
+    t20 = tracking_index * (t9 + (t15 + 1.1102230246251565e-16))
+    t22 = 1.9721522630525295e-31 / (t20 * t20)
+    t23 = t15 / t9
+    t27 = 2.220446049250313e-16 / t9
+    t30 = ((t9 + 2.220446049250313e-16) / t9) * (t27 * 5.551115123125783e-17)
+    t36 = t23 * (t23 + (((t9 + t30) / t12) * 0.5))
+    t39 = ((t22 * t36) / tracking_index) / tracking_index
+    t42 = (t13 * 2.9802322387695312e-08) * 2251799813685248.0
+    t44 = 2.220446049250313e-16 / t15
+    t52 = 1.0 + ((1.0 + (t44 * 0.5)) * (t27 * 0.5))
+    t54 = t22 * ((((t42 * 3.0) + t44) * 0.5) + t52)
+    t56 = (t1 * t8) * 4503599627370496.0
+    t40 = -t39
+    t59 = -((t54 / t56) / t56)
+    return (t40, t59)
 
 
 def _gain_second_derivatives_block(
@@ -1308,17 +1303,17 @@ def _gain_second_derivatives_block(
     n2: float = 1.1102230246251565e-16,
     n3: float = 1.4901161193847656e-08,
     n4: float = 2.9802322387695312e-08,
-    n5: float = 4.440892098500626e-16,
-    n6: float = 2.220446049250313e-16,
-    n7: float = 5.551115123125783e-17,
-    n8: float = 0.5,
-    n9: float = 2251799813685248.0,
-    n10: float = 3.0,
-    n11: float = 1.0,
+    n5: float = 2.220446049250313e-16,
+    n6: float = 5.551115123125783e-17,
+    n7: float = 0.5,
+    n8: float = 2251799813685248.0,
+    n9: float = 3.0,
+    n10: float = 1.0,
+    n11: float = 4503599627370496.0,
 ) -> None:
     (tracking_index,) = given
     alpha, beta = out
-    w0, w1, w2, w3, w4, w5, w6, w7, w8, w9 = work
+    w0, w1, w2, w3, w4, w5, w6, w7 = work
     p = sqrt(tracking_index, alpha)
     t4 = divide(n0, tracking_index, beta)
     t6 = multiply(tracking_index, n1, w0)
@@ -1330,48 +1325,49 @@ def _gain_second_derivatives_block(
     rho_scaled = sqrt(t12, w1)
     rho = multiply(rho_scaled, n3, w2)
     twice_rho = multiply(rho_scaled, n4, w1)
-    t18 = divide(rho, kappa, w3)
-    t19 = add(rho, n2, w4)
-    t20 = add(kappa, t19, w4)
-    t21 = multiply(tracking_index, t20, w4)
-    t23 = divide(n5, t21, w4)
-    t24 = divide(t23, tracking_index, w5)
-    t25 = multiply(t18, t24, w6)
-    t27 = add(kappa, n6, w7)
-    t28 = divide(t27, kappa, w7)
-    t29 = divide(n6, kappa, w8)
-    t31 = multiply(t29, n7, w9)
-    t32 = multiply(t28, t31, w7)
-    t33 = add(kappa, t32, w0)
-    t34 = divide(t33, t12, w0)
-    t36 = multiply(t34, n8, w0)
-    t37 = add(t18, t36, w3)
-    t38 = multiply(t37, t24, w3)
-    t39 = multiply(t25, t38, w6)
-    t41 = multiply(t23, n6, w4)
-    t42 = divide(t41, half_eta, w4)
-    t44 = multiply(twice_rho, n9, w1)
-    t45 = multiply(t44, n10, w1)
-    t46 = divide(n6, rho, w2)
-    t47 = add(t45, t46, w1)
-    t48 = multiply(t47, n8, w1)
-    t49 = multiply(t46, n8, w2)
-    t51 = add(n11, t49, w2)
-    t52 = multiply(t29, n8, w8)
-    t53 = multiply(t51, t52, w2)
-    t54 = add(n11, t53, w2)
-    t55 = add(t48, t54, w1)
-    t56 = multiply(t42, t55, w1)
-    t57 = multiply(t42, t56, w4)
+    t18 = add(rho, n2, w3)
+    t19 = add(kappa, t18, w3)
+    t20 = multiply(tracking_index, t19, w3)
+    t21 = square(t20, w3)
+    t22 = divide(n0, t21, w3)
+    t23 = divide(rho, kappa, w4)
+    t25 = add(kappa, n5, w5)
+    t26 = divide(t25, kappa, w5)
+    t27 = divide(n5, kappa, w6)
+    t29 = multiply(t27, n6, w7)
+    t30 = multiply(t26, t29, w5)
+    t31 = add(kappa, t30, w0)
+    t32 = divide(t31, t12, w0)
+    t34 = multiply(t32, n7, w0)
+    t35 = add(t23, t34, w0)
+    t36 = multiply(t23, t35, w4)
+    t37 = multiply(t22, t36, w4)
+    t38 = divide(t37, tracking_index, w4)
+    t39 = divide(t38, tracking_index, w4)
+    t42 = multiply(twice_rho, n8, w1)
+    t43 = multiply(t42, n9, w1)
+    t44 = divide(n5, rho, w2)
+    t45 = add(t43, t44, w1)
+    t46 = multiply(t45, n7, w1)
+    t47 = multiply(t44, n7, w2)
+    t49 = add(n10, t47, w2)
+    t50 = multiply(t27, n7, w6)
+    t51 = multiply(t49, t50, w2)
+    t52 = add(n10, t51, w2)
+    t53 = add(t46, t52, w1)
+    t54 = multiply(t22, t53, w3)
+    t56 = multiply(half_eta, n11, alpha)
+    t57 = divide(t54, t56, w3)
+    t58 = divide(t57, t56, w3)
     negative(t39, alpha)
-    negative(t57, beta)
+    negative(t58, beta)
 
 
 _GAIN_SECOND_DERIVATIVES = Signature(
     "gain_second_derivatives",
     (_TRACKING_INDEX_DOMAIN,),
     ("alpha", "beta"),
-    10,
+    8,
     _gain_second_derivatives_block,
     numbers=_gain_second_derivatives_of_numbers,
 )
@@ -1391,11 +1387,11 @@ def predictor_gain_second_derivatives(
         finite.
 
     position: second derivative by Lambda of the position entry of F K, alpha + beta. Relative error
-        at most 13.79 * 2^-52 (float64), 13.80 * 2^-23 (float32), proved for 1.569734840911732e-206
-        <= tracking_index <= 1.8122441335979363e77 (float64) and 1.0258396e-26 <= tracking_index <=
+        at most 13.29 * 2^-52 (float64), 13.30 * 2^-23 (float32), proved for 1.5697348409117316e-206
+        <= tracking_index <= 1.8122441335979363e77 (float64) and 1.0258395e-26 <= tracking_index <=
         6.721987e09 (float32).
     velocity: second derivative by Lambda of the velocity entry of F K times the sampling interval,
-        beta. Relative error at most 12.83 * 2^-52 (float64), 12.76 * 2^-23 (float32), proved for
+        beta. Relative error at most 12.33 * 2^-52 (float64), 12.26 * 2^-23 (float32), proved for
         5e-324 <= tracking_index <= 1.686483196605514e77 (float64) and 1e-45 <= tracking_index <=
         6.2555136e09 (float32).
 
@@ -1441,22 +1437,22 @@ def _predictor_gain_second_derivatives_of_numbers(
     t12 = t9 + 1.1102230246251565e-16
     t13 = form.sqrt(t12)
     t15 = t13 * 1.4901161193847656e-08
-    t18 = t15 / t9
-    t21 = tracking_index * (t9 + (t15 + 1.1102230246251565e-16))
-    t23 = 4.440892098500626e-16 / t21
-    t24 = t23 / tracking_index
-    t29 = 2.220446049250313e-16 / t9
-    t32 = ((t9 + 2.220446049250313e-16) / t9) * (t29 * 5.551115123125783e-17)
-    t38 = (t18 + (((t9 + t32) / t12) * 0.5)) * t24
-    t41 = (t23 * 2.220446049250313e-16) / (t1 * t8)
-    t43 = (t13 * 2.9802322387695312e-08) * 2251799813685248.0
-    t45 = 2.220446049250313e-16 / t15
-    t53 = 1.0 + ((1.0 + (t45 * 0.5)) * (t29 * 0.5))
-    t55 = t41 * ((((t43 * 3.0) + t45) * 0.5) + t53)
-    t56 = t41 * t55
-    t58 = -(((t18 * t24) * t38) + t56)
-    t59 = -t56
-    return (t58, t59)
+    t20 = tracking_index * (t9 + (t15 + 1.1102230246251565e-16))
+    t22 = 1.9721522630525295e-31 / (t20 * t20)
+    t23 = t15 / t9
+    t27 = 2.220446049250313e-16 / t9
+    t30 = ((t9 + 2.220446049250313e-16) / t9) * (t27 * 5.551115123125783e-17)
+    t36 = t23 * (t23 + (((t9 + t30) / t12) * 0.5))
+    t39 = ((t22 * t36) / tracking_index) / tracking_index
+    t41 = (t13 * 2.9802322387695312e-08) * 2251799813685248.0
+    t43 = 2.220446049250313e-16 / t15
+    t51 = 1.0 + ((1.0 + (t43 * 0.5)) * (t27 * 0.5))
+    t53 = t22 * ((((t41 * 3.0) + t43) * 0.5) + t51)
+    t55 = (t1 * t8) * 4503599627370496.0
+    t57 = (t53 / t55) / t55
+    t59 = -(t39 + t57)
+    t60 = -t57
+    return (t59, t60)
 
 
 def _predictor_gain_second_derivatives_block(
@@ -1469,17 +1465,17 @@ def _predictor_gain_second_derivatives_block(
     n2: float = 1.1102230246251565e-16,
     n3: float = 1.4901161193847656e-08,
     n4: float = 2.9802322387695312e-08,
-    n5: float = 4.440892098500626e-16,
-    n6: float = 2.220446049250313e-16,
-    n7: float = 5.551115123125783e-17,
-    n8: float = 0.5,
-    n9: float = 2251799813685248.0,
-    n10: float = 3.0,
-    n11: float = 1.0,
+    n5: float = 2.220446049250313e-16,
+    n6: float = 5.551115123125783e-17,
+    n7: float = 0.5,
+    n8: float = 2251799813685248.0,
+    n9: float = 3.0,
+    n10: float = 1.0,
+    n11: float = 4503599627370496.0,
 ) -> None:
     (tracking_index,) = given
     position, velocity = out
-    w0, w1, w2, w3, w4, w5, w6, w7, w8, w9 = work
+    w0, w1, w2, w3, w4, w5, w6, w7 = work
     p = sqrt(tracking_index, position)
     t4 = divide(n0, tracking_index, velocity)
     t6 = multiply(tracking_index, n1, w0)
@@ -1491,49 +1487,50 @@ def _predictor_gain_second_derivatives_block(
     rho_scaled = sqrt(t12, w1)
     rho = multiply(rho_scaled, n3, w2)
     twice_rho = multiply(rho_scaled, n4, w1)
-    t18 = divide(rho, kappa, w3)
-    t19 = add(rho, n2, w4)
-    t20 = add(kappa, t19, w4)
-    t21 = multiply(tracking_index, t20, w4)
-    t23 = divide(n5, t21, w4)
-    t24 = divide(t23, tracking_index, w5)
-    t25 = multiply(t18, t24, w6)
-    t27 = add(kappa, n6, w7)
-    t28 = divide(t27, kappa, w7)
-    t29 = divide(n6, kappa, w8)
-    t31 = multiply(t29, n7, w9)
-    t32 = multiply(t28, t31, w7)
-    t33 = add(kappa, t32, w0)
-    t34 = divide(t33, t12, w0)
-    t36 = multiply(t34, n8, w0)
-    t37 = add(t18, t36, w3)
-    t38 = multiply(t37, t24, w3)
-    t39 = multiply(t25, t38, w6)
-    t40 = multiply(t23, n6, w4)
-    t41 = divide(t40, half_eta, w4)
-    t43 = multiply(twice_rho, n9, w1)
-    t44 = multiply(t43, n10, w1)
-    t45 = divide(n6, rho, w2)
-    t46 = add(t44, t45, w1)
-    t47 = multiply(t46, n8, w1)
-    t48 = multiply(t45, n8, w2)
-    t50 = add(n11, t48, w2)
-    t51 = multiply(t29, n8, w8)
-    t52 = multiply(t50, t51, w2)
-    t53 = add(n11, t52, w2)
-    t54 = add(t47, t53, w1)
-    t55 = multiply(t41, t54, w1)
-    t56 = multiply(t41, t55, w4)
-    t57 = add(t39, t56, w6)
-    negative(t57, position)
-    negative(t56, velocity)
+    t18 = add(rho, n2, w3)
+    t19 = add(kappa, t18, w3)
+    t20 = multiply(tracking_index, t19, w3)
+    t21 = square(t20, w3)
+    t22 = divide(n0, t21, w3)
+    t23 = divide(rho, kappa, w4)
+    t25 = add(kappa, n5, w5)
+    t26 = divide(t25, kappa, w5)
+    t27 = divide(n5, kappa, w6)
+    t29 = multiply(t27, n6, w7)
+    t30 = multiply(t26, t29, w5)
+    t31 = add(kappa, t30, w0)
+    t32 = divide(t31, t12, w0)
+    t34 = multiply(t32, n7, w0)
+    t35 = add(t23, t34, w0)
+    t36 = multiply(t23, t35, w4)
+    t37 = multiply(t22, t36, w4)
+    t38 = divide(t37, tracking_index, w4)
+    t39 = divide(t38, tracking_index, w4)
+    t41 = multiply(twice_rho, n8, w1)
+    t42 = multiply(t41, n9, w1)
+    t43 = divide(n5, rho, w2)
+    t44 = add(t42, t43, w1)
+    t45 = multiply(t44, n7, w1)
+    t46 = multiply(t43, n7, w2)
+    t48 = add(n10, t46, w2)
+    t49 = multiply(t27, n7, w6)
+    t50 = multiply(t48, t49, w2)
+    t51 = add(n10, t50, w2)
+    t52 = add(t45, t51, w1)
+    t53 = multiply(t22, t52, w3)
+    t55 = multiply(half_eta, n11, position)
+    t56 = divide(t53, t55, w3)
+    t57 = divide(t56, t55, w3)
+    t58 = add(t39, t57, w4)
+    negative(t58, position)
+    negative(t57, velocity)
 
 
 _PREDICTOR_GAIN_SECOND_DERIVATIVES = Signature(
     "predictor_gain_second_derivatives",
     (_TRACKING_INDEX_DOMAIN,),
     ("position", "velocity"),
-    10,
+    8,
     _predictor_gain_second_derivatives_block,
     numbers=_predictor_gain_second_derivatives_of_numbers,
 )
@@ -1617,19 +1614,19 @@ def _predicted_covariance_second_derivatives_of_numbers(
     t18 = t8 + (t14 + 1.1102230246251565e-16)
     t19 = t18 / t8
     t21 = 2.220446049250313e-16 / t8
-    t23 = t21 * 0.5
+    t29 = (t19 * (t18 * (1.0 + (t21 * 0.5)))) * 0.25
     t30 = 2.220446049250313e-16 / t14
     t34 = 1.0 + t21
     t39 = (t18 * 4503599627370496.0) * (1.0 + (t34 * ((t21 * t21) * 0.25)))
-    t43 = ((t19 * (t18 * (1.0 + t23))) * 0.25) - (((t18 * t30) * t39) * 0.125)
     t48 = (t12 * 2.9802322387695312e-08) * 2251799813685248.0
     t55 = (1.9721522630525295e-31 / (t1 * t7)) / tracking_index
     t56 = t55 / t11
     t59 = (1.0 + ((t14 / t8) * 0.5)) + ((t56 * 0.5) * t34)
-    t72 = ((0.5 + (t21 * 0.25)) * (5.0 + t56)) + ((t55 / t8) * t23)
-    t44 = t43 * 4503599627370496.0
+    t69 = (0.125 + (t21 * 0.0625)) * (5.0 + t56)
+    t74 = t30 * (t69 + ((t55 / t8) * (t21 * 0.125)))
+    t44 = (t29 - (((t18 * t30) * t39) * 0.125)) * 4503599627370496.0
     t60 = (t19 * (t48 * 0.25)) * t59
-    t76 = ((t48 * 0.75) + (t30 * (t72 * 0.25))) + 2.0
+    t76 = ((t48 * 0.75) + t74) + 2.0
     return (t44, t60, t76)
 
 
@@ -1651,12 +1648,13 @@ def _predicted_covariance_second_derivatives_block(
     n10: float = 0.125,
     n11: float = 2251799813685248.0,
     n12: float = 0.75,
-    n13: float = 5.0,
-    n14: float = 2.0,
+    n13: float = 0.0625,
+    n14: float = 5.0,
+    n15: float = 2.0,
 ) -> None:
     (tracking_index,) = given
     predicted_11, predicted_12, predicted_22 = out
-    w0, w1, w2, w3, w4, w5, w6, w7, w8, w9, w10 = work
+    w0, w1, w2, w3, w4, w5, w6, w7, w8, w9 = work
     p = sqrt(tracking_index, predicted_11)
     t3 = divide(n0, tracking_index, predicted_12)
     t5 = multiply(tracking_index, n1, w0)
@@ -1673,22 +1671,22 @@ def _predicted_covariance_second_derivatives_block(
     t19 = divide(t18, kappa, w3)
     t21 = divide(n5, kappa, w4)
     t23 = multiply(t21, n6, w5)
-    t25 = add(n7, t23, w6)
-    t26 = multiply(t18, t25, w6)
-    t27 = multiply(t19, t26, w6)
-    t29 = multiply(t27, n8, w6)
-    t30 = divide(n5, rho, w7)
-    t31 = multiply(t18, t30, w8)
+    t25 = add(n7, t23, w5)
+    t26 = multiply(t18, t25, w5)
+    t27 = multiply(t19, t26, w5)
+    t29 = multiply(t27, n8, w5)
+    t30 = divide(n5, rho, w6)
+    t31 = multiply(t18, t30, w7)
     t33 = multiply(t18, n9, w2)
-    t34 = add(n7, t21, w9)
-    t35 = square(t21, w10)
-    t36 = multiply(t35, n8, w10)
-    t37 = multiply(t34, t36, w10)
-    t38 = add(n7, t37, w10)
+    t34 = add(n7, t21, w8)
+    t35 = square(t21, w9)
+    t36 = multiply(t35, n8, w9)
+    t37 = multiply(t34, t36, w9)
+    t38 = add(n7, t37, w9)
     t39 = multiply(t33, t38, w2)
-    t40 = multiply(t31, t39, w8)
-    t42 = multiply(t40, n10, w8)
-    predicted_11_turn = subtract(t29, t42, w6)
+    t40 = multiply(t31, t39, w7)
+    t42 = multiply(t40, n10, w7)
+    predicted_11_turn = subtract(t29, t42, w5)
     t48 = multiply(twice_rho, n11, predicted_22)
     t49 = multiply(t48, n8, w2)
     t50 = multiply(t19, t49, w3)
@@ -1702,26 +1700,26 @@ def _predicted_covariance_second_derivatives_block(
     t58 = multiply(t57, t34, w2)
     t59 = add(t53, t58, w1)
     t62 = multiply(t48, n12, predicted_22)
-    t64 = multiply(t21, n8, w4)
-    t66 = add(n6, t64, w4)
-    t68 = add(n13, t56, predicted_12)
-    t69 = multiply(t66, t68, w4)
+    t64 = multiply(t21, n13, w2)
+    t66 = add(n10, t64, w2)
+    t68 = add(n14, t56, predicted_12)
+    t69 = multiply(t66, t68, w2)
     t70 = divide(t55, kappa, predicted_11)
-    t71 = multiply(t70, t23, predicted_11)
-    t72 = add(t69, t71, w4)
-    t73 = multiply(t72, n8, w4)
-    t74 = multiply(t30, t73, w7)
+    t71 = multiply(t21, n10, w4)
+    t72 = multiply(t70, t71, predicted_11)
+    t73 = add(t69, t72, w2)
+    t74 = multiply(t30, t73, w6)
     t75 = add(t62, t74, predicted_22)
     multiply(predicted_11_turn, n9, predicted_11)
     multiply(t50, t59, predicted_12)
-    add(t75, n14, predicted_22)
+    add(t75, n15, predicted_22)
 
 
 _PREDICTED_COVARIANCE_SECOND_DERIVATIVES = Signature(
     "predicted_covariance_second_derivatives",
     (_TRACKING_INDEX_DOMAIN,),
     ("predicted_11", "predicted_12", "predicted_22"),
-    11,
+    10,
     _predicted_covariance_second_derivatives_block,
     numbers=_predicted_covariance_second_derivatives_of_numbers,
 )
@@ -1741,11 +1739,11 @@ def updated_covariance_second_derivatives(
         finite.
 
     updated_11: second derivative by Lambda of the variance of the updated position over sigma_v^2.
-        Relative error at most 13.31 * 2^-52 (float64), 13.29 * 2^-23 (float32), proved for
-        1.5697348409117316e-206 <= tracking_index <= 1.2814501160326402e77 (float64) and
-        1.0258395e-26 <= tracking_index <= 4.753162e09 (float32).
+        Relative error at most 12.81 * 2^-52 (float64), 12.79 * 2^-23 (float32), proved for
+        1.5697348409117313e-206 <= tracking_index <= 1.2814501160326402e77 (float64) and
+        1.0258394e-26 <= tracking_index <= 4.753162e09 (float32).
     updated_12: second derivative by Lambda of the covariance of updated position and velocity times
-        T/sigma_v^2. Relative error at most 12.83 * 2^-52 (float64), 12.76 * 2^-23 (float32), proved
+        T/sigma_v^2. Relative error at most 12.33 * 2^-52 (float64), 12.26 * 2^-23 (float32), proved
         for 5e-324 <= tracking_index <= 1.686483196605514e77 (float64) and 1e-45 <= tracking_index
         <= 6.2555136e09 (float32).
     updated_22: second derivative by Lambda of the variance of the updated velocity times
@@ -1796,25 +1794,25 @@ def _updated_covariance_second_derivatives_of_numbers(
     t12 = t9 + 1.1102230246251565e-16
     t13 = form.sqrt(t12)
     t15 = t13 * 1.4901161193847656e-08
-    t18 = t15 / t9
-    t21 = tracking_index * (t9 + (t15 + 1.1102230246251565e-16))
-    t23 = 4.440892098500626e-16 / t21
-    t24 = t23 / tracking_index
-    t29 = 2.220446049250313e-16 / t9
-    t32 = ((t9 + 2.220446049250313e-16) / t9) * (t29 * 5.551115123125783e-17)
-    t38 = (t18 + (((t9 + t32) / t12) * 0.5)) * t24
-    t42 = (t23 * 2.220446049250313e-16) / t10
-    t44 = (t13 * 2.9802322387695312e-08) * 2251799813685248.0
-    t46 = 2.220446049250313e-16 / t15
-    t52 = t29 * 0.5
-    t55 = (((t44 * 3.0) + t46) * 0.5) + (1.0 + ((1.0 + (t46 * 0.5)) * t52))
-    t66 = (1.9721522630525295e-31 / t10) / tracking_index
-    t70 = (0.5 + (t29 * 0.25)) * (5.0 + (t66 / t12))
-    t76 = t46 * ((t70 + ((t66 / t9) * t52)) * 0.25)
-    t40 = -((t18 * t24) * t38)
-    t58 = -(t42 * (t42 * t55))
-    t77 = (t44 * 0.75) + t76
-    return (t40, t58, t77)
+    t20 = tracking_index * (t9 + (t15 + 1.1102230246251565e-16))
+    t22 = 1.9721522630525295e-31 / (t20 * t20)
+    t23 = t15 / t9
+    t27 = 2.220446049250313e-16 / t9
+    t30 = ((t9 + 2.220446049250313e-16) / t9) * (t27 * 5.551115123125783e-17)
+    t36 = t23 * (t23 + (((t9 + t30) / t12) * 0.5))
+    t39 = ((t22 * t36) / tracking_index) / tracking_index
+    t42 = (t13 * 2.9802322387695312e-08) * 2251799813685248.0
+    t44 = 2.220446049250313e-16 / t15
+    t52 = 1.0 + ((1.0 + (t44 * 0.5)) * (t27 * 0.5))
+    t54 = t22 * ((((t42 * 3.0) + t44) * 0.5) + t52)
+    t56 = t10 * 4503599627370496.0
+    t67 = (1.9721522630525295e-31 / t10) / tracking_index
+    t71 = (0.125 + (t27 * 0.0625)) * (5.0 + (t67 / t12))
+    t76 = t44 * (t71 + ((t67 / t9) * (t27 * 0.125)))
+    t40 = -t39
+    t59 = -((t54 / t56) / t56)
+    t77 = (t42 * 0.75) + t76
+    return (t40, t59, t77)
 
 
 def _updated_covariance_second_derivatives_block(
@@ -1827,20 +1825,21 @@ def _updated_covariance_second_derivatives_block(
     n2: float = 1.1102230246251565e-16,
     n3: float = 1.4901161193847656e-08,
     n4: float = 2.9802322387695312e-08,
-    n5: float = 4.440892098500626e-16,
-    n6: float = 2.220446049250313e-16,
-    n7: float = 5.551115123125783e-17,
-    n8: float = 0.5,
-    n9: float = 2251799813685248.0,
-    n10: float = 3.0,
-    n11: float = 1.0,
+    n5: float = 2.220446049250313e-16,
+    n6: float = 5.551115123125783e-17,
+    n7: float = 0.5,
+    n8: float = 2251799813685248.0,
+    n9: float = 3.0,
+    n10: float = 1.0,
+    n11: float = 4503599627370496.0,
     n12: float = 0.75,
-    n13: float = 0.25,
-    n14: float = 5.0,
+    n13: float = 0.0625,
+    n14: float = 0.125,
+    n15: float = 5.0,
 ) -> None:
     (tracking_index,) = given
     updated_11, updated_12, updated_22 = out
-    w0, w1, w2, w3, w4, w5, w6, w7, w8 = work
+    w0, w1, w2, w3, w4, w5, w6, w7 = work
     p = sqrt(tracking_index, updated_11)
     t4 = divide(n0, tracking_index, updated_12)
     t6 = multiply(tracking_index, n1, w0)
@@ -1852,62 +1851,63 @@ def _updated_covariance_second_derivatives_block(
     rho_scaled = sqrt(t12, updated_22)
     rho = multiply(rho_scaled, n3, w1)
     twice_rho = multiply(rho_scaled, n4, updated_22)
-    t18 = divide(rho, kappa, w2)
-    t19 = add(rho, n2, w3)
-    t20 = add(kappa, t19, w3)
-    t21 = multiply(tracking_index, t20, w3)
-    t23 = divide(n5, t21, w3)
-    t24 = divide(t23, tracking_index, w4)
-    t25 = multiply(t18, t24, w5)
-    t27 = add(kappa, n6, w6)
-    t28 = divide(t27, kappa, w6)
-    t29 = divide(n6, kappa, w7)
-    t31 = multiply(t29, n7, w8)
-    t32 = multiply(t28, t31, w6)
-    t33 = add(kappa, t32, w6)
-    t34 = divide(t33, t12, w6)
-    t36 = multiply(t34, n8, w6)
-    t37 = add(t18, t36, w2)
-    t38 = multiply(t37, t24, w2)
-    t39 = multiply(t25, t38, w5)
-    t41 = multiply(t23, n6, w3)
-    t42 = divide(t41, half_eta, w3)
-    t44 = multiply(twice_rho, n9, updated_22)
-    t45 = multiply(t44, n10, w2)
-    t46 = divide(n6, rho, w1)
-    t47 = add(t45, t46, w2)
-    t48 = multiply(t47, n8, w2)
-    t49 = multiply(t46, n8, w4)
-    t51 = add(n11, t49, w4)
-    t52 = multiply(t29, n8, w6)
-    t53 = multiply(t51, t52, w4)
-    t54 = add(n11, t53, w4)
-    t55 = add(t48, t54, w2)
-    t56 = multiply(t42, t55, w2)
-    t57 = multiply(t42, t56, w3)
-    t60 = multiply(t44, n12, updated_22)
-    t62 = multiply(t29, n13, w7)
-    t64 = add(n8, t62, w7)
-    t65 = divide(n0, half_eta, updated_11)
-    t66 = divide(t65, tracking_index, updated_11)
-    t67 = divide(t66, t12, updated_12)
-    t69 = add(n14, t67, updated_12)
-    t70 = multiply(t64, t69, w7)
-    t71 = divide(t66, kappa, updated_11)
-    t72 = multiply(t71, t52, updated_11)
-    t73 = add(t70, t72, w7)
-    t75 = multiply(t73, n13, w7)
-    t76 = multiply(t46, t75, w1)
+    t18 = add(rho, n2, w2)
+    t19 = add(kappa, t18, w2)
+    t20 = multiply(tracking_index, t19, w2)
+    t21 = square(t20, w2)
+    t22 = divide(n0, t21, w2)
+    t23 = divide(rho, kappa, w3)
+    t25 = add(kappa, n5, w4)
+    t26 = divide(t25, kappa, w4)
+    t27 = divide(n5, kappa, w5)
+    t29 = multiply(t27, n6, w6)
+    t30 = multiply(t26, t29, w4)
+    t31 = add(kappa, t30, w4)
+    t32 = divide(t31, t12, w4)
+    t34 = multiply(t32, n7, w4)
+    t35 = add(t23, t34, w4)
+    t36 = multiply(t23, t35, w3)
+    t37 = multiply(t22, t36, w3)
+    t38 = divide(t37, tracking_index, w3)
+    t39 = divide(t38, tracking_index, w3)
+    t42 = multiply(twice_rho, n8, updated_22)
+    t43 = multiply(t42, n9, w4)
+    t44 = divide(n5, rho, w1)
+    t45 = add(t43, t44, w4)
+    t46 = multiply(t45, n7, w4)
+    t47 = multiply(t44, n7, w6)
+    t49 = add(n10, t47, w6)
+    t50 = multiply(t27, n7, w7)
+    t51 = multiply(t49, t50, w6)
+    t52 = add(n10, t51, w6)
+    t53 = add(t46, t52, w4)
+    t54 = multiply(t22, t53, w2)
+    t56 = multiply(half_eta, n11, w4)
+    t57 = divide(t54, t56, w2)
+    t58 = divide(t57, t56, w2)
+    t61 = multiply(t42, n12, updated_22)
+    t63 = multiply(t27, n13, w4)
+    t65 = add(n14, t63, w4)
+    t66 = divide(n0, half_eta, updated_11)
+    t67 = divide(t66, tracking_index, updated_11)
+    t68 = divide(t67, t12, updated_12)
+    t70 = add(n15, t68, updated_12)
+    t71 = multiply(t65, t70, w4)
+    t72 = divide(t67, kappa, updated_11)
+    t73 = multiply(t27, n14, w5)
+    t74 = multiply(t72, t73, updated_11)
+    t75 = add(t71, t74, w4)
+    t76 = multiply(t44, t75, w1)
     negative(t39, updated_11)
-    negative(t57, updated_12)
-    add(t60, t76, updated_22)
+    negative(t58, updated_12)
+    add(t61, t76, updated_22)
 
 
 _UPDATED_COVARIANCE_SECOND_DERIVATIVES = Signature(
     "updated_covariance_second_derivatives",
     (_TRACKING_INDEX_DOMAIN,),
     ("updated_11", "updated_12", "updated_22"),
-    9,
+    8,
     _updated_covariance_second_derivatives_block,
     numbers=_updated_covariance_second_derivatives_of_numbers,
 )

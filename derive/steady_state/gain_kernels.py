@@ -14,6 +14,7 @@ most.
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from fractions import Fraction
 
 from gainproof.derive.printer.graph import Graph, GraphBuilder, Node
@@ -29,6 +30,8 @@ CHOICES = ("index_or_switch", "four_or_less")
 LAST = Fraction(4, RAISED)
 ROOT = Fraction(1, 2**27)
 """Times its square 2/Lambda is finite, and over it beta is normal, for every positive float64."""
+Halves = tuple[Node, Callable[[], Node]]
+"""What the root is taken of, and what makes beta after it."""
 
 
 def gain_graph(e: Fraction, kernel: str) -> Graph:
@@ -42,13 +45,14 @@ def gain_graph(e: Fraction, kernel: str) -> Graph:
     else:
         square, beta = _damped(builder, index, e, names, at_once=at_once)
     root = names["position_raised" if at_once else "alpha_raised"] = builder.sqrt(square)
+    first, second = root * LAST, beta()
     if kernel == "gains":
-        return builder.graph({"alpha": root * LAST, "beta": beta}, names)
-    position = root * LAST if at_once else root * LAST + beta
-    return builder.graph({"position": position, "velocity": beta}, names)
+        return builder.graph({"alpha": first, "beta": second}, names)
+    position = first if at_once else first + second
+    return builder.graph({"position": position, "velocity": second}, names)
 
 
-def _undamped(builder: GraphBuilder, index: Node, names: dict[str, Node]) -> tuple[Node, Node]:
+def _undamped(builder: GraphBuilder, index: Node, names: dict[str, Node]) -> Halves:
     """(RAISED alpha/4)^2 and beta for e = 0: kappa is a quotient, no index squared is needed."""
     unit = ROOT * ROOT
     kappa = (2 * unit) / index
@@ -57,12 +61,12 @@ def _undamped(builder: GraphBuilder, index: Node, names: dict[str, Node]) -> tup
     twice = names["rho_scaled"] * (2 * ROOT)
     z = (unit / 2) / twice
     total = square + (twice + (z * (z + 2) + Fraction(3, 2)) * unit)
-    return (unit * RAISED**2 / 4) / builder.node(total), (unit * 4) / (kappa * 2 + (twice + unit))
+    return (unit * RAISED**2 / 4) / total, lambda: (unit * 4) / (kappa * 2 + (twice + unit))
 
 
 def _damped(
     builder: GraphBuilder, index: Node, e: Fraction, names: dict[str, Node], *, at_once: bool
-) -> tuple[Node, Node]:
+) -> Halves:
     """(RAISED alpha/4)^2 and beta for e > 0; `at_once`: that of alpha + beta, which is 2/rho."""
     a = builder.select(index, SWITCH, index * UNIT, SWITCH * UNIT)
     b = builder.select(index, SWITCH, 4 * UNIT, (4 * SWITCH * UNIT) / index)
@@ -71,7 +75,10 @@ def _damped(
     over = eta * 2 + times(1 + e, a)
     ratio = builder.sqrt(a * over)
     names |= {CHOICES[0]: a, CHOICES[1]: b, "eta_scaled": eta, "ratio_scaled": ratio}
-    beta = (a * 4) / (eta + (a + ratio))
+
+    def beta() -> Node:
+        return (a * 4) / (eta + (a + ratio))
+
     if at_once:
         return (a * RAISED**2) / over, beta
     # of the sum 4 rho^2 a + 8 rho a + 4 (1 + 2 c) a + 16 a (z + z^2) with z = c/(2 rho)

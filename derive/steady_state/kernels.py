@@ -84,9 +84,8 @@ def symbolic_forms(
 ) -> dict[str, Any]:
     """Formulas of the page over the named quantities, by name; `more` is known besides."""
     known: dict[str, Any] = {"Lambda": INDEX, "kappa": KAPPA, "rho": RHO, "twice": 2 * RHO}
-    known |= {"half_eta": INDEX * KAPPA, "root_3": ROOT_3, "unit": Fraction(1)}
-    known |= {"root": Fraction(1), "e": e, "n": n, **(more or {})}
-    return kernel_values(page_sections(FORMULAS), known, names)
+    known |= {"half_eta": INDEX * KAPPA, "root_3": ROOT_3, "unit": Fraction(1), "e": e, "n": n}
+    return kernel_values(page_sections(FORMULAS), {**known, **(more or {})}, names)
 
 
 def _known(
@@ -109,7 +108,7 @@ def _known(
     rho, twice = names["rho_scaled"] * root, names["rho_scaled"] * (2 * root)
     names |= {"kappa": kappa, "rho": rho, "twice_rho": twice, "half_eta": half_eta}
     known = {"Lambda": index, "kappa": kappa, "rho": rho, "twice": twice, "half_eta": half_eta}
-    numbers = {"unit": unit, "root": root, "root_3": names["root_of_3"], "e": e, "n": n}
+    numbers = {"unit": unit, "root_3": names["root_of_3"], "e": e, "n": n}
     return {**known, **numbers, **_at_once(builder, e, index, names)}, names
 
 
@@ -118,7 +117,7 @@ def _at_once(
 ) -> dict[str, Any]:
     """The nodes that gains with derivatives are over; `names` is told of roots."""
     scale, p = scale_of(e), names["p"]
-    low = p * scale
+    low, twice_p = p * scale, p * (2 * scale)
     if e == 0:
         h = (4 * scale) / p
         near, square = h, index * scale**2 + 8 * scale**2
@@ -127,9 +126,10 @@ def _at_once(
         near = low + h if e == 1 else gain_kernels.times(e, low) + h
         # the mean of both stands with 2 p under the root
         total = low + h
-        square = p * (2 * scale) * total if e == 1 else low * (total + near)
+        square = twice_p * total if e == 1 else low * (total + near)
     r = names["twice_ratio"] = builder.sqrt(square)
-    return {"p": p, "low": low, "h": h, "near": near, "r": r, "scale": scale}
+    nodes = {"p": p, "low": low, "twice_p": twice_p, "h": h, "near": near, "r": r}
+    return {**nodes, "scale": scale}
 
 
 def alpha_graph(e: Fraction, output: str) -> Graph:
