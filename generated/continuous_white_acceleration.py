@@ -293,11 +293,11 @@ def gain_derivatives(
         acceleration_density*sampling_interval**3/measurement_deviation**2; a number above 0 and
         finite.
 
-    alpha: derivative of the position gain. Relative error at most 10.42 * 2^-52 (float64), 10.42 *
+    alpha: derivative of the position gain. Relative error at most 9.92 * 2^-52 (float64), 9.92 *
         2^-23 (float32), proved for 5e-324 <= tracking_index <= 5.247628584236248e102 (float64) and
         1e-45 <= tracking_index <= 6.49139e12 (float32).
-    beta: derivative of the velocity gain times the sampling interval. Relative error at most 10.99
-        * 2^-52 (float64), 10.99 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=
+    beta: derivative of the velocity gain times the sampling interval. Relative error at most 10.01
+        * 2^-52 (float64), 10.01 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=
         9.352083952218625e102 (float64) and 1e-45 <= tracking_index <= 1.1568659e13 (float32).
 
     Outside an output's range, a few numbers next to its ends apart, its true value is no normal
@@ -334,11 +334,11 @@ def _gain_derivatives_of_numbers(tracking_index: float, form: Form = Double) -> 
     t12 = form.sqrt(t8 + 7.401486830834377e-17)
     t14 = t12 * 1.4901161193847656e-08
     t16 = t14 + 1.1102230246251565e-16
-    t20 = 6.617444900424222e-24 / (tracking_index * (t8 + t16))
-    t23 = ((t20 / (t1 * t7)) * t20) / t14
-    t26 = t23 * (t8 + 3.700743415417188e-17)
-    t29 = (t23 * 2.0) * t16
-    return (t26, t29)
+    t20 = (tracking_index * (t8 + t16)) * 2251799813685248.0
+    t25 = 2.220446049250313e-16 / ((t20 * t20) * ((t1 * t7) * t14))
+    t28 = t25 * (t8 + 3.700743415417188e-17)
+    t31 = (t25 * 2.0) * t16
+    return (t28, t31)
 
 
 def _gain_derivatives_block(
@@ -351,9 +351,10 @@ def _gain_derivatives_block(
     n2: float = 7.401486830834377e-17,
     n3: float = 1.4901161193847656e-08,
     n4: float = 1.1102230246251565e-16,
-    n5: float = 6.617444900424222e-24,
-    n6: float = 3.700743415417188e-17,
-    n7: float = 2.0,
+    n5: float = 2251799813685248.0,
+    n6: float = 2.220446049250313e-16,
+    n7: float = 3.700743415417188e-17,
+    n8: float = 2.0,
 ) -> None:
     (tracking_index,) = given
     alpha, beta = out
@@ -371,14 +372,15 @@ def _gain_derivatives_block(
     t16 = add(rho, n4, w1)
     t17 = add(kappa, t16, w2)
     t18 = multiply(tracking_index, t17, w2)
-    t20 = divide(n5, t18, w2)
-    t21 = divide(t20, half_eta, alpha)
-    t22 = multiply(t21, t20, alpha)
-    t23 = divide(t22, rho, alpha)
-    t25 = add(kappa, n6, w0)
-    t28 = multiply(t23, n7, w2)
-    multiply(t23, t25, alpha)
-    multiply(t28, t16, beta)
+    t20 = multiply(t18, n5, w2)
+    t21 = square(t20, w2)
+    t22 = multiply(half_eta, rho, alpha)
+    t23 = multiply(t21, t22, w2)
+    t25 = divide(n6, t23, w2)
+    t27 = add(kappa, n7, w0)
+    t30 = multiply(t25, n8, beta)
+    multiply(t25, t27, alpha)
+    multiply(t30, t16, beta)
 
 
 _GAIN_DERIVATIVES = Signature(
@@ -412,11 +414,11 @@ def gains_with_derivatives(
         3.01 * 2^-23 (float32), proved for 2.2250738585072014e-308 <= tracking_index <=
         1.7976931348623157e308 (float64) and 1.1754944e-38 <= tracking_index <= 3.4028235e38
         (float32).
-    d_alpha: derivative of the position gain. Relative error at most 12.02 * 2^-52 (float64), 12.02
+    d_alpha: derivative of the position gain. Relative error at most 10.52 * 2^-52 (float64), 10.52
         * 2^-23 (float32), proved for 5e-324 <= tracking_index <= 5.247628584236248e102 (float64)
         and 1e-45 <= tracking_index <= 6.49139e12 (float32).
     d_beta: derivative of the velocity gain times the sampling interval. Relative error at most
-        13.17 * 2^-52 (float64), 13.17 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=
+        11.67 * 2^-52 (float64), 11.67 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=
         9.352083952218625e102 (float64) and 1e-45 <= tracking_index <= 1.1568659e13 (float32).
 
     Outside an output's range, a few numbers next to its ends apart, its true value is no normal
@@ -449,22 +451,22 @@ def _gains_with_derivatives_of_numbers(
     form: Form = Double,
 ) -> tuple[float, ...]:
     t1 = form.sqrt(tracking_index)
-    t3 = t1 * 9.094947017729282e-13
-    t5 = t1 * 1.8189894035458565e-12
-    t7 = 1.3234889800848443e-23 / tracking_index
-    t9 = tracking_index * 2.757268708510092e-25
-    t11 = form.sqrt(t7 + t9)
-    t12 = t3 + t11
-    t15 = (t3 / 3.0) + t11
-    t18 = form.sqrt(t3 * (t12 + t15))
-    t21 = (t12 + t18) * 0.5
-    t22 = t1 * t21
-    t27 = 6.018531076210112e-36 / ((t22 * t22) * (t1 * t11))
-    t30 = t27 * (t15 / t18)
-    t31 = t18 / t21
-    t32 = t5 / t21
-    t34 = t27 * ((t5 / t18) + 2.0)
-    return (t31, t32, t30, t34)
+    t4 = t1 * 9.094947017729282e-13
+    t6 = t1 * 1.8189894035458565e-12
+    t8 = 1.3234889800848443e-23 / tracking_index
+    t10 = tracking_index * 2.757268708510092e-25
+    t12 = form.sqrt(t8 + t10)
+    t14 = (t4 / 3.0) + t12
+    t15 = t4 + t12
+    t18 = form.sqrt(t4 * (t15 + t14))
+    t21 = (t15 + t18) * 0.5
+    t27 = ((tracking_index * t21) * t21) * (t1 * t12)
+    t29 = 6.018531076210112e-36 / t27
+    t22 = t18 / t21
+    t23 = t6 / t21
+    t31 = t29 * (t14 / t18)
+    t34 = t29 * ((t6 / t18) + 2.0)
+    return (t22, t23, t31, t34)
 
 
 def _gains_with_derivatives_block(
@@ -485,32 +487,32 @@ def _gains_with_derivatives_block(
     alpha, beta, d_alpha, d_beta = out
     w0, w1, w2, w3, w4 = work
     p = sqrt(tracking_index, alpha)
-    t3 = multiply(p, n0, w0)
-    t5 = multiply(p, n1, w1)
-    t7 = divide(n2, tracking_index, w2)
-    t9 = multiply(tracking_index, n3, w3)
-    t10 = add(t7, t9, w2)
-    h_at_once = sqrt(t10, beta)
-    t12 = add(t3, h_at_once, w2)
-    t14 = divide(t3, n4, w3)
-    t15 = add(t14, h_at_once, w3)
-    t16 = add(t12, t15, w4)
-    t17 = multiply(t3, t16, w0)
+    t4 = multiply(p, n0, w0)
+    t6 = multiply(p, n1, w1)
+    t8 = divide(n2, tracking_index, w2)
+    t10 = multiply(tracking_index, n3, w3)
+    t11 = add(t8, t10, w2)
+    h_at_once = sqrt(t11, beta)
+    t13 = divide(t4, n4, w2)
+    t14 = add(t13, h_at_once, w2)
+    t15 = add(t4, h_at_once, w3)
+    t16 = add(t15, t14, w4)
+    t17 = multiply(t4, t16, w0)
     twice_ratio = sqrt(t17, d_beta)
-    t19 = add(t12, twice_ratio, w2)
-    t21 = multiply(t19, n5, w2)
-    t22 = multiply(p, t21, w0)
-    t23 = square(t22, w0)
-    t24 = multiply(p, h_at_once, alpha)
-    t25 = multiply(t23, t24, w0)
-    t27 = divide(n6, t25, w0)
+    t19 = add(t15, twice_ratio, w3)
+    t21 = multiply(t19, n5, w3)
+    t24 = multiply(tracking_index, t21, w0)
+    t25 = multiply(t24, t21, w0)
+    t26 = multiply(p, h_at_once, alpha)
+    t27 = multiply(t25, t26, w0)
+    t29 = divide(n6, t27, w0)
     divide(twice_ratio, t21, alpha)
-    divide(t5, t21, beta)
-    t29 = divide(t15, twice_ratio, d_alpha)
-    multiply(t27, t29, d_alpha)
-    t28 = divide(t5, twice_ratio, d_beta)
-    t33 = add(t28, n7, d_beta)
-    multiply(t27, t33, d_beta)
+    divide(t6, t21, beta)
+    t30 = divide(t14, twice_ratio, d_alpha)
+    multiply(t29, t30, d_alpha)
+    t32 = divide(t6, twice_ratio, d_beta)
+    t33 = add(t32, n7, d_beta)
+    multiply(t29, t33, d_beta)
 
 
 _GAINS_WITH_DERIVATIVES = Signature(
@@ -667,11 +669,11 @@ def predictor_gain_derivatives(
         acceleration_density*sampling_interval**3/measurement_deviation**2; a number above 0 and
         finite.
 
-    position: derivative of the position entry of F K, alpha + beta. Relative error at most 12.94 *
-        2^-52 (float64), 12.94 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=
+    position: derivative of the position entry of F K, alpha + beta. Relative error at most 10.51 *
+        2^-52 (float64), 10.51 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=
         9.873247422805948e102 (float64) and 1e-45 <= tracking_index <= 1.2213346e13 (float32).
     velocity: derivative of the velocity entry of F K times the sampling interval, beta. Relative
-        error at most 10.99 * 2^-52 (float64), 10.99 * 2^-23 (float32), proved for 5e-324 <=
+        error at most 10.01 * 2^-52 (float64), 10.01 * 2^-23 (float32), proved for 5e-324 <=
         tracking_index <= 9.352083952218625e102 (float64) and 1e-45 <= tracking_index <=
         1.1568659e13 (float32).
 
@@ -716,11 +718,11 @@ def _predictor_gain_derivatives_of_numbers(
     t12 = form.sqrt(t8 + 7.401486830834377e-17)
     t14 = t12 * 1.4901161193847656e-08
     t16 = t14 + 1.1102230246251565e-16
-    t20 = 6.617444900424222e-24 / (tracking_index * (t8 + t16))
-    t23 = ((t20 / (t1 * t7)) * t20) / t14
-    t29 = (t23 * 2.0) * t16
-    t30 = (t23 * (t8 + 3.700743415417188e-17)) + t29
-    return (t30, t29)
+    t20 = (tracking_index * (t8 + t16)) * 2251799813685248.0
+    t25 = 2.220446049250313e-16 / ((t20 * t20) * ((t1 * t7) * t14))
+    t31 = (t25 * 2.0) * t16
+    t32 = (t25 * (t8 + 3.700743415417188e-17)) + t31
+    return (t32, t31)
 
 
 def _predictor_gain_derivatives_block(
@@ -733,9 +735,10 @@ def _predictor_gain_derivatives_block(
     n2: float = 7.401486830834377e-17,
     n3: float = 1.4901161193847656e-08,
     n4: float = 1.1102230246251565e-16,
-    n5: float = 6.617444900424222e-24,
-    n6: float = 3.700743415417188e-17,
-    n7: float = 2.0,
+    n5: float = 2251799813685248.0,
+    n6: float = 2.220446049250313e-16,
+    n7: float = 3.700743415417188e-17,
+    n8: float = 2.0,
 ) -> None:
     (tracking_index,) = given
     position, velocity = out
@@ -753,15 +756,16 @@ def _predictor_gain_derivatives_block(
     t16 = add(rho, n4, w1)
     t17 = add(kappa, t16, w2)
     t18 = multiply(tracking_index, t17, w2)
-    t20 = divide(n5, t18, w2)
-    t21 = divide(t20, half_eta, velocity)
-    t22 = multiply(t21, t20, velocity)
-    t23 = divide(t22, rho, velocity)
-    t25 = add(kappa, n6, w0)
-    t26 = multiply(t23, t25, w0)
-    t28 = multiply(t23, n7, velocity)
-    multiply(t28, t16, velocity)
-    add(t26, velocity, position)
+    t20 = multiply(t18, n5, w2)
+    t21 = square(t20, w2)
+    t22 = multiply(half_eta, rho, velocity)
+    t23 = multiply(t21, t22, w2)
+    t25 = divide(n6, t23, w2)
+    t27 = add(kappa, n7, w0)
+    t28 = multiply(t25, t27, w0)
+    t30 = multiply(t25, n8, w2)
+    multiply(t30, t16, velocity)
+    add(t28, velocity, position)
 
 
 _PREDICTOR_GAIN_DERIVATIVES = Signature(
@@ -834,14 +838,14 @@ def _predicted_covariance_of_numbers(
     t8 = form.sqrt(t3 + t5) / form.sqrt(tracking_index)
     t11 = form.sqrt(t8 + 7.401486830834377e-17)
     t13 = t11 * 1.4901161193847656e-08
-    t17 = t13 + 1.1102230246251565e-16
-    t19 = tracking_index * ((t8 + 1.850371707708594e-17) / t17)
-    t24 = (tracking_index * (t8 + t17)) * 2251799813685248.0
-    t27 = (tracking_index * t13) * 4503599627370496.0
-    t28 = t24 * t27
-    t29 = tracking_index * t24
-    t31 = (tracking_index * t19) + (tracking_index * tracking_index)
-    return (t28, t29, t31)
+    t15 = t13 + 1.1102230246251565e-16
+    t19 = (tracking_index * (t8 + t15)) * 2251799813685248.0
+    t22 = (tracking_index * t13) * 4503599627370496.0
+    t28 = tracking_index * ((t8 + 1.850371707708594e-17) / t15)
+    t23 = t19 * t22
+    t24 = tracking_index * t19
+    t31 = (tracking_index * t28) + (tracking_index * tracking_index)
+    return (t23, t24, t31)
 
 
 def _predicted_covariance_block(
@@ -853,14 +857,14 @@ def _predicted_covariance_block(
     n1: float = 4.108650548026103e-33,
     n2: float = 7.401486830834377e-17,
     n3: float = 1.4901161193847656e-08,
-    n4: float = 1.850371707708594e-17,
-    n5: float = 1.1102230246251565e-16,
-    n6: float = 2251799813685248.0,
-    n7: float = 4503599627370496.0,
+    n4: float = 1.1102230246251565e-16,
+    n5: float = 2251799813685248.0,
+    n6: float = 4503599627370496.0,
+    n7: float = 1.850371707708594e-17,
 ) -> None:
     (tracking_index,) = given
     predicted_11, predicted_12, predicted_22 = out
-    w0, w1, w2 = work
+    w0, w1 = work
     p = sqrt(tracking_index, predicted_11)
     t3 = divide(n0, tracking_index, predicted_12)
     t5 = multiply(tracking_index, n1, w0)
@@ -870,27 +874,27 @@ def _predicted_covariance_block(
     t10 = add(kappa, n2, w0)
     rho_scaled = sqrt(t10, w0)
     rho = multiply(rho_scaled, n3, w0)
-    t15 = add(kappa, n4, predicted_11)
-    t17 = add(rho, n5, predicted_12)
-    t18 = divide(t15, t17, predicted_11)
-    t19 = multiply(tracking_index, t18, predicted_11)
-    t20 = multiply(tracking_index, t19, w1)
-    t21 = add(kappa, t17, predicted_22)
-    t22 = multiply(tracking_index, t21, predicted_22)
-    t24 = multiply(t22, n6, predicted_22)
-    t25 = multiply(tracking_index, rho, w0)
-    t27 = multiply(t25, n7, w0)
-    t30 = square(tracking_index, w2)
-    multiply(t24, t27, predicted_11)
-    multiply(tracking_index, t24, predicted_12)
-    add(t20, t30, predicted_22)
+    t15 = add(rho, n4, predicted_11)
+    t16 = add(kappa, t15, predicted_12)
+    t17 = multiply(tracking_index, t16, predicted_12)
+    t19 = multiply(t17, n5, predicted_12)
+    t20 = multiply(tracking_index, rho, w0)
+    t22 = multiply(t20, n6, w0)
+    t26 = add(kappa, n7, predicted_22)
+    t27 = divide(t26, t15, predicted_22)
+    t28 = multiply(tracking_index, t27, predicted_22)
+    t29 = multiply(tracking_index, t28, predicted_22)
+    t30 = square(tracking_index, w1)
+    multiply(t19, t22, predicted_11)
+    multiply(tracking_index, t19, predicted_12)
+    add(t29, t30, predicted_22)
 
 
 _PREDICTED_COVARIANCE = Signature(
     "predicted_covariance",
     (_TRACKING_INDEX_DOMAIN,),
     ("predicted_11", "predicted_12", "predicted_22"),
-    3,
+    2,
     _predicted_covariance_block,
     numbers=_predicted_covariance_of_numbers,
 )
@@ -960,19 +964,18 @@ def _predicted_covariance_derivatives_of_numbers(
     t8 = form.sqrt(t3 + t5) / form.sqrt(tracking_index)
     t11 = form.sqrt(t8 + 7.401486830834377e-17)
     t13 = t11 * 1.4901161193847656e-08
-    t17 = t13 + 1.1102230246251565e-16
-    t18 = (t8 + 1.850371707708594e-17) / t17
-    t23 = 1.0 + ((t18 * 1.1102230246251565e-16) / t13)
-    t30 = ((t8 + 2.220446049250313e-16) / t8) * (9.25185853854297e-18 / t13)
-    t32 = ((tracking_index * t18) * t23) + (tracking_index * t30)
-    t35 = (t8 + 3.700743415417188e-17) / t8
-    t36 = t8 + t17
-    t39 = (tracking_index * t36) * 2251799813685248.0
-    t47 = 1.0 + (t35 * (1.1102230246251565e-16 / t13))
-    t44 = t39 * (t35 * ((t36 / t13) * 0.5))
-    t48 = t39 * t47
-    t50 = t32 + (tracking_index * 2.0)
-    return (t44, t48, t50)
+    t15 = t13 + 1.1102230246251565e-16
+    t16 = t8 + t15
+    t19 = (tracking_index * t16) * 2251799813685248.0
+    t22 = (t8 + 3.700743415417188e-17) / t8
+    t31 = 1.0 + (t22 * (1.1102230246251565e-16 / t13))
+    t35 = (t8 + 1.850371707708594e-17) / t15
+    t38 = 1.0 + ((t35 * 1.1102230246251565e-16) / t13)
+    t45 = ((t8 + 2.220446049250313e-16) / t8) * (9.25185853854297e-18 / t13)
+    t27 = t19 * (t22 * ((t16 / t13) * 0.5))
+    t32 = t19 * t31
+    t49 = (tracking_index * ((t35 * t38) + t45)) + (tracking_index * 2.0)
+    return (t27, t32, t49)
 
 
 def _predicted_covariance_derivatives_block(
@@ -984,19 +987,19 @@ def _predicted_covariance_derivatives_block(
     n1: float = 4.108650548026103e-33,
     n2: float = 7.401486830834377e-17,
     n3: float = 1.4901161193847656e-08,
-    n4: float = 1.850371707708594e-17,
-    n5: float = 1.1102230246251565e-16,
-    n6: float = 1.0,
-    n7: float = 2.220446049250313e-16,
-    n8: float = 9.25185853854297e-18,
-    n9: float = 3.700743415417188e-17,
-    n10: float = 2251799813685248.0,
-    n11: float = 0.5,
+    n4: float = 1.1102230246251565e-16,
+    n5: float = 2251799813685248.0,
+    n6: float = 3.700743415417188e-17,
+    n7: float = 0.5,
+    n8: float = 1.0,
+    n9: float = 1.850371707708594e-17,
+    n10: float = 2.220446049250313e-16,
+    n11: float = 9.25185853854297e-18,
     n12: float = 2.0,
 ) -> None:
     (tracking_index,) = given
     predicted_11, predicted_12, predicted_22 = out
-    w0, w1, w2 = work
+    w0, w1, w2, w3 = work
     p = sqrt(tracking_index, predicted_11)
     t3 = divide(n0, tracking_index, predicted_12)
     t5 = multiply(tracking_index, n1, w0)
@@ -1006,42 +1009,41 @@ def _predicted_covariance_derivatives_block(
     t10 = add(kappa, n2, w0)
     rho_scaled = sqrt(t10, w0)
     rho = multiply(rho_scaled, n3, w0)
-    t15 = add(kappa, n4, predicted_11)
-    t17 = add(rho, n5, predicted_12)
-    t18 = divide(t15, t17, predicted_11)
-    t19 = multiply(tracking_index, t18, w1)
-    t20 = multiply(t18, n5, predicted_11)
-    t21 = divide(t20, rho, predicted_11)
-    t23 = add(n6, t21, predicted_11)
-    t24 = multiply(t19, t23, w1)
-    t26 = add(kappa, n7, predicted_11)
-    t27 = divide(t26, kappa, predicted_11)
-    t29 = divide(n8, rho, w2)
-    t30 = multiply(t27, t29, predicted_11)
-    t31 = multiply(tracking_index, t30, predicted_11)
-    t32 = add(t24, t31, w1)
-    t34 = add(kappa, n9, w2)
-    t35 = divide(t34, kappa, w2)
-    t36 = add(kappa, t17, predicted_22)
-    t37 = multiply(tracking_index, t36, predicted_11)
-    t39 = multiply(t37, n10, predicted_12)
-    t40 = divide(t36, rho, predicted_22)
-    t42 = multiply(t40, n11, predicted_22)
-    t43 = multiply(t35, t42, predicted_22)
-    t45 = divide(n5, rho, w0)
-    t46 = multiply(t35, t45, w2)
-    t47 = add(n6, t46, w2)
-    t49 = multiply(tracking_index, n12, w0)
-    multiply(t39, t43, predicted_11)
-    multiply(t39, t47, predicted_12)
-    add(t32, t49, predicted_22)
+    t15 = add(rho, n4, predicted_11)
+    t16 = add(kappa, t15, predicted_12)
+    t17 = multiply(tracking_index, t16, w1)
+    t19 = multiply(t17, n5, w1)
+    t21 = add(kappa, n6, w2)
+    t22 = divide(t21, kappa, w2)
+    t23 = divide(t16, rho, predicted_12)
+    t25 = multiply(t23, n7, predicted_12)
+    t26 = multiply(t22, t25, predicted_12)
+    t28 = divide(n4, rho, w3)
+    t29 = multiply(t22, t28, w2)
+    t31 = add(n8, t29, w2)
+    t34 = add(kappa, n9, w3)
+    t35 = divide(t34, t15, w3)
+    t36 = multiply(t35, n4, predicted_11)
+    t37 = divide(t36, rho, predicted_11)
+    t38 = add(n8, t37, predicted_11)
+    t39 = multiply(t35, t38, w3)
+    t41 = add(kappa, n10, predicted_11)
+    t42 = divide(t41, kappa, predicted_11)
+    t44 = divide(n11, rho, w0)
+    t45 = multiply(t42, t44, predicted_11)
+    t46 = add(t39, t45, w3)
+    t47 = multiply(tracking_index, t46, w3)
+    t48 = multiply(tracking_index, n12, w0)
+    multiply(t19, t26, predicted_11)
+    multiply(t19, t31, predicted_12)
+    add(t47, t48, predicted_22)
 
 
 _PREDICTED_COVARIANCE_DERIVATIVES = Signature(
     "predicted_covariance_derivatives",
     (_TRACKING_INDEX_DOMAIN,),
     ("predicted_11", "predicted_12", "predicted_22"),
-    3,
+    4,
     _predicted_covariance_derivatives_block,
     numbers=_predicted_covariance_derivatives_of_numbers,
 )
@@ -1173,10 +1175,10 @@ def updated_covariance_derivatives(
         finite.
 
     updated_11: derivative of the variance of the updated position over sigma_v^2. Relative error at
-        most 10.42 * 2^-52 (float64), 10.42 * 2^-23 (float32), proved for 5e-324 <= tracking_index
-        <= 5.247628584236248e102 (float64) and 1e-45 <= tracking_index <= 6.49139e12 (float32).
+        most 9.92 * 2^-52 (float64), 9.92 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=
+        5.247628584236248e102 (float64) and 1e-45 <= tracking_index <= 6.49139e12 (float32).
     updated_12: derivative of the covariance of updated position and velocity times T/sigma_v^2.
-        Relative error at most 10.99 * 2^-52 (float64), 10.99 * 2^-23 (float32), proved for 5e-324
+        Relative error at most 10.01 * 2^-52 (float64), 10.01 * 2^-23 (float32), proved for 5e-324
         <= tracking_index <= 9.352083952218625e102 (float64) and 1e-45 <= tracking_index <=
         1.1568659e13 (float32).
     updated_22: derivative of the variance of the updated velocity times T^2/sigma_v^2. Relative
@@ -1226,15 +1228,15 @@ def _updated_covariance_derivatives_of_numbers(
     t12 = form.sqrt(t8 + 7.401486830834377e-17)
     t14 = t12 * 1.4901161193847656e-08
     t16 = t14 + 1.1102230246251565e-16
-    t20 = 6.617444900424222e-24 / (tracking_index * (t8 + t16))
-    t23 = ((t20 / (t1 * t7)) * t20) / t14
-    t32 = (t8 + 1.850371707708594e-17) / t16
-    t37 = 1.0 + ((t32 * 1.1102230246251565e-16) / t14)
+    t20 = (tracking_index * (t8 + t16)) * 2251799813685248.0
+    t25 = 2.220446049250313e-16 / ((t20 * t20) * ((t1 * t7) * t14))
+    t34 = (t8 + 1.850371707708594e-17) / t16
+    t38 = 1.0 + ((t34 * 1.1102230246251565e-16) / t14)
     t44 = ((t8 + 2.220446049250313e-16) / t8) * (9.25185853854297e-18 / t14)
-    t26 = t23 * (t8 + 3.700743415417188e-17)
-    t29 = (t23 * 2.0) * t16
-    t46 = ((tracking_index * t32) * t37) + (tracking_index * t44)
-    return (t26, t29, t46)
+    t28 = t25 * (t8 + 3.700743415417188e-17)
+    t31 = (t25 * 2.0) * t16
+    t46 = tracking_index * ((t34 * t38) + t44)
+    return (t28, t31, t46)
 
 
 def _updated_covariance_derivatives_block(
@@ -1247,12 +1249,12 @@ def _updated_covariance_derivatives_block(
     n2: float = 7.401486830834377e-17,
     n3: float = 1.4901161193847656e-08,
     n4: float = 1.1102230246251565e-16,
-    n5: float = 6.617444900424222e-24,
-    n6: float = 3.700743415417188e-17,
-    n7: float = 2.0,
-    n8: float = 1.850371707708594e-17,
-    n9: float = 1.0,
-    n10: float = 2.220446049250313e-16,
+    n5: float = 2251799813685248.0,
+    n6: float = 2.220446049250313e-16,
+    n7: float = 3.700743415417188e-17,
+    n8: float = 2.0,
+    n9: float = 1.850371707708594e-17,
+    n10: float = 1.0,
     n11: float = 9.25185853854297e-18,
 ) -> None:
     (tracking_index,) = given
@@ -1271,27 +1273,27 @@ def _updated_covariance_derivatives_block(
     t16 = add(rho, n4, updated_22)
     t17 = add(kappa, t16, w1)
     t18 = multiply(tracking_index, t17, w1)
-    t20 = divide(n5, t18, w1)
-    t21 = divide(t20, half_eta, updated_11)
-    t22 = multiply(t21, t20, updated_11)
-    t23 = divide(t22, rho, updated_11)
-    t25 = add(kappa, n6, w1)
-    t28 = multiply(t23, n7, w2)
-    t31 = add(kappa, n8, w3)
-    t32 = divide(t31, t16, w3)
-    t33 = multiply(tracking_index, t32, w4)
-    t34 = multiply(t32, n4, w3)
-    t35 = divide(t34, rho, w3)
-    t37 = add(n9, t35, w3)
-    t38 = multiply(t33, t37, w4)
-    t40 = add(kappa, n10, w3)
-    t41 = divide(t40, kappa, w3)
+    t20 = multiply(t18, n5, w1)
+    t21 = square(t20, w1)
+    t22 = multiply(half_eta, rho, updated_11)
+    t23 = multiply(t21, t22, w1)
+    t25 = divide(n6, t23, w1)
+    t27 = add(kappa, n7, updated_11)
+    t30 = multiply(t25, n8, w2)
+    t33 = add(kappa, n9, w3)
+    t34 = divide(t33, t16, w3)
+    t35 = multiply(t34, n4, w4)
+    t36 = divide(t35, rho, w4)
+    t38 = add(n10, t36, w4)
+    t39 = multiply(t34, t38, w3)
+    t40 = add(kappa, n6, w4)
+    t41 = divide(t40, kappa, w4)
     t43 = divide(n11, rho, updated_12)
-    t44 = multiply(t41, t43, w3)
-    t45 = multiply(tracking_index, t44, w3)
-    multiply(t23, t25, updated_11)
-    multiply(t28, t16, updated_12)
-    add(t38, t45, updated_22)
+    t44 = multiply(t41, t43, w4)
+    t45 = add(t39, t44, w3)
+    multiply(t25, t27, updated_11)
+    multiply(t30, t16, updated_12)
+    multiply(tracking_index, t45, updated_22)
 
 
 _UPDATED_COVARIANCE_DERIVATIVES = Signature(
@@ -1319,12 +1321,12 @@ def gain_second_derivatives(
         acceleration_density*sampling_interval**3/measurement_deviation**2; a number above 0 and
         finite.
 
-    alpha: second derivative by Lambda of the position gain. Relative error at most 17.20 * 2^-52
-        (float64), 17.19 * 2^-23 (float32), proved for 1.5697348409117346e-206 <= tracking_index <=
-        1.442954478563842e77 (float64) and 1.0258406e-26 <= tracking_index <= 5.3522156e09
+    alpha: second derivative by Lambda of the position gain. Relative error at most 15.70 * 2^-52
+        (float64), 15.69 * 2^-23 (float32), proved for 1.5697348409117324e-206 <= tracking_index <=
+        1.442954478563842e77 (float64) and 1.0258398e-26 <= tracking_index <= 5.3522156e09
         (float32).
     beta: second derivative by Lambda of the velocity gain times the sampling interval. Relative
-        error at most 15.92 * 2^-52 (float64), 15.91 * 2^-23 (float32), proved for 5e-324 <=
+        error at most 15.42 * 2^-52 (float64), 15.41 * 2^-23 (float32), proved for 5e-324 <=
         tracking_index <= 2.225674301282913e77 (float64) and 1e-45 <= tracking_index <= 8.2554844e09
         (float32).
 
@@ -1364,27 +1366,27 @@ def _gain_second_derivatives_of_numbers(
     t5 = tracking_index * 4.108650548026103e-33
     t7 = form.sqrt(t3 + t5)
     t8 = t7 / t1
-    t12 = form.sqrt(t8 + 7.401486830834377e-17)
-    t14 = t12 * 1.4901161193847656e-08
+    t11 = t8 + 7.401486830834377e-17
+    t14 = form.sqrt(t11) * 1.4901161193847656e-08
     t18 = tracking_index * (t8 + (t14 + 1.1102230246251565e-16))
-    t20 = 4.440892098500626e-16 / t18
-    t24 = (t20 * 2.220446049250313e-16) / (t1 * t7)
-    t25 = 2.220446049250313e-16 / t14
-    t26 = 2.220446049250313e-16 / t8
-    t30 = (t26 * 0.10185185185185185) + 0.6666666666666666
-    t33 = (t8 + (t30 * 2.220446049250313e-16)) / t14
-    t39 = 1.0 + (t26 * 0.16666666666666666)
-    t44 = ((t33 * 1.5) + t39) / (1.0 + (t26 * 0.3333333333333333))
-    t49 = (2.0 + t25) * (t26 * 0.08333333333333333)
-    t53 = (t20 / tracking_index) * 2.220446049250313e-16
-    t54 = t53 / t14
-    t59 = (t26 * 0.009259259259259259) + 0.041666666666666664
-    t62 = t26 * ((t26 * t59) + 0.08333333333333333)
-    t66 = t8 + ((t62 + 0.5) * 2.220446049250313e-16)
-    t70 = (t39 * t39) + (t25 * (t66 * 2251799813685248.0))
-    t73 = -(t54 * (t54 * t70))
-    t74 = -(t24 * (t24 * (t44 + t49)))
-    return (t73, t74)
+    t21 = (4.440892098500626e-16 / t18) / tracking_index
+    t23 = 2.220446049250313e-16 / t8
+    t27 = 1.0 + (t23 * 0.16666666666666666)
+    t29 = 2.220446049250313e-16 / t14
+    t33 = (t23 * 0.009259259259259259) + 0.041666666666666664
+    t37 = t23 * ((t23 * t33) + 0.08333333333333333)
+    t41 = t8 + ((t37 + 0.5) * 2.220446049250313e-16)
+    t45 = (t27 * t27) + (t29 * (t41 * 2251799813685248.0))
+    t48 = t21 * ((t45 * 2.220446049250313e-16) / t11)
+    t56 = (t23 * 0.10185185185185185) + 0.6666666666666666
+    t59 = (t8 + (t56 * 2.220446049250313e-16)) / t14
+    t66 = ((t59 * 1.5) + t27) / (1.0 + (t23 * 0.3333333333333333))
+    t70 = (2.0 + t29) * (t23 * 0.08333333333333333)
+    t72 = (1.9721522630525295e-31 / (t18 * t18)) * (t66 + t70)
+    t74 = (t1 * t7) * 4503599627370496.0
+    t50 = -(t21 * t48)
+    t77 = -((t72 / t74) / t74)
+    return (t50, t77)
 
 
 def _gain_second_derivatives_block(
@@ -1399,22 +1401,23 @@ def _gain_second_derivatives_block(
     n4: float = 1.1102230246251565e-16,
     n5: float = 4.440892098500626e-16,
     n6: float = 2.220446049250313e-16,
-    n7: float = 0.10185185185185185,
-    n8: float = 0.6666666666666666,
-    n9: float = 1.5,
-    n10: float = 0.16666666666666666,
-    n11: float = 1.0,
-    n12: float = 0.3333333333333333,
-    n13: float = 2.0,
-    n14: float = 0.08333333333333333,
-    n15: float = 0.009259259259259259,
-    n16: float = 0.041666666666666664,
-    n17: float = 0.5,
-    n18: float = 2251799813685248.0,
+    n7: float = 0.16666666666666666,
+    n8: float = 1.0,
+    n9: float = 0.009259259259259259,
+    n10: float = 0.041666666666666664,
+    n11: float = 0.08333333333333333,
+    n12: float = 0.5,
+    n13: float = 2251799813685248.0,
+    n14: float = 0.10185185185185185,
+    n15: float = 0.6666666666666666,
+    n16: float = 1.5,
+    n17: float = 0.3333333333333333,
+    n18: float = 2.0,
+    n19: float = 4503599627370496.0,
 ) -> None:
     (tracking_index,) = given
     alpha, beta = out
-    w0, w1, w2, w3, w4, w5, w6, w7 = work
+    w0, w1, w2, w3, w4, w5, w6, w7, w8 = work
     p = sqrt(tracking_index, alpha)
     t3 = divide(n0, tracking_index, beta)
     t5 = multiply(tracking_index, n1, w0)
@@ -1423,60 +1426,62 @@ def _gain_second_derivatives_block(
     kappa = divide(h_scaled, p, w0)
     half_eta = multiply(p, h_scaled, alpha)
     t11 = add(kappa, n2, beta)
-    rho_scaled = sqrt(t11, beta)
-    rho = multiply(rho_scaled, n3, beta)
-    t16 = add(rho, n4, w1)
-    t17 = add(kappa, t16, w1)
-    t18 = multiply(tracking_index, t17, w1)
-    t20 = divide(n5, t18, w1)
-    t21 = divide(t20, tracking_index, w2)
-    t23 = multiply(t20, n6, w1)
-    t24 = divide(t23, half_eta, w1)
-    t25 = divide(n6, rho, alpha)
-    t26 = divide(n6, kappa, w3)
-    t28 = multiply(t26, n7, w4)
-    t30 = add(t28, n8, w4)
-    t31 = multiply(t30, n6, w4)
-    t32 = add(kappa, t31, w4)
-    t33 = divide(t32, rho, w4)
-    t35 = multiply(t33, n9, w4)
-    t37 = multiply(t26, n10, w5)
-    t39 = add(n11, t37, w5)
-    t40 = add(t35, t39, w4)
-    t42 = multiply(t26, n12, w6)
-    t43 = add(n11, t42, w6)
-    t44 = divide(t40, t43, w4)
-    t46 = add(n13, t25, w6)
-    t48 = multiply(t26, n14, w7)
-    t49 = multiply(t46, t48, w6)
-    t50 = add(t44, t49, w4)
-    t51 = multiply(t24, t50, w4)
-    t52 = multiply(t24, t51, w1)
-    t53 = multiply(t21, n6, w2)
-    t54 = divide(t53, rho, w2)
-    t55 = square(t39, w5)
-    t57 = multiply(t26, n15, w4)
-    t59 = add(t57, n16, w4)
-    t60 = multiply(t26, t59, w4)
-    t61 = add(t60, n14, w4)
-    t62 = multiply(t26, t61, w3)
-    t64 = add(t62, n17, w3)
-    t65 = multiply(t64, n6, w3)
-    t66 = add(kappa, t65, w0)
-    t68 = multiply(t66, n18, w0)
-    t69 = multiply(t25, t68, alpha)
-    t70 = add(t55, t69, w5)
-    t71 = multiply(t54, t70, w5)
-    t72 = multiply(t54, t71, w2)
-    negative(t72, alpha)
-    negative(t52, beta)
+    rho_scaled = sqrt(t11, w1)
+    rho = multiply(rho_scaled, n3, w1)
+    t16 = add(rho, n4, w2)
+    t17 = add(kappa, t16, w2)
+    t18 = multiply(tracking_index, t17, w2)
+    t20 = divide(n5, t18, w3)
+    t21 = divide(t20, tracking_index, w3)
+    t23 = divide(n6, kappa, w4)
+    t25 = multiply(t23, n7, w5)
+    t27 = add(n8, t25, w5)
+    t28 = square(t27, w6)
+    t29 = divide(n6, rho, w7)
+    t31 = multiply(t23, n9, w8)
+    t33 = add(t31, n10, w8)
+    t34 = multiply(t23, t33, w8)
+    t36 = add(t34, n11, w8)
+    t37 = multiply(t23, t36, w8)
+    t39 = add(t37, n12, w8)
+    t40 = multiply(t39, n6, w8)
+    t41 = add(kappa, t40, w8)
+    t43 = multiply(t41, n13, w8)
+    t44 = multiply(t29, t43, w8)
+    t45 = add(t28, t44, w6)
+    t46 = multiply(t45, n6, w6)
+    t47 = divide(t46, t11, w6)
+    t48 = multiply(t21, t47, w6)
+    t49 = multiply(t21, t48, w3)
+    t51 = square(t18, w2)
+    t52 = divide(n0, t51, w2)
+    t54 = multiply(t23, n14, w6)
+    t56 = add(t54, n15, w6)
+    t57 = multiply(t56, n6, w6)
+    t58 = add(kappa, t57, w0)
+    t59 = divide(t58, rho, w0)
+    t61 = multiply(t59, n16, w0)
+    t62 = add(t61, t27, w0)
+    t64 = multiply(t23, n17, w1)
+    t65 = add(n8, t64, w1)
+    t66 = divide(t62, t65, w0)
+    t68 = add(n18, t29, w7)
+    t69 = multiply(t23, n11, w4)
+    t70 = multiply(t68, t69, w7)
+    t71 = add(t66, t70, w0)
+    t72 = multiply(t52, t71, w2)
+    t74 = multiply(half_eta, n19, alpha)
+    t75 = divide(t72, t74, w2)
+    t76 = divide(t75, t74, w2)
+    negative(t49, alpha)
+    negative(t76, beta)
 
 
 _GAIN_SECOND_DERIVATIVES = Signature(
     "gain_second_derivatives",
     (_TRACKING_INDEX_DOMAIN,),
     ("alpha", "beta"),
-    8,
+    9,
     _gain_second_derivatives_block,
     numbers=_gain_second_derivatives_of_numbers,
 )
@@ -1496,11 +1501,11 @@ def predictor_gain_second_derivatives(
         finite.
 
     position: second derivative by Lambda of the position entry of F K, alpha + beta. Relative error
-        at most 19.21 * 2^-52 (float64), 19.20 * 2^-23 (float32), proved for 1.5697348409117355e-206
-        <= tracking_index <= 2.318063502250569e77 (float64) and 1.0258408e-26 <= tracking_index <=
+        at most 18.82 * 2^-52 (float64), 18.80 * 2^-23 (float32), proved for 1.5697348409117332e-206
+        <= tracking_index <= 2.318063502250569e77 (float64) and 1.02584e-26 <= tracking_index <=
         8.598175e09 (float32).
     velocity: second derivative by Lambda of the velocity entry of F K times the sampling interval,
-        beta. Relative error at most 15.92 * 2^-52 (float64), 15.91 * 2^-23 (float32), proved for
+        beta. Relative error at most 15.42 * 2^-52 (float64), 15.41 * 2^-23 (float32), proved for
         5e-324 <= tracking_index <= 2.225674301282913e77 (float64) and 1e-45 <= tracking_index <=
         8.2554844e09 (float32).
 
@@ -1543,28 +1548,28 @@ def _predictor_gain_second_derivatives_of_numbers(
     t5 = tracking_index * 4.108650548026103e-33
     t7 = form.sqrt(t3 + t5)
     t8 = t7 / t1
-    t12 = form.sqrt(t8 + 7.401486830834377e-17)
-    t14 = t12 * 1.4901161193847656e-08
+    t11 = t8 + 7.401486830834377e-17
+    t14 = form.sqrt(t11) * 1.4901161193847656e-08
     t18 = tracking_index * (t8 + (t14 + 1.1102230246251565e-16))
-    t20 = 4.440892098500626e-16 / t18
-    t21 = t20 / tracking_index
-    t24 = (t20 * 2.220446049250313e-16) / (t1 * t7)
-    t25 = 2.220446049250313e-16 / t14
-    t26 = 2.220446049250313e-16 / t8
-    t30 = (t26 * 0.10185185185185185) + 0.6666666666666666
-    t33 = (t8 + (t30 * 2.220446049250313e-16)) / t14
-    t39 = 1.0 + (t26 * 0.16666666666666666)
-    t44 = ((t33 * 1.5) + t39) / (1.0 + (t26 * 0.3333333333333333))
-    t49 = (2.0 + t25) * (t26 * 0.08333333333333333)
-    t50 = t44 + t49
-    t57 = (t26 * 0.009259259259259259) + 0.041666666666666664
-    t60 = t26 * ((t26 * t57) + 0.08333333333333333)
-    t64 = t8 + ((t60 + 0.5) * 2.220446049250313e-16)
-    t68 = (t39 * t39) + (t25 * (t64 * 2251799813685248.0))
-    t73 = (t25 * (t25 * t68)) + (t26 * (t26 * t50))
-    t76 = -(t21 * (t21 * t73))
-    t77 = -(t24 * (t24 * t50))
-    return (t76, t77)
+    t21 = (4.440892098500626e-16 / t18) / tracking_index
+    t23 = 2.220446049250313e-16 / t8
+    t27 = 1.0 + (t23 * 0.16666666666666666)
+    t29 = 2.220446049250313e-16 / t14
+    t33 = (t23 * 0.009259259259259259) + 0.041666666666666664
+    t37 = t23 * ((t23 * t33) + 0.08333333333333333)
+    t41 = t8 + ((t37 + 0.5) * 2.220446049250313e-16)
+    t45 = (t27 * t27) + (t29 * (t41 * 2251799813685248.0))
+    t51 = (t23 * 0.10185185185185185) + 0.6666666666666666
+    t54 = (t8 + (t51 * 2.220446049250313e-16)) / t14
+    t61 = ((t54 * 1.5) + t27) / (1.0 + (t23 * 0.3333333333333333))
+    t65 = (2.0 + t29) * (t23 * 0.08333333333333333)
+    t66 = t61 + t65
+    t69 = ((t45 * 2.220446049250313e-16) / t11) + (t23 * (t23 * t66))
+    t75 = (1.9721522630525295e-31 / (t18 * t18)) * t66
+    t77 = (t1 * t7) * 4503599627370496.0
+    t72 = -(t21 * (t21 * t69))
+    t80 = -((t75 / t77) / t77)
+    return (t72, t80)
 
 
 def _predictor_gain_second_derivatives_block(
@@ -1579,22 +1584,23 @@ def _predictor_gain_second_derivatives_block(
     n4: float = 1.1102230246251565e-16,
     n5: float = 4.440892098500626e-16,
     n6: float = 2.220446049250313e-16,
-    n7: float = 0.10185185185185185,
-    n8: float = 0.6666666666666666,
-    n9: float = 1.5,
-    n10: float = 0.16666666666666666,
-    n11: float = 1.0,
-    n12: float = 0.3333333333333333,
-    n13: float = 2.0,
-    n14: float = 0.08333333333333333,
-    n15: float = 0.009259259259259259,
-    n16: float = 0.041666666666666664,
-    n17: float = 0.5,
-    n18: float = 2251799813685248.0,
+    n7: float = 0.16666666666666666,
+    n8: float = 1.0,
+    n9: float = 0.009259259259259259,
+    n10: float = 0.041666666666666664,
+    n11: float = 0.08333333333333333,
+    n12: float = 0.5,
+    n13: float = 2251799813685248.0,
+    n14: float = 0.10185185185185185,
+    n15: float = 0.6666666666666666,
+    n16: float = 1.5,
+    n17: float = 0.3333333333333333,
+    n18: float = 2.0,
+    n19: float = 4503599627370496.0,
 ) -> None:
     (tracking_index,) = given
     position, velocity = out
-    w0, w1, w2, w3, w4, w5, w6 = work
+    w0, w1, w2, w3, w4, w5, w6, w7, w8 = work
     p = sqrt(tracking_index, position)
     t3 = divide(n0, tracking_index, velocity)
     t5 = multiply(tracking_index, n1, w0)
@@ -1603,63 +1609,65 @@ def _predictor_gain_second_derivatives_block(
     kappa = divide(h_scaled, p, w0)
     half_eta = multiply(p, h_scaled, position)
     t11 = add(kappa, n2, velocity)
-    rho_scaled = sqrt(t11, velocity)
-    rho = multiply(rho_scaled, n3, velocity)
-    t16 = add(rho, n4, w1)
-    t17 = add(kappa, t16, w1)
-    t18 = multiply(tracking_index, t17, w1)
-    t20 = divide(n5, t18, w1)
-    t21 = divide(t20, tracking_index, w2)
-    t23 = multiply(t20, n6, w1)
-    t24 = divide(t23, half_eta, w1)
-    t25 = divide(n6, rho, position)
-    t26 = divide(n6, kappa, w3)
-    t28 = multiply(t26, n7, w4)
-    t30 = add(t28, n8, w4)
-    t31 = multiply(t30, n6, w4)
-    t32 = add(kappa, t31, w4)
-    t33 = divide(t32, rho, w4)
-    t35 = multiply(t33, n9, w4)
-    t37 = multiply(t26, n10, velocity)
-    t39 = add(n11, t37, velocity)
-    t40 = add(t35, t39, w4)
-    t42 = multiply(t26, n12, w5)
-    t43 = add(n11, t42, w5)
-    t44 = divide(t40, t43, w4)
-    t46 = add(n13, t25, w5)
-    t48 = multiply(t26, n14, w6)
-    t49 = multiply(t46, t48, w5)
-    t50 = add(t44, t49, w4)
-    t51 = multiply(t24, t50, w5)
-    t52 = multiply(t24, t51, w1)
-    t53 = square(t39, velocity)
-    t55 = multiply(t26, n15, w5)
-    t57 = add(t55, n16, w5)
-    t58 = multiply(t26, t57, w5)
-    t59 = add(t58, n14, w5)
-    t60 = multiply(t26, t59, w5)
-    t62 = add(t60, n17, w5)
-    t63 = multiply(t62, n6, w5)
-    t64 = add(kappa, t63, w0)
-    t66 = multiply(t64, n18, w0)
-    t67 = multiply(t25, t66, w0)
-    t68 = add(t53, t67, velocity)
-    t69 = multiply(t25, t68, velocity)
-    t70 = multiply(t25, t69, position)
-    t71 = multiply(t26, t50, w4)
-    t72 = multiply(t26, t71, w3)
-    t73 = add(t70, t72, position)
-    t74 = multiply(t21, t73, position)
-    t75 = multiply(t21, t74, w2)
-    negative(t75, position)
-    negative(t52, velocity)
+    rho_scaled = sqrt(t11, w1)
+    rho = multiply(rho_scaled, n3, w1)
+    t16 = add(rho, n4, w2)
+    t17 = add(kappa, t16, w2)
+    t18 = multiply(tracking_index, t17, w2)
+    t20 = divide(n5, t18, w3)
+    t21 = divide(t20, tracking_index, w3)
+    t23 = divide(n6, kappa, w4)
+    t25 = multiply(t23, n7, w5)
+    t27 = add(n8, t25, w5)
+    t28 = square(t27, w6)
+    t29 = divide(n6, rho, w7)
+    t31 = multiply(t23, n9, w8)
+    t33 = add(t31, n10, w8)
+    t34 = multiply(t23, t33, w8)
+    t36 = add(t34, n11, w8)
+    t37 = multiply(t23, t36, w8)
+    t39 = add(t37, n12, w8)
+    t40 = multiply(t39, n6, w8)
+    t41 = add(kappa, t40, w8)
+    t43 = multiply(t41, n13, w8)
+    t44 = multiply(t29, t43, w8)
+    t45 = add(t28, t44, w6)
+    t46 = multiply(t45, n6, w6)
+    t47 = divide(t46, t11, w6)
+    t49 = multiply(t23, n14, w8)
+    t51 = add(t49, n15, w8)
+    t52 = multiply(t51, n6, w8)
+    t53 = add(kappa, t52, w0)
+    t54 = divide(t53, rho, w0)
+    t56 = multiply(t54, n16, w0)
+    t57 = add(t56, t27, w0)
+    t59 = multiply(t23, n17, w1)
+    t60 = add(n8, t59, w1)
+    t61 = divide(t57, t60, w0)
+    t63 = add(n18, t29, w7)
+    t64 = multiply(t23, n11, w1)
+    t65 = multiply(t63, t64, w7)
+    t66 = add(t61, t65, w0)
+    t67 = multiply(t23, t66, w1)
+    t68 = multiply(t23, t67, w4)
+    t69 = add(t47, t68, w6)
+    t70 = multiply(t21, t69, w6)
+    t71 = multiply(t21, t70, w3)
+    t73 = square(t18, w2)
+    t74 = divide(n0, t73, w2)
+    t75 = multiply(t74, t66, w2)
+    t77 = multiply(half_eta, n19, position)
+    t78 = divide(t75, t77, w2)
+    t79 = divide(t78, t77, w2)
+    negative(t71, position)
+    negative(t79, velocity)
 
 
 _PREDICTOR_GAIN_SECOND_DERIVATIVES = Signature(
     "predictor_gain_second_derivatives",
     (_TRACKING_INDEX_DOMAIN,),
     ("position", "velocity"),
-    7,
+    9,
     _predictor_gain_second_derivatives_block,
     numbers=_predictor_gain_second_derivatives_of_numbers,
 )
@@ -1739,32 +1747,32 @@ def _predicted_covariance_second_derivatives_of_numbers(
     t8 = t7 / t1
     t11 = t8 + 7.401486830834377e-17
     t14 = form.sqrt(t11) * 1.4901161193847656e-08
-    t16 = 2.220446049250313e-16 / t14
-    t17 = 2.220446049250313e-16 / t8
-    t19 = t14 + 1.1102230246251565e-16
-    t20 = t8 + t19
-    t21 = t20 / t14
-    t23 = t21 * 0.5
-    t27 = 1.0 + (t17 * 0.16666666666666666)
-    t28 = t23 * t27
-    t37 = (t17 * 0.009259259259259259) + 0.041666666666666664
-    t41 = t17 * ((t17 * t37) + 0.08333333333333333)
-    t45 = t8 + ((t41 + 0.5) * 2.220446049250313e-16)
-    t48 = (t20 * 2251799813685248.0) * ((t45 / t11) * 0.5)
-    t50 = ((t28 * 2.220446049250313e-16) * t28) - ((t23 * 2.220446049250313e-16) * t48)
-    t59 = (1.9721522630525295e-31 / (t1 * t7)) / tracking_index
-    t62 = t59 / t8
-    t65 = 3.700743415417188e-17 / (t8 + 3.700743415417188e-17)
-    t68 = (1.0 + ((t27 * t16) * 0.5)) + (((t59 / t11) * 0.5) + (t62 * t65))
-    t75 = (t8 + 1.850371707708594e-17) / t19
-    t78 = 1.0 + t17
+    t16 = t14 + 1.1102230246251565e-16
+    t17 = t8 + t16
+    t18 = t17 / t14
+    t20 = t18 * 0.5
+    t22 = 2.220446049250313e-16 / t8
+    t26 = 1.0 + (t22 * 0.16666666666666666)
+    t27 = t20 * t26
+    t36 = (t22 * 0.009259259259259259) + 0.041666666666666664
+    t40 = t22 * ((t22 * t36) + 0.08333333333333333)
+    t44 = t8 + ((t40 + 0.5) * 2.220446049250313e-16)
+    t47 = (t17 * 2251799813685248.0) * ((t44 / t11) * 0.5)
+    t49 = ((t27 * 2.220446049250313e-16) * t27) - ((t20 * 2.220446049250313e-16) * t47)
+    t55 = 2.220446049250313e-16 / t14
+    t60 = (1.9721522630525295e-31 / (t1 * t7)) / tracking_index
+    t63 = t60 / t8
+    t66 = 3.700743415417188e-17 / (t8 + 3.700743415417188e-17)
+    t69 = (1.0 + ((t26 * t55) * 0.5)) + (((t60 / t11) * 0.5) + (t63 * t66))
+    t75 = (t8 + 1.850371707708594e-17) / t16
+    t78 = 1.0 + t22
     t80 = ((t75 * 2.220446049250313e-16) * t75) + (t78 * 1.850371707708594e-17)
-    t85 = (t80 / t11) * ((t59 + (t80 * 0.5)) / t14)
-    t90 = (t78 + (t62 * (t17 * 0.5))) * 0.08333333333333333
-    t52 = t50 * 4503599627370496.0
-    t72 = (t21 * t27) * (t68 * 0.25)
-    t93 = ((t85 * 0.5) + (t16 * t90)) + 2.0
-    return (t52, t72, t93)
+    t85 = (t80 / t11) * ((t60 + (t80 * 0.5)) / t14)
+    t90 = (t78 + (t63 * (t22 * 0.5))) * 0.08333333333333333
+    t51 = t49 * 4503599627370496.0
+    t72 = (t18 * t26) * (t69 * 0.25)
+    t93 = ((t85 * 0.5) + (t55 * t90)) + 2.0
+    return (t51, t72, t93)
 
 
 def _predicted_covariance_second_derivatives_block(
@@ -1776,9 +1784,9 @@ def _predicted_covariance_second_derivatives_block(
     n1: float = 4.108650548026103e-33,
     n2: float = 7.401486830834377e-17,
     n3: float = 1.4901161193847656e-08,
-    n4: float = 2.220446049250313e-16,
-    n5: float = 1.1102230246251565e-16,
-    n6: float = 0.5,
+    n4: float = 1.1102230246251565e-16,
+    n5: float = 0.5,
+    n6: float = 2.220446049250313e-16,
     n7: float = 0.16666666666666666,
     n8: float = 1.0,
     n9: float = 2251799813685248.0,
@@ -1793,7 +1801,7 @@ def _predicted_covariance_second_derivatives_block(
 ) -> None:
     (tracking_index,) = given
     predicted_11, predicted_12, predicted_22 = out
-    w0, w1, w2, w3, w4, w5, w6, w7, w8, w9, w10 = work
+    w0, w1, w2, w3, w4, w5, w6, w7, w8, w9 = work
     p = sqrt(tracking_index, predicted_11)
     t3 = divide(n0, tracking_index, predicted_12)
     t5 = multiply(tracking_index, n1, w0)
@@ -1804,68 +1812,68 @@ def _predicted_covariance_second_derivatives_block(
     t11 = add(kappa, n2, predicted_12)
     rho_scaled = sqrt(t11, predicted_22)
     rho = multiply(rho_scaled, n3, predicted_22)
-    t16 = divide(n4, rho, w1)
-    t17 = divide(n4, kappa, w2)
-    t19 = add(rho, n5, w3)
-    t20 = add(kappa, t19, w4)
-    t21 = divide(t20, rho, w5)
-    t23 = multiply(t21, n6, w6)
-    t25 = multiply(t17, n7, w7)
-    t27 = add(n8, t25, w7)
-    t28 = multiply(t23, t27, w8)
-    t29 = multiply(t28, n4, w9)
-    t30 = multiply(t29, t28, w9)
-    t31 = multiply(t23, n4, w6)
-    t33 = multiply(t20, n9, w4)
-    t35 = multiply(t17, n10, w8)
-    t37 = add(t35, n11, w8)
-    t38 = multiply(t17, t37, w8)
-    t40 = add(t38, n12, w8)
-    t41 = multiply(t17, t40, w8)
-    t43 = add(t41, n6, w8)
-    t44 = multiply(t43, n4, w8)
-    t45 = add(kappa, t44, w8)
-    t46 = divide(t45, t11, w8)
-    t47 = multiply(t46, n6, w8)
-    t48 = multiply(t33, t47, w4)
-    t49 = multiply(t31, t48, w6)
-    predicted_11_turn = subtract(t30, t49, w9)
-    t55 = multiply(t27, t16, w4)
-    t56 = multiply(t55, n6, w4)
-    t57 = add(n8, t56, w4)
-    t58 = divide(n0, half_eta, predicted_11)
-    t59 = divide(t58, tracking_index, predicted_11)
-    t60 = divide(t59, t11, w6)
-    t61 = multiply(t60, n6, w6)
-    t62 = divide(t59, kappa, w8)
-    t64 = add(kappa, n13, w10)
-    t65 = divide(n13, t64, w10)
-    t66 = multiply(t62, t65, w10)
-    t67 = add(t61, t66, w6)
-    t68 = add(t57, t67, w4)
-    t69 = multiply(t21, t27, w5)
-    t71 = multiply(t68, n14, w4)
+    t16 = add(rho, n4, w1)
+    t17 = add(kappa, t16, w2)
+    t18 = divide(t17, rho, w3)
+    t20 = multiply(t18, n5, w4)
+    t22 = divide(n6, kappa, w5)
+    t24 = multiply(t22, n7, w6)
+    t26 = add(n8, t24, w6)
+    t27 = multiply(t20, t26, w7)
+    t28 = multiply(t27, n6, w8)
+    t29 = multiply(t28, t27, w8)
+    t30 = multiply(t20, n6, w4)
+    t32 = multiply(t17, n9, w2)
+    t34 = multiply(t22, n10, w7)
+    t36 = add(t34, n11, w7)
+    t37 = multiply(t22, t36, w7)
+    t39 = add(t37, n12, w7)
+    t40 = multiply(t22, t39, w7)
+    t42 = add(t40, n5, w7)
+    t43 = multiply(t42, n6, w7)
+    t44 = add(kappa, t43, w7)
+    t45 = divide(t44, t11, w7)
+    t46 = multiply(t45, n5, w7)
+    t47 = multiply(t32, t46, w2)
+    t48 = multiply(t30, t47, w4)
+    predicted_11_turn = subtract(t29, t48, w8)
+    t54 = multiply(t18, t26, w3)
+    t55 = divide(n6, rho, w2)
+    t56 = multiply(t26, t55, w6)
+    t57 = multiply(t56, n5, w6)
+    t58 = add(n8, t57, w6)
+    t59 = divide(n0, half_eta, predicted_11)
+    t60 = divide(t59, tracking_index, predicted_11)
+    t61 = divide(t60, t11, w4)
+    t62 = multiply(t61, n5, w4)
+    t63 = divide(t60, kappa, w7)
+    t65 = add(kappa, n13, w9)
+    t66 = divide(n13, t65, w9)
+    t67 = multiply(t63, t66, w9)
+    t68 = add(t62, t67, w4)
+    t69 = add(t58, t68, w6)
+    t71 = multiply(t69, n14, w6)
     t74 = add(kappa, n15, w0)
-    t75 = divide(t74, t19, w0)
-    t76 = multiply(t75, n4, w3)
-    t77 = multiply(t76, t75, w3)
-    t78 = add(n8, t17, w0)
-    t79 = multiply(t78, n15, w6)
-    t80 = add(t77, t79, w3)
+    t75 = divide(t74, t16, w0)
+    t76 = multiply(t75, n6, w1)
+    t77 = multiply(t76, t75, w1)
+    t78 = add(n8, t22, w0)
+    t79 = multiply(t78, n15, w4)
+    t80 = add(t77, t79, w1)
     t81 = divide(t80, t11, predicted_12)
-    t82 = multiply(t80, n6, w3)
-    t83 = add(t59, t82, predicted_11)
+    t82 = multiply(t80, n5, w1)
+    t83 = add(t60, t82, predicted_11)
     t84 = divide(t83, rho, predicted_11)
     t85 = multiply(t81, t84, predicted_12)
-    t86 = multiply(t85, n6, predicted_12)
-    t87 = multiply(t17, n6, w2)
-    t88 = multiply(t62, t87, w8)
+    t86 = multiply(t85, n5, predicted_12)
+    t87 = multiply(t22, n5, w5)
+    t88 = multiply(t63, t87, w7)
     t89 = add(t78, t88, w0)
     t90 = multiply(t89, n12, w0)
-    t91 = multiply(t16, t90, w1)
-    t92 = add(t86, t91, w1)
+    t91 = multiply(t55, t90, w2)
+    t92 = add(t86, t91, w2)
     multiply(predicted_11_turn, n16, predicted_11)
-    multiply(t69, t71, predicted_12)
+    multiply(t54, t71, predicted_12)
     add(t92, n17, predicted_22)
 
 
@@ -1873,7 +1881,7 @@ _PREDICTED_COVARIANCE_SECOND_DERIVATIVES = Signature(
     "predicted_covariance_second_derivatives",
     (_TRACKING_INDEX_DOMAIN,),
     ("predicted_11", "predicted_12", "predicted_22"),
-    11,
+    10,
     _predicted_covariance_second_derivatives_block,
     numbers=_predicted_covariance_second_derivatives_of_numbers,
 )
@@ -1893,11 +1901,11 @@ def updated_covariance_second_derivatives(
         finite.
 
     updated_11: second derivative by Lambda of the variance of the updated position over sigma_v^2.
-        Relative error at most 17.20 * 2^-52 (float64), 17.19 * 2^-23 (float32), proved for
-        1.5697348409117346e-206 <= tracking_index <= 1.442954478563842e77 (float64) and
-        1.0258406e-26 <= tracking_index <= 5.3522156e09 (float32).
+        Relative error at most 15.70 * 2^-52 (float64), 15.69 * 2^-23 (float32), proved for
+        1.5697348409117324e-206 <= tracking_index <= 1.442954478563842e77 (float64) and
+        1.0258398e-26 <= tracking_index <= 5.3522156e09 (float32).
     updated_12: second derivative by Lambda of the covariance of updated position and velocity times
-        T/sigma_v^2. Relative error at most 15.92 * 2^-52 (float64), 15.91 * 2^-23 (float32), proved
+        T/sigma_v^2. Relative error at most 15.42 * 2^-52 (float64), 15.41 * 2^-23 (float32), proved
         for 5e-324 <= tracking_index <= 2.225674301282913e77 (float64) and 1e-45 <= tracking_index
         <= 8.2554844e09 (float32).
     updated_22: second derivative by Lambda of the variance of the updated velocity times
@@ -1948,31 +1956,32 @@ def _updated_covariance_second_derivatives_of_numbers(
     t11 = t8 + 7.401486830834377e-17
     t14 = form.sqrt(t11) * 1.4901161193847656e-08
     t16 = t14 + 1.1102230246251565e-16
-    t20 = 4.440892098500626e-16 / (tracking_index * (t8 + t16))
-    t24 = (t20 * 2.220446049250313e-16) / t9
-    t25 = 2.220446049250313e-16 / t14
-    t26 = 2.220446049250313e-16 / t8
-    t30 = (t26 * 0.10185185185185185) + 0.6666666666666666
-    t33 = (t8 + (t30 * 2.220446049250313e-16)) / t14
-    t39 = 1.0 + (t26 * 0.16666666666666666)
-    t44 = ((t33 * 1.5) + t39) / (1.0 + (t26 * 0.3333333333333333))
-    t49 = (2.0 + t25) * (t26 * 0.08333333333333333)
-    t53 = (t20 / tracking_index) * 2.220446049250313e-16
-    t54 = t53 / t14
-    t59 = (t26 * 0.009259259259259259) + 0.041666666666666664
-    t62 = t26 * ((t26 * t59) + 0.08333333333333333)
-    t66 = t8 + ((t62 + 0.5) * 2.220446049250313e-16)
-    t70 = (t39 * t39) + (t25 * (t66 * 2251799813685248.0))
-    t77 = (t8 + 1.850371707708594e-17) / t16
-    t80 = 1.0 + t26
-    t82 = ((t77 * 2.220446049250313e-16) * t77) + (t80 * 1.850371707708594e-17)
-    t85 = (1.9721522630525295e-31 / t9) / tracking_index
-    t89 = (t82 / t11) * ((t85 + (t82 * 0.5)) / t14)
-    t95 = (t80 + ((t85 / t8) * (t26 * 0.5))) * 0.08333333333333333
-    t73 = -(t54 * (t54 * t70))
-    t74 = -(t24 * (t24 * (t44 + t49)))
-    t97 = (t89 * 0.5) + (t25 * t95)
-    return (t73, t74, t97)
+    t18 = tracking_index * (t8 + t16)
+    t21 = (4.440892098500626e-16 / t18) / tracking_index
+    t23 = 2.220446049250313e-16 / t8
+    t27 = 1.0 + (t23 * 0.16666666666666666)
+    t29 = 2.220446049250313e-16 / t14
+    t33 = (t23 * 0.009259259259259259) + 0.041666666666666664
+    t37 = t23 * ((t23 * t33) + 0.08333333333333333)
+    t41 = t8 + ((t37 + 0.5) * 2.220446049250313e-16)
+    t45 = (t27 * t27) + (t29 * (t41 * 2251799813685248.0))
+    t48 = t21 * ((t45 * 2.220446049250313e-16) / t11)
+    t56 = (t23 * 0.10185185185185185) + 0.6666666666666666
+    t59 = (t8 + (t56 * 2.220446049250313e-16)) / t14
+    t66 = ((t59 * 1.5) + t27) / (1.0 + (t23 * 0.3333333333333333))
+    t70 = (2.0 + t29) * (t23 * 0.08333333333333333)
+    t72 = (1.9721522630525295e-31 / (t18 * t18)) * (t66 + t70)
+    t74 = t9 * 4503599627370496.0
+    t79 = (1.9721522630525295e-31 / t9) / tracking_index
+    t83 = (t8 + 1.850371707708594e-17) / t16
+    t86 = 1.0 + t23
+    t88 = ((t83 * 2.220446049250313e-16) * t83) + (t86 * 1.850371707708594e-17)
+    t93 = (t88 / t11) * ((t79 + (t88 * 0.5)) / t14)
+    t98 = (t86 + ((t79 / t8) * (t23 * 0.5))) * 0.08333333333333333
+    t50 = -(t21 * t48)
+    t77 = -((t72 / t74) / t74)
+    t100 = (t93 * 0.5) + (t29 * t98)
+    return (t50, t77, t100)
 
 
 def _updated_covariance_second_derivatives_block(
@@ -1987,23 +1996,24 @@ def _updated_covariance_second_derivatives_block(
     n4: float = 1.1102230246251565e-16,
     n5: float = 4.440892098500626e-16,
     n6: float = 2.220446049250313e-16,
-    n7: float = 0.10185185185185185,
-    n8: float = 0.6666666666666666,
-    n9: float = 1.5,
-    n10: float = 0.16666666666666666,
-    n11: float = 1.0,
-    n12: float = 0.3333333333333333,
-    n13: float = 2.0,
-    n14: float = 0.08333333333333333,
-    n15: float = 0.009259259259259259,
-    n16: float = 0.041666666666666664,
-    n17: float = 0.5,
-    n18: float = 2251799813685248.0,
-    n19: float = 1.850371707708594e-17,
+    n7: float = 0.16666666666666666,
+    n8: float = 1.0,
+    n9: float = 0.009259259259259259,
+    n10: float = 0.041666666666666664,
+    n11: float = 0.08333333333333333,
+    n12: float = 0.5,
+    n13: float = 2251799813685248.0,
+    n14: float = 0.10185185185185185,
+    n15: float = 0.6666666666666666,
+    n16: float = 1.5,
+    n17: float = 0.3333333333333333,
+    n18: float = 2.0,
+    n19: float = 4503599627370496.0,
+    n20: float = 1.850371707708594e-17,
 ) -> None:
     (tracking_index,) = given
     updated_11, updated_12, updated_22 = out
-    w0, w1, w2, w3, w4, w5, w6, w7, w8, w9 = work
+    w0, w1, w2, w3, w4, w5, w6, w7, w8 = work
     p = sqrt(tracking_index, updated_11)
     t3 = divide(n0, tracking_index, updated_12)
     t5 = multiply(tracking_index, n1, w0)
@@ -2017,77 +2027,79 @@ def _updated_covariance_second_derivatives_block(
     t16 = add(rho, n4, w1)
     t17 = add(kappa, t16, w2)
     t18 = multiply(tracking_index, t17, w2)
-    t20 = divide(n5, t18, w2)
+    t20 = divide(n5, t18, w3)
     t21 = divide(t20, tracking_index, w3)
-    t23 = multiply(t20, n6, w2)
-    t24 = divide(t23, half_eta, w2)
-    t25 = divide(n6, rho, w4)
-    t26 = divide(n6, kappa, w5)
-    t28 = multiply(t26, n7, w6)
-    t30 = add(t28, n8, w6)
-    t31 = multiply(t30, n6, w6)
-    t32 = add(kappa, t31, w6)
-    t33 = divide(t32, rho, w6)
-    t35 = multiply(t33, n9, w6)
-    t37 = multiply(t26, n10, w7)
-    t39 = add(n11, t37, w7)
-    t40 = add(t35, t39, w6)
-    t42 = multiply(t26, n12, w8)
-    t43 = add(n11, t42, w8)
-    t44 = divide(t40, t43, w6)
-    t46 = add(n13, t25, w8)
-    t48 = multiply(t26, n14, w9)
-    t49 = multiply(t46, t48, w8)
-    t50 = add(t44, t49, w6)
-    t51 = multiply(t24, t50, w6)
-    t52 = multiply(t24, t51, w2)
-    t53 = multiply(t21, n6, w3)
-    t54 = divide(t53, rho, w3)
-    t55 = square(t39, w7)
-    t57 = multiply(t26, n15, w6)
-    t59 = add(t57, n16, w6)
-    t60 = multiply(t26, t59, w6)
-    t61 = add(t60, n14, w6)
-    t62 = multiply(t26, t61, w6)
-    t64 = add(t62, n17, w6)
-    t65 = multiply(t64, n6, w6)
-    t66 = add(kappa, t65, w6)
-    t68 = multiply(t66, n18, w6)
-    t69 = multiply(t25, t68, w6)
-    t70 = add(t55, t69, w7)
-    t71 = multiply(t54, t70, w7)
-    t72 = multiply(t54, t71, w3)
-    t76 = add(kappa, n19, w6)
-    t77 = divide(t76, t16, w6)
-    t78 = multiply(t77, n6, w1)
-    t79 = multiply(t78, t77, w1)
-    t80 = add(n11, t26, w6)
-    t81 = multiply(t80, n19, w7)
-    t82 = add(t79, t81, w1)
-    t83 = divide(t82, t11, updated_12)
-    t84 = divide(n0, half_eta, updated_11)
-    t85 = divide(t84, tracking_index, updated_11)
-    t86 = multiply(t82, n17, w1)
-    t87 = add(t85, t86, w1)
-    t88 = divide(t87, rho, w1)
-    t89 = multiply(t83, t88, updated_12)
-    t90 = multiply(t89, n17, w1)
-    t91 = divide(t85, kappa, updated_11)
-    t92 = multiply(t26, n17, w5)
-    t93 = multiply(t91, t92, updated_11)
-    t94 = add(t80, t93, w6)
-    t95 = multiply(t94, n14, w6)
-    t96 = multiply(t25, t95, w4)
-    negative(t72, updated_11)
-    negative(t52, updated_12)
-    add(t90, t96, updated_22)
+    t23 = divide(n6, kappa, w4)
+    t25 = multiply(t23, n7, w5)
+    t27 = add(n8, t25, w5)
+    t28 = square(t27, w6)
+    t29 = divide(n6, rho, w7)
+    t31 = multiply(t23, n9, w8)
+    t33 = add(t31, n10, w8)
+    t34 = multiply(t23, t33, w8)
+    t36 = add(t34, n11, w8)
+    t37 = multiply(t23, t36, w8)
+    t39 = add(t37, n12, w8)
+    t40 = multiply(t39, n6, w8)
+    t41 = add(kappa, t40, w8)
+    t43 = multiply(t41, n13, w8)
+    t44 = multiply(t29, t43, w8)
+    t45 = add(t28, t44, w6)
+    t46 = multiply(t45, n6, w6)
+    t47 = divide(t46, t11, w6)
+    t48 = multiply(t21, t47, w6)
+    t49 = multiply(t21, t48, w3)
+    t51 = square(t18, w2)
+    t52 = divide(n0, t51, w2)
+    t54 = multiply(t23, n14, w6)
+    t56 = add(t54, n15, w6)
+    t57 = multiply(t56, n6, w6)
+    t58 = add(kappa, t57, w6)
+    t59 = divide(t58, rho, w6)
+    t61 = multiply(t59, n16, w6)
+    t62 = add(t61, t27, w6)
+    t64 = multiply(t23, n17, w5)
+    t65 = add(n8, t64, w5)
+    t66 = divide(t62, t65, w6)
+    t68 = add(n18, t29, w5)
+    t69 = multiply(t23, n11, w8)
+    t70 = multiply(t68, t69, w5)
+    t71 = add(t66, t70, w6)
+    t72 = multiply(t52, t71, w2)
+    t74 = multiply(half_eta, n19, w5)
+    t75 = divide(t72, t74, w2)
+    t76 = divide(t75, t74, w2)
+    t78 = divide(n0, half_eta, updated_11)
+    t79 = divide(t78, tracking_index, updated_11)
+    t80 = divide(t79, kappa, w5)
+    t82 = add(kappa, n20, w0)
+    t83 = divide(t82, t16, w0)
+    t84 = multiply(t83, n6, w1)
+    t85 = multiply(t84, t83, w1)
+    t86 = add(n8, t23, w0)
+    t87 = multiply(t86, n20, w6)
+    t88 = add(t85, t87, w1)
+    t89 = divide(t88, t11, updated_12)
+    t90 = multiply(t88, n12, w1)
+    t91 = add(t79, t90, updated_11)
+    t92 = divide(t91, rho, updated_11)
+    t93 = multiply(t89, t92, updated_12)
+    t94 = multiply(t93, n12, w1)
+    t95 = multiply(t23, n12, w4)
+    t96 = multiply(t80, t95, w5)
+    t97 = add(t86, t96, w0)
+    t98 = multiply(t97, n11, w0)
+    t99 = multiply(t29, t98, w7)
+    negative(t49, updated_11)
+    negative(t76, updated_12)
+    add(t94, t99, updated_22)
 
 
 _UPDATED_COVARIANCE_SECOND_DERIVATIVES = Signature(
     "updated_covariance_second_derivatives",
     (_TRACKING_INDEX_DOMAIN,),
     ("updated_11", "updated_12", "updated_22"),
-    10,
+    9,
     _updated_covariance_second_derivatives_block,
     numbers=_updated_covariance_second_derivatives_of_numbers,
 )
@@ -2160,21 +2172,21 @@ def _closed_loop_poles_of_numbers(tracking_index: float, form: Form = Double) ->
     t8 = form.sqrt(t3 + t5) / form.sqrt(tracking_index)
     t11 = form.sqrt(t8 + 7.401486830834377e-17)
     t13 = t11 * 1.4901161193847656e-08
-    t17 = tracking_index * (t8 + (t13 + 1.1102230246251565e-16))
-    t19 = 4.440892098500626e-16 / t17
-    t23 = tracking_index * 0.25
-    t30 = tracking_index * (t8 + 1.1102230246251565e-16)
-    t33 = tracking_index * 0.5
-    t34 = (2.449489742783178 - t33) + (
+    t17 = tracking_index * 0.25
+    t25 = tracking_index * 0.5
+    t26 = (2.449489742783178 - t25) + (
         -8.914125970704845e-08 if form.single else 2.168616518103246e-16
     )
-    t38 = (t34 / t30) * ((2.449489742783178 + t33) * t19)
+    t29 = tracking_index * (t8 + 1.1102230246251565e-16)
+    t34 = tracking_index * (t8 + (t13 + 1.1102230246251565e-16))
+    t36 = 4.440892098500626e-16 / t34
+    t38 = (t26 / t29) * ((2.449489742783178 + t25) * t36)
     t39 = t38 * 7.401486830834377e-17
-    t42 = (form.sqrt(abs(3.0 - t23)) / t13) * (form.sqrt(3.0 + t23) * t19)
+    t42 = (form.sqrt(abs(3.0 - t17)) / t13) * (form.sqrt(3.0 + t17) * t36)
     t43 = t42 * 7.401486830834377e-17
     t45 = abs(t39) + t43
     t50 = t39 if tracking_index < 12.0 else -t45
-    t52 = t39 if tracking_index < 12.0 else -((t19 / t45) * t19)
+    t52 = t39 if tracking_index < 12.0 else -((t36 / t45) * t36)
     t53 = t43 if tracking_index < 12.0 else form.of(0.0)
     t55 = -t43 if tracking_index < 12.0 else form.of(0.0)
     return (t50, t53, t52, t55)
@@ -2189,14 +2201,14 @@ def _closed_loop_poles_block(
     n1: float = 4.108650548026103e-33,
     n2: float = 7.401486830834377e-17,
     n3: float = 1.4901161193847656e-08,
-    n4: float = 1.1102230246251565e-16,
-    n5: float = 4.440892098500626e-16,
-    n6: float = 0.25,
-    n7: float = 3.0,
-    n8: float = 0.5,
-    n9: float = 2.449489742783178,
-    n10: float = -8.914125970704845e-08,
-    n11: float = 2.168616518103246e-16,
+    n4: float = 0.25,
+    n5: float = 3.0,
+    n6: float = 0.5,
+    n7: float = 2.449489742783178,
+    n8: float = -8.914125970704845e-08,
+    n9: float = 2.168616518103246e-16,
+    n10: float = 1.1102230246251565e-16,
+    n11: float = 4.440892098500626e-16,
     n12: float = 12.0,
     n13: float = 0.0,
 ) -> None:
@@ -2212,37 +2224,37 @@ def _closed_loop_poles_block(
     t10 = add(kappa, n2, w0)
     rho_scaled = sqrt(t10, w0)
     rho = multiply(rho_scaled, n3, w0)
-    t15 = add(rho, n4, first_real)
-    t16 = add(kappa, t15, first_real)
-    t17 = multiply(tracking_index, t16, first_real)
-    t19 = divide(n5, t17, first_real)
-    t23 = multiply(tracking_index, n6, first_imaginary)
-    t24 = subtract(n7, t23, second_real)
-    distance = absolute(t24, second_real)
-    below = sqrt(distance, second_real)
-    t27 = add(n7, t23, first_imaginary)
-    above = sqrt(t27, first_imaginary)
-    t29 = add(kappa, n4, second_imaginary)
-    t30 = multiply(tracking_index, t29, second_imaginary)
-    t33 = multiply(tracking_index, n8, w1)
-    rest = n10 if single else n11
-    subtract(n9, t33, w2)
-    t34 = add(w2, rest, w2)
-    t35 = divide(t34, t30, w2)
-    t36 = add(n9, t33, w1)
-    t37 = multiply(t36, t19, w1)
-    t38 = multiply(t35, t37, w2)
-    t39 = multiply(t38, n2, w2)
-    t40 = divide(below, rho, second_real)
-    t41 = multiply(above, t19, first_imaginary)
-    t42 = multiply(t40, t41, second_real)
-    t43 = multiply(t42, n2, w0)
-    middle_size = absolute(t39, w1)
-    t45 = add(middle_size, t43, w1)
-    t46 = divide(t19, t45, first_imaginary)
-    t47 = multiply(t46, t19, first_imaginary)
-    t49 = negative(t45, w1)
-    t51 = negative(t47, first_imaginary)
+    t17 = multiply(tracking_index, n4, first_real)
+    t18 = subtract(n5, t17, first_imaginary)
+    distance = absolute(t18, first_imaginary)
+    below = sqrt(distance, first_imaginary)
+    t21 = add(n5, t17, first_real)
+    above = sqrt(t21, first_real)
+    t25 = multiply(tracking_index, n6, second_real)
+    rest = n8 if single else n9
+    subtract(n7, t25, w1)
+    t26 = add(w1, rest, w1)
+    t28 = add(kappa, n10, w2)
+    t29 = multiply(tracking_index, t28, w2)
+    t30 = divide(t26, t29, w1)
+    t31 = add(n7, t25, second_real)
+    t32 = add(rho, n10, w2)
+    t33 = add(kappa, t32, second_imaginary)
+    t34 = multiply(tracking_index, t33, second_imaginary)
+    t36 = divide(n11, t34, second_imaginary)
+    t37 = multiply(t31, t36, second_real)
+    t38 = multiply(t30, t37, w1)
+    t39 = multiply(t38, n2, w1)
+    t40 = divide(below, rho, first_imaginary)
+    t41 = multiply(above, t36, first_real)
+    t42 = multiply(t40, t41, first_imaginary)
+    t43 = multiply(t42, n2, first_imaginary)
+    middle_size = absolute(t39, w0)
+    t45 = add(middle_size, t43, w0)
+    t46 = divide(t36, t45, w2)
+    t47 = multiply(t46, t36, w2)
+    t49 = negative(t45, w0)
+    t51 = negative(t47, w2)
     t54 = negative(t43, second_imaginary)
     mask = mask_of(less(tracking_index, n12), single)
     choose(mask, t39, t49, out=first_real)

@@ -123,8 +123,8 @@ def gains(
     alpha: position gain. Relative error at most 1.69 * 2^-52 (float64), 1.69 * 2^-23 (float32),
         proved for 5e-324 <= tracking_index <= 1.7976931348623157e308 (float64) and 1e-45 <=
         tracking_index <= 3.4028235e38 (float32).
-    beta: velocity gain times the sampling interval. Relative error at most 1.95 * 2^-52 (float64),
-        1.95 * 2^-23 (float32), proved for 2.2250738585072014e-308 <= tracking_index <=
+    beta: velocity gain times the sampling interval. Relative error at most 1.94 * 2^-52 (float64),
+        1.94 * 2^-23 (float32), proved for 2.2250738585072014e-308 <= tracking_index <=
         1.7976931348623157e308 (float64) and 1.1754944e-38 <= tracking_index <= 3.4028235e38
         (float32).
 
@@ -190,21 +190,21 @@ def _gains_block(
     (tracking_index,) = given
     alpha, beta = out
     w0, w1, w2 = work
-    kappa = divide(n0, tracking_index, alpha)
-    t4 = add(kappa, n1, w0)
+    t2 = divide(n0, tracking_index, alpha)
+    t4 = add(t2, n1, w0)
     rho_scaled = sqrt(t4, beta)
-    twice_rho = multiply(rho_scaled, n2, beta)
-    t9 = divide(n3, twice_rho, w1)
+    t7 = multiply(rho_scaled, n2, beta)
+    t9 = divide(n3, t7, w1)
     t11 = add(t9, n4, w2)
     t12 = multiply(t9, t11, w1)
     t14 = add(t12, n5, w1)
     t16 = multiply(t14, n6, w1)
-    t17 = add(twice_rho, t16, w1)
+    t17 = add(t7, t16, w1)
     t18 = add(t4, t17, w0)
     t20 = divide(n7, t18, w0)
     alpha_raised = sqrt(t20, w0)
-    t24 = multiply(kappa, n4, alpha)
-    t25 = add(twice_rho, n6, beta)
+    t24 = multiply(t2, n4, alpha)
+    t25 = add(t7, n6, beta)
     t26 = add(t24, t25, beta)
     multiply(alpha_raised, n8, alpha)
     divide(n9, t26, beta)
@@ -231,13 +231,13 @@ def _gains_in_double_words(given: Part, form: Form = Double) -> tuple[Part, ...]
     kappa = divide((1.1102230246251565e-16, 0.0), tracking_index)
     t4 = add(kappa, (1.3877787807814457e-17, 0.0))
     rho_scaled = root(t4)
-    twice_rho = scale(rho_scaled, 1.4901161193847656e-08)
-    t9 = add(twice_rho, (5.551115123125783e-17, 0.0))
-    t10 = multiply(t9, t9)
-    t12 = divide((2.220446049250313e-16, 0.0), t10)
-    t13 = multiply(t12, twice_rho)
-    t14 = scale(t12, 1.1102230246251565e-16)
-    return (t13[0], t14[0])
+    rho = scale(rho_scaled, 7.450580596923828e-09)
+    t10 = add(rho, (2.7755575615628914e-17, 0.0))
+    t11 = add(kappa, t10)
+    t12 = divide((2.0, 0.0), t11)
+    t13 = multiply(t12, rho)
+    t15 = scale(t12, 5.551115123125783e-17)
+    return (t13[0], t15[0])
 
 
 _ACCURATE_GAINS = Signature(
@@ -264,11 +264,11 @@ def gain_derivatives(
         acceleration_deviation**2*sampling_interval**4/measurement_deviation**2; a number above 0
         and finite.
 
-    alpha: derivative of the position gain. Relative error at most 11.01 * 2^-52 (float64), 11.01 *
+    alpha: derivative of the position gain. Relative error at most 7.01 * 2^-52 (float64), 7.01 *
         2^-23 (float32), proved for 5e-324 <= tracking_index <= 7.11074631974658e102 (float64) and
         1e-45 <= tracking_index <= 8.7960925e12 (float32).
-    beta: derivative of the velocity gain times the sampling interval. Relative error at most 10.01
-        * 2^-52 (float64), 10.01 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=
+    beta: derivative of the velocity gain times the sampling interval. Relative error at most 6.63 *
+        2^-52 (float64), 6.63 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=
         1.8961503816218352e154 (float64) and 1e-45 <= tracking_index <= 2.6087635e19 (float32).
 
     Outside an output's range, a few numbers next to its ends apart, its true value is no normal
@@ -299,13 +299,13 @@ def gain_derivatives(
 def _gain_derivatives_of_numbers(tracking_index: float, form: Form = Double) -> tuple[float, ...]:
     t2 = 1.1102230246251565e-16 / tracking_index
     t5 = form.sqrt(t2 + 1.3877787807814457e-17)
-    t7 = t5 * 1.4901161193847656e-08
-    t9 = t7 + 5.551115123125783e-17
-    t13 = 2.465190328815662e-32 / (tracking_index * (t9 * t9))
-    t15 = (t13 * t13) / t7
-    t16 = t15 * t2
-    t17 = t15 * t9
-    return (t16, t17)
+    t7 = t5 * 7.450580596923828e-09
+    t10 = t7 + 2.7755575615628914e-17
+    t12 = tracking_index * (t2 + t10)
+    t16 = (1.232595164407831e-32 / (t12 * t12)) / t7
+    t18 = t16 * (t2 * 0.5)
+    t19 = t16 * t10
+    return (t18, t19)
 
 
 def _gain_derivatives_block(
@@ -315,9 +315,10 @@ def _gain_derivatives_block(
     _single: bool,
     n0: float = 1.1102230246251565e-16,
     n1: float = 1.3877787807814457e-17,
-    n2: float = 1.4901161193847656e-08,
-    n3: float = 5.551115123125783e-17,
-    n4: float = 2.465190328815662e-32,
+    n2: float = 7.450580596923828e-09,
+    n3: float = 2.7755575615628914e-17,
+    n4: float = 1.232595164407831e-32,
+    n5: float = 0.5,
 ) -> None:
     (tracking_index,) = given
     alpha, beta = out
@@ -325,15 +326,16 @@ def _gain_derivatives_block(
     kappa = divide(n0, tracking_index, alpha)
     t4 = add(kappa, n1, w0)
     rho_scaled = sqrt(t4, beta)
-    twice_rho = multiply(rho_scaled, n2, beta)
-    t9 = add(twice_rho, n3, w0)
-    t10 = square(t9, w1)
-    t11 = multiply(tracking_index, t10, w1)
-    t13 = divide(n4, t11, w1)
-    t14 = square(t13, w1)
-    t15 = divide(t14, twice_rho, w1)
-    multiply(t15, kappa, alpha)
-    multiply(t15, t9, beta)
+    rho = multiply(rho_scaled, n2, beta)
+    t10 = add(rho, n3, w0)
+    t11 = add(kappa, t10, w1)
+    t12 = multiply(tracking_index, t11, w1)
+    t13 = square(t12, w1)
+    t15 = divide(n4, t13, w1)
+    t16 = divide(t15, rho, w1)
+    t17 = multiply(kappa, n5, alpha)
+    multiply(t16, t17, alpha)
+    multiply(t16, t10, beta)
 
 
 _GAIN_DERIVATIVES = Signature(
@@ -367,11 +369,11 @@ def gains_with_derivatives(
         3.01 * 2^-23 (float32), proved for 2.2250738585072014e-308 <= tracking_index <=
         1.7976931348623157e308 (float64) and 1.1754944e-38 <= tracking_index <= 3.4028235e38
         (float32).
-    d_alpha: derivative of the position gain. Relative error at most 8.01 * 2^-52 (float64), 8.01 *
+    d_alpha: derivative of the position gain. Relative error at most 6.76 * 2^-52 (float64), 6.77 *
         2^-23 (float32), proved for 5e-324 <= tracking_index <= 7.11074631974658e102 (float64) and
         1e-45 <= tracking_index <= 8.7960925e12 (float32).
-    d_beta: derivative of the velocity gain times the sampling interval. Relative error at most 8.13
-        * 2^-52 (float64), 8.13 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=
+    d_beta: derivative of the velocity gain times the sampling interval. Relative error at most 6.63
+        * 2^-52 (float64), 6.63 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=
         1.8961503816218352e154 (float64) and 1e-45 <= tracking_index <= 2.6087635e19 (float32).
 
     Outside an output's range, a few numbers next to its ends apart, its true value is no normal
@@ -405,15 +407,14 @@ def _gains_with_derivatives_of_numbers(
 ) -> tuple[float, ...]:
     t1 = form.sqrt(tracking_index)
     t3 = t1 * 0.5
-    t8 = form.sqrt((tracking_index * 0.25) + 2.0)
-    t12 = ((t3 + (2.0 / t1)) + t8) * 0.5
-    t13 = t1 * t12
-    t16 = 1.0 / (t13 * t13)
-    t18 = t16 / (t1 * t8)
-    t21 = t16 * ((t3 / t8) + 1.0)
-    t22 = t8 / t12
-    t23 = t1 / t12
-    return (t22, t23, t18, t21)
+    t10 = form.sqrt((tracking_index * 0.25) + 2.0)
+    t13 = ((t3 + (2.0 / t1)) + t10) * 0.5
+    t18 = 1.0 / ((tracking_index * t13) * t13)
+    t14 = t10 / t13
+    t15 = t1 / t13
+    t20 = t18 / (t1 * t10)
+    t23 = t18 * ((t3 / t10) + 1.0)
+    return (t14, t15, t20, t23)
 
 
 def _gains_with_derivatives_block(
@@ -422,39 +423,39 @@ def _gains_with_derivatives_block(
     work: Arrays,
     _single: bool,
     n0: float = 0.5,
-    n1: float = 0.25,
-    n2: float = 2.0,
+    n1: float = 2.0,
+    n2: float = 0.25,
     n3: float = 1.0,
 ) -> None:
     (tracking_index,) = given
     alpha, beta, d_alpha, d_beta = out
-    w0, w1 = work
+    w0, w1, w2 = work
     p = sqrt(tracking_index, beta)
     t3 = multiply(p, n0, w0)
-    t5 = multiply(tracking_index, n1, w1)
-    t7 = add(t5, n2, w1)
-    twice_ratio = sqrt(t7, alpha)
-    t9 = divide(n2, p, d_alpha)
-    t10 = add(t3, t9, d_alpha)
-    t11 = add(t10, twice_ratio, d_alpha)
-    t12 = multiply(t11, n0, w1)
-    t13 = multiply(p, t12, d_alpha)
-    t14 = square(t13, d_alpha)
-    t16 = divide(n3, t14, d_beta)
-    t17 = multiply(p, twice_ratio, d_alpha)
-    t19 = divide(t3, twice_ratio, w0)
-    t20 = add(t19, n3, w0)
-    divide(t16, t17, d_alpha)
-    multiply(t16, t20, d_beta)
-    divide(twice_ratio, t12, alpha)
-    divide(p, t12, beta)
+    t6 = divide(n1, p, alpha)
+    t8 = multiply(tracking_index, n2, w1)
+    t9 = add(t8, n1, w1)
+    twice_ratio = sqrt(t9, d_alpha)
+    t11 = add(t3, t6, alpha)
+    t12 = add(t11, twice_ratio, alpha)
+    t13 = multiply(t12, n0, w1)
+    t16 = multiply(tracking_index, t13, alpha)
+    t17 = multiply(t16, t13, alpha)
+    t18 = divide(n3, t17, d_beta)
+    t19 = multiply(p, twice_ratio, w2)
+    t21 = divide(t3, twice_ratio, w0)
+    t22 = add(t21, n3, w0)
+    divide(twice_ratio, t13, alpha)
+    divide(p, t13, beta)
+    divide(t18, t19, d_alpha)
+    multiply(t18, t22, d_beta)
 
 
 _GAINS_WITH_DERIVATIVES = Signature(
     "gains_with_derivatives",
     (_TRACKING_INDEX_DOMAIN,),
     ("alpha", "beta", "d_alpha", "d_beta"),
-    2,
+    3,
     _gains_with_derivatives_block,
     numbers=_gains_with_derivatives_of_numbers,
 )
@@ -472,11 +473,11 @@ def predictor_gains(
         acceleration_deviation**2*sampling_interval**4/measurement_deviation**2; a number above 0
         and finite.
 
-    position: position entry of F K, alpha + beta. Relative error at most 2.32 * 2^-52 (float64),
-        2.32 * 2^-23 (float32), proved for 5e-324 <= tracking_index <= 1.7976931348623157e308
+    position: position entry of F K, alpha + beta. Relative error at most 2.31 * 2^-52 (float64),
+        2.31 * 2^-23 (float32), proved for 5e-324 <= tracking_index <= 1.7976931348623157e308
         (float64) and 1e-45 <= tracking_index <= 3.4028235e38 (float32).
-    velocity: velocity entry of F K times the sampling interval, beta. Relative error at most 1.95 *
-        2^-52 (float64), 1.95 * 2^-23 (float32), proved for 2.2250738585072014e-308 <=
+    velocity: velocity entry of F K times the sampling interval, beta. Relative error at most 1.94 *
+        2^-52 (float64), 1.94 * 2^-23 (float32), proved for 2.2250738585072014e-308 <=
         tracking_index <= 1.7976931348623157e308 (float64) and 1.1754944e-38 <= tracking_index <=
         3.4028235e38 (float32).
 
@@ -537,22 +538,22 @@ def _predictor_gains_block(
     (tracking_index,) = given
     position, velocity = out
     w0, w1, w2 = work
-    kappa = divide(n0, tracking_index, velocity)
-    t4 = add(kappa, n1, w0)
+    t2 = divide(n0, tracking_index, velocity)
+    t4 = add(t2, n1, w0)
     rho_scaled = sqrt(t4, position)
-    twice_rho = multiply(rho_scaled, n2, position)
-    t9 = divide(n3, twice_rho, w1)
+    t7 = multiply(rho_scaled, n2, position)
+    t9 = divide(n3, t7, w1)
     t11 = add(t9, n4, w2)
     t12 = multiply(t9, t11, w1)
     t14 = add(t12, n5, w1)
     t16 = multiply(t14, n6, w1)
-    t17 = add(twice_rho, t16, w1)
+    t17 = add(t7, t16, w1)
     t18 = add(t4, t17, w0)
     t20 = divide(n7, t18, w0)
     alpha_raised = sqrt(t20, w0)
     t23 = multiply(alpha_raised, n8, w0)
-    t24 = multiply(kappa, n4, velocity)
-    t25 = add(twice_rho, n6, position)
+    t24 = multiply(t2, n4, velocity)
+    t25 = add(t7, n6, position)
     t26 = add(t24, t25, velocity)
     divide(n9, t26, velocity)
     add(t23, velocity, position)
@@ -580,11 +581,11 @@ def predictor_gain_derivatives(
         acceleration_deviation**2*sampling_interval**4/measurement_deviation**2; a number above 0
         and finite.
 
-    position: derivative of the position entry of F K, alpha + beta. Relative error at most 11.54 *
-        2^-52 (float64), 11.55 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=
+    position: derivative of the position entry of F K, alpha + beta. Relative error at most 7.63 *
+        2^-52 (float64), 7.13 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=
         1.8961503816218352e154 (float64) and 1e-45 <= tracking_index <= 2.6087635e19 (float32).
     velocity: derivative of the velocity entry of F K times the sampling interval, beta. Relative
-        error at most 10.01 * 2^-52 (float64), 10.01 * 2^-23 (float32), proved for 5e-324 <=
+        error at most 6.63 * 2^-52 (float64), 6.63 * 2^-23 (float32), proved for 5e-324 <=
         tracking_index <= 1.8961503816218352e154 (float64) and 1e-45 <= tracking_index <=
         2.6087635e19 (float32).
 
@@ -623,13 +624,13 @@ def _predictor_gain_derivatives_of_numbers(
 ) -> tuple[float, ...]:
     t2 = 1.1102230246251565e-16 / tracking_index
     t5 = form.sqrt(t2 + 1.3877787807814457e-17)
-    t7 = t5 * 1.4901161193847656e-08
-    t9 = t7 + 5.551115123125783e-17
-    t13 = 2.465190328815662e-32 / (tracking_index * (t9 * t9))
-    t15 = (t13 * t13) / t7
-    t17 = t15 * t9
-    t18 = (t15 * t2) + t17
-    return (t18, t17)
+    t7 = t5 * 7.450580596923828e-09
+    t10 = t7 + 2.7755575615628914e-17
+    t12 = tracking_index * (t2 + t10)
+    t16 = (1.232595164407831e-32 / (t12 * t12)) / t7
+    t19 = t16 * t10
+    t20 = (t16 * (t2 * 0.5)) + t19
+    return (t20, t19)
 
 
 def _predictor_gain_derivatives_block(
@@ -639,9 +640,10 @@ def _predictor_gain_derivatives_block(
     _single: bool,
     n0: float = 1.1102230246251565e-16,
     n1: float = 1.3877787807814457e-17,
-    n2: float = 1.4901161193847656e-08,
-    n3: float = 5.551115123125783e-17,
-    n4: float = 2.465190328815662e-32,
+    n2: float = 7.450580596923828e-09,
+    n3: float = 2.7755575615628914e-17,
+    n4: float = 1.232595164407831e-32,
+    n5: float = 0.5,
 ) -> None:
     (tracking_index,) = given
     position, velocity = out
@@ -649,16 +651,17 @@ def _predictor_gain_derivatives_block(
     kappa = divide(n0, tracking_index, velocity)
     t4 = add(kappa, n1, w0)
     rho_scaled = sqrt(t4, position)
-    twice_rho = multiply(rho_scaled, n2, position)
-    t9 = add(twice_rho, n3, w0)
-    t10 = square(t9, w1)
-    t11 = multiply(tracking_index, t10, w1)
-    t13 = divide(n4, t11, w1)
-    t14 = square(t13, w1)
-    t15 = divide(t14, twice_rho, w1)
-    t16 = multiply(t15, kappa, position)
-    multiply(t15, t9, velocity)
-    add(t16, velocity, position)
+    rho = multiply(rho_scaled, n2, position)
+    t10 = add(rho, n3, w0)
+    t11 = add(kappa, t10, w1)
+    t12 = multiply(tracking_index, t11, w1)
+    t13 = square(t12, w1)
+    t15 = divide(n4, t13, w1)
+    t16 = divide(t15, rho, w1)
+    t17 = multiply(kappa, n5, velocity)
+    t18 = multiply(t16, t17, position)
+    multiply(t16, t10, velocity)
+    add(t18, velocity, position)
 
 
 _PREDICTOR_GAIN_DERIVATIVES = Signature(
@@ -685,11 +688,11 @@ def predicted_covariance(
         acceleration_deviation**2*sampling_interval**4/measurement_deviation**2; a number above 0
         and finite.
 
-    predicted_11: variance of the predicted position over sigma_v^2. Relative error at most 6.01 *
-        2^-52 (float64), 7.01 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=
+    predicted_11: variance of the predicted position over sigma_v^2. Relative error at most 3.87 *
+        2^-52 (float64), 5.51 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=
         2.6815615859885e154 (float64) and 1e-45 <= tracking_index <= 3.6893345e19 (float32).
     predicted_12: covariance of predicted position and velocity times T/sigma_v^2. Relative error at
-        most 4.51 * 2^-52 (float64), 4.51 * 2^-23 (float32), proved for 2.2250738585072014e-308 <=
+        most 2.44 * 2^-52 (float64), 2.44 * 2^-23 (float32), proved for 2.2250738585072014e-308 <=
         tracking_index <= 1.8961503816218218e154 (float64) and 1.1754944e-38 <= tracking_index <=
         2.6087534e19 (float32).
     predicted_22: variance of the predicted velocity times T^2/sigma_v^2. Relative error at most
@@ -728,15 +731,15 @@ def _predicted_covariance_of_numbers(
 ) -> tuple[float, ...]:
     t2 = 1.1102230246251565e-16 / tracking_index
     t5 = form.sqrt(t2 + 1.3877787807814457e-17)
-    t7 = t5 * 1.4901161193847656e-08
-    t9 = t7 + 5.551115123125783e-17
-    t12 = tracking_index * (2.220446049250313e-16 / t9)
-    t16 = (tracking_index * (t9 * t9)) * 4.056481920730334e31
-    t19 = (tracking_index * t7) * 9007199254740992.0
-    t20 = t16 * t19
-    t21 = tracking_index * t16
-    t23 = t12 + (tracking_index * tracking_index)
-    return (t20, t21, t23)
+    t7 = t5 * 7.450580596923828e-09
+    t9 = t7 + 2.7755575615628914e-17
+    t13 = (tracking_index * (t2 + t9)) * 9007199254740992.0
+    t16 = (tracking_index * t7) * 1.8014398509481984e16
+    t20 = tracking_index * (1.1102230246251565e-16 / t9)
+    t17 = t13 * t16
+    t18 = tracking_index * t13
+    t22 = t20 + (tracking_index * tracking_index)
+    return (t17, t18, t22)
 
 
 def _predicted_covariance_block(
@@ -746,31 +749,30 @@ def _predicted_covariance_block(
     _single: bool,
     n0: float = 1.1102230246251565e-16,
     n1: float = 1.3877787807814457e-17,
-    n2: float = 1.4901161193847656e-08,
-    n3: float = 5.551115123125783e-17,
-    n4: float = 2.220446049250313e-16,
-    n5: float = 4.056481920730334e31,
-    n6: float = 9007199254740992.0,
+    n2: float = 7.450580596923828e-09,
+    n3: float = 2.7755575615628914e-17,
+    n4: float = 9007199254740992.0,
+    n5: float = 1.8014398509481984e16,
 ) -> None:
     (tracking_index,) = given
     predicted_11, predicted_12, predicted_22 = out
     w0, w1 = work
     kappa = divide(n0, tracking_index, predicted_11)
-    t4 = add(kappa, n1, predicted_11)
+    t4 = add(kappa, n1, w0)
     rho_scaled = sqrt(t4, predicted_12)
-    twice_rho = multiply(rho_scaled, n2, predicted_12)
-    t9 = add(twice_rho, n3, predicted_11)
-    t11 = divide(n4, t9, predicted_22)
-    t12 = multiply(tracking_index, t11, predicted_22)
-    t13 = square(t9, predicted_11)
-    t14 = multiply(tracking_index, t13, predicted_11)
-    t16 = multiply(t14, n5, w0)
-    t17 = multiply(tracking_index, twice_rho, predicted_12)
-    t19 = multiply(t17, n6, predicted_12)
-    t22 = square(tracking_index, w1)
-    multiply(t16, t19, predicted_11)
-    multiply(tracking_index, t16, predicted_12)
-    add(t12, t22, predicted_22)
+    rho = multiply(rho_scaled, n2, predicted_12)
+    t9 = add(rho, n3, w0)
+    t10 = add(kappa, t9, predicted_11)
+    t11 = multiply(tracking_index, t10, predicted_11)
+    t13 = multiply(t11, n4, w1)
+    t14 = multiply(tracking_index, rho, predicted_12)
+    t16 = multiply(t14, n5, predicted_12)
+    t19 = divide(n0, t9, predicted_22)
+    t20 = multiply(tracking_index, t19, predicted_22)
+    t21 = square(tracking_index, w0)
+    multiply(t13, t16, predicted_11)
+    multiply(tracking_index, t13, predicted_12)
+    add(t20, t21, predicted_22)
 
 
 _PREDICTED_COVARIANCE = Signature(
@@ -796,15 +798,15 @@ def predicted_covariance_derivatives(
         and finite.
 
     predicted_11: derivative of the variance of the predicted position over sigma_v^2. Relative
-        error at most 7.51 * 2^-52 (float64), 7.51 * 2^-23 (float32), proved for 5e-324 <=
+        error at most 4.01 * 2^-52 (float64), 4.02 * 2^-23 (float32), proved for 5e-324 <=
         tracking_index <= 1.7976931348623157e308 (float64) and 1e-45 <= tracking_index <=
         3.4028235e38 (float32).
     predicted_12: derivative of the covariance of predicted position and velocity times T/sigma_v^2.
-        Relative error at most 5.51 * 2^-52 (float64), 5.51 * 2^-23 (float32), proved for 5e-324 <=
+        Relative error at most 3.14 * 2^-52 (float64), 3.14 * 2^-23 (float32), proved for 5e-324 <=
         tracking_index <= 1.7976931348622902e308 (float64) and 1e-45 <= tracking_index <=
         3.4027975e38 (float32).
     predicted_22: derivative of the variance of the predicted velocity times T^2/sigma_v^2. Relative
-        error at most 4.67 * 2^-52 (float64), 4.67 * 2^-23 (float32), proved for 5e-324 <=
+        error at most 4.51 * 2^-52 (float64), 4.51 * 2^-23 (float32), proved for 5e-324 <=
         tracking_index <= 8.988465674311451e307 (float64) and 1e-45 <= tracking_index <=
         1.7013988e38 (float32).
 
@@ -844,15 +846,16 @@ def _predicted_covariance_derivatives_of_numbers(
 ) -> tuple[float, ...]:
     t2 = 1.1102230246251565e-16 / tracking_index
     t5 = form.sqrt(t2 + 1.3877787807814457e-17)
-    t7 = t5 * 1.4901161193847656e-08
-    t9 = t7 + 5.551115123125783e-17
-    t14 = (t2 / t9) * (1.1102230246251565e-16 / t7)
-    t17 = (2.220446049250313e-16 / t9) * (1.0 + t14)
-    t21 = (tracking_index * (t9 * t9)) * 4.056481920730334e31
-    t23 = t21 * (t9 / t7)
-    t26 = t23 * (t9 * 4503599627370496.0)
-    t29 = t17 + (tracking_index * 2.0)
-    return (t26, t23, t29)
+    t7 = t5 * 7.450580596923828e-09
+    t11 = t7 + 2.7755575615628914e-17
+    t12 = t2 + t11
+    t15 = (tracking_index * t12) * 9007199254740992.0
+    t24 = ((t2 / t11) * 2.7755575615628914e-17) / t7
+    t26 = (1.1102230246251565e-16 / t11) * (1.0 + t24)
+    t18 = t15 * ((t12 / t7) * 0.5)
+    t20 = t15 * (t11 / t7)
+    t28 = t26 + (tracking_index * 2.0)
+    return (t18, t20, t28)
 
 
 def _predicted_covariance_derivatives_block(
@@ -862,44 +865,44 @@ def _predicted_covariance_derivatives_block(
     _single: bool,
     n0: float = 1.1102230246251565e-16,
     n1: float = 1.3877787807814457e-17,
-    n2: float = 1.4901161193847656e-08,
-    n3: float = 5.551115123125783e-17,
-    n4: float = 2.220446049250313e-16,
-    n5: float = 1.0,
-    n6: float = 4.056481920730334e31,
-    n7: float = 4503599627370496.0,
-    n8: float = 2.0,
+    n2: float = 7.450580596923828e-09,
+    n3: float = 2.7755575615628914e-17,
+    n4: float = 9007199254740992.0,
+    n5: float = 0.5,
+    n6: float = 1.0,
+    n7: float = 2.0,
 ) -> None:
     (tracking_index,) = given
     predicted_11, predicted_12, predicted_22 = out
-    w0, w1 = work
-    kappa = divide(n0, tracking_index, predicted_12)
+    w0, w1, w2, w3 = work
+    kappa = divide(n0, tracking_index, predicted_11)
     t4 = add(kappa, n1, w0)
-    rho_scaled = sqrt(t4, predicted_11)
-    twice_rho = multiply(rho_scaled, n2, predicted_11)
-    t9 = add(twice_rho, n3, w0)
-    t11 = divide(n4, t9, predicted_22)
-    t12 = divide(kappa, t9, predicted_12)
-    t13 = divide(n0, twice_rho, w1)
-    t14 = multiply(t12, t13, predicted_12)
-    t16 = add(n5, t14, predicted_12)
-    t17 = multiply(t11, t16, predicted_22)
-    t18 = square(t9, w1)
-    t19 = multiply(tracking_index, t18, w1)
-    t21 = multiply(t19, n6, w1)
-    t22 = divide(t9, twice_rho, predicted_11)
-    multiply(t21, t22, predicted_12)
-    t25 = multiply(t9, n7, w0)
-    t28 = multiply(tracking_index, n8, w1)
-    multiply(predicted_12, t25, predicted_11)
-    add(t17, t28, predicted_22)
+    rho_scaled = sqrt(t4, predicted_12)
+    rho = multiply(rho_scaled, n2, predicted_12)
+    t11 = add(rho, n3, w0)
+    t12 = add(kappa, t11, w1)
+    t13 = multiply(tracking_index, t12, w2)
+    t15 = multiply(t13, n4, w2)
+    t16 = divide(t12, rho, predicted_22)
+    t17 = multiply(t16, n5, predicted_22)
+    t19 = divide(t11, rho, w1)
+    t21 = divide(n0, t11, w3)
+    t22 = divide(kappa, t11, predicted_11)
+    t23 = multiply(t22, n3, predicted_11)
+    t24 = divide(t23, rho, predicted_11)
+    t25 = add(n6, t24, predicted_11)
+    t26 = multiply(t21, t25, w3)
+    t27 = multiply(tracking_index, n7, w0)
+    multiply(t15, t17, predicted_11)
+    multiply(t15, t19, predicted_12)
+    add(t26, t27, predicted_22)
 
 
 _PREDICTED_COVARIANCE_DERIVATIVES = Signature(
     "predicted_covariance_derivatives",
     (_TRACKING_INDEX_DOMAIN,),
     ("predicted_11", "predicted_12", "predicted_22"),
-    2,
+    4,
     _predicted_covariance_derivatives_block,
     numbers=_predicted_covariance_derivatives_of_numbers,
 )
@@ -919,11 +922,11 @@ def updated_covariance(
         acceleration_deviation**2*sampling_interval**4/measurement_deviation**2; a number above 0
         and finite.
 
-    updated_11: variance of the updated position over sigma_v^2. Relative error at most 3.51 * 2^-52
-        (float64), 3.51 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=
+    updated_11: variance of the updated position over sigma_v^2. Relative error at most 2.51 * 2^-52
+        (float64), 2.51 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=
         1.7976931348623157e308 (float64) and 1e-45 <= tracking_index <= 3.4028235e38 (float32).
     updated_12: covariance of updated position and velocity times T/sigma_v^2. Relative error at
-        most 4.51 * 2^-52 (float64), 4.51 * 2^-23 (float32), proved for 2.2250738585072014e-308 <=
+        most 2.01 * 2^-52 (float64), 2.01 * 2^-23 (float32), proved for 2.2250738585072014e-308 <=
         tracking_index <= 1.7976931348623157e308 (float64) and 1.1754944e-38 <= tracking_index <=
         3.4028235e38 (float32).
     updated_22: variance of the updated velocity times T^2/sigma_v^2. Relative error at most 2.51 *
@@ -959,13 +962,13 @@ def updated_covariance(
 def _updated_covariance_of_numbers(tracking_index: float, form: Form = Double) -> tuple[float, ...]:
     t2 = 1.1102230246251565e-16 / tracking_index
     t5 = form.sqrt(t2 + 1.3877787807814457e-17)
-    t7 = t5 * 1.4901161193847656e-08
-    t9 = t7 + 5.551115123125783e-17
-    t12 = 2.220446049250313e-16 / (t9 * t9)
+    t7 = t5 * 7.450580596923828e-09
+    t10 = t7 + 2.7755575615628914e-17
+    t12 = 2.0 / (t2 + t10)
     t13 = t12 * t7
-    t14 = t12 * 1.1102230246251565e-16
-    t16 = tracking_index * (2.220446049250313e-16 / t9)
-    return (t13, t14, t16)
+    t15 = t12 * 5.551115123125783e-17
+    t17 = tracking_index * (1.1102230246251565e-16 / t10)
+    return (t13, t15, t17)
 
 
 def _updated_covariance_block(
@@ -975,24 +978,25 @@ def _updated_covariance_block(
     _single: bool,
     n0: float = 1.1102230246251565e-16,
     n1: float = 1.3877787807814457e-17,
-    n2: float = 1.4901161193847656e-08,
-    n3: float = 5.551115123125783e-17,
-    n4: float = 2.220446049250313e-16,
+    n2: float = 7.450580596923828e-09,
+    n3: float = 2.7755575615628914e-17,
+    n4: float = 2.0,
+    n5: float = 5.551115123125783e-17,
 ) -> None:
     (tracking_index,) = given
     updated_11, updated_12, updated_22 = out
     (w0,) = work
     kappa = divide(n0, tracking_index, updated_11)
-    t4 = add(kappa, n1, updated_11)
+    t4 = add(kappa, n1, w0)
     rho_scaled = sqrt(t4, updated_12)
-    twice_rho = multiply(rho_scaled, n2, updated_12)
-    t9 = add(twice_rho, n3, updated_11)
-    t10 = square(t9, w0)
-    t12 = divide(n4, t10, updated_22)
-    t15 = divide(n4, t9, w0)
-    multiply(t12, twice_rho, updated_11)
-    multiply(t12, n0, updated_12)
-    multiply(tracking_index, t15, updated_22)
+    rho = multiply(rho_scaled, n2, updated_12)
+    t10 = add(rho, n3, w0)
+    t11 = add(kappa, t10, updated_11)
+    t12 = divide(n4, t11, updated_22)
+    t16 = divide(n0, t10, w0)
+    multiply(t12, rho, updated_11)
+    multiply(t12, n5, updated_12)
+    multiply(tracking_index, t16, updated_22)
 
 
 _UPDATED_COVARIANCE = Signature(
@@ -1018,14 +1022,14 @@ def updated_covariance_derivatives(
         and finite.
 
     updated_11: derivative of the variance of the updated position over sigma_v^2. Relative error at
-        most 11.01 * 2^-52 (float64), 11.01 * 2^-23 (float32), proved for 5e-324 <= tracking_index
-        <= 7.11074631974658e102 (float64) and 1e-45 <= tracking_index <= 8.7960925e12 (float32).
+        most 7.01 * 2^-52 (float64), 7.01 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=
+        7.11074631974658e102 (float64) and 1e-45 <= tracking_index <= 8.7960925e12 (float32).
     updated_12: derivative of the covariance of updated position and velocity times T/sigma_v^2.
-        Relative error at most 10.01 * 2^-52 (float64), 10.01 * 2^-23 (float32), proved for 5e-324
-        <= tracking_index <= 1.8961503816218352e154 (float64) and 1e-45 <= tracking_index <=
+        Relative error at most 6.63 * 2^-52 (float64), 6.63 * 2^-23 (float32), proved for 5e-324 <=
+        tracking_index <= 1.8961503816218352e154 (float64) and 1e-45 <= tracking_index <=
         2.6087635e19 (float32).
     updated_22: derivative of the variance of the updated velocity times T^2/sigma_v^2. Relative
-        error at most 4.17 * 2^-52 (float64), 4.17 * 2^-23 (float32), proved for 5e-324 <=
+        error at most 4.01 * 2^-52 (float64), 4.01 * 2^-23 (float32), proved for 5e-324 <=
         tracking_index <= 1.7976931348623157e308 (float64) and 1e-45 <= tracking_index <=
         3.4028235e38 (float32).
 
@@ -1065,15 +1069,15 @@ def _updated_covariance_derivatives_of_numbers(
 ) -> tuple[float, ...]:
     t2 = 1.1102230246251565e-16 / tracking_index
     t5 = form.sqrt(t2 + 1.3877787807814457e-17)
-    t7 = t5 * 1.4901161193847656e-08
-    t9 = t7 + 5.551115123125783e-17
-    t13 = 2.465190328815662e-32 / (tracking_index * (t9 * t9))
-    t15 = (t13 * t13) / t7
-    t22 = (t2 / t9) * (1.1102230246251565e-16 / t7)
-    t16 = t15 * t2
-    t17 = t15 * t9
-    t25 = (2.220446049250313e-16 / t9) * (1.0 + t22)
-    return (t16, t17, t25)
+    t7 = t5 * 7.450580596923828e-09
+    t11 = t7 + 2.7755575615628914e-17
+    t13 = tracking_index * (t2 + t11)
+    t17 = (1.232595164407831e-32 / (t13 * t13)) / t7
+    t24 = ((t2 / t11) * 2.7755575615628914e-17) / t7
+    t19 = t17 * (t2 * 0.5)
+    t20 = t17 * t11
+    t26 = (1.1102230246251565e-16 / t11) * (1.0 + t24)
+    return (t19, t20, t26)
 
 
 def _updated_covariance_derivatives_block(
@@ -1083,11 +1087,11 @@ def _updated_covariance_derivatives_block(
     _single: bool,
     n0: float = 1.1102230246251565e-16,
     n1: float = 1.3877787807814457e-17,
-    n2: float = 1.4901161193847656e-08,
-    n3: float = 5.551115123125783e-17,
-    n4: float = 2.465190328815662e-32,
-    n5: float = 1.0,
-    n6: float = 2.220446049250313e-16,
+    n2: float = 7.450580596923828e-09,
+    n3: float = 2.7755575615628914e-17,
+    n4: float = 1.232595164407831e-32,
+    n5: float = 0.5,
+    n6: float = 1.0,
 ) -> None:
     (tracking_index,) = given
     updated_11, updated_12, updated_22 = out
@@ -1095,21 +1099,22 @@ def _updated_covariance_derivatives_block(
     kappa = divide(n0, tracking_index, updated_11)
     t4 = add(kappa, n1, w0)
     rho_scaled = sqrt(t4, w0)
-    twice_rho = multiply(rho_scaled, n2, w0)
-    t9 = add(twice_rho, n3, w1)
-    t10 = square(t9, w2)
-    t11 = multiply(tracking_index, t10, w2)
-    t13 = divide(n4, t11, w2)
+    rho = multiply(rho_scaled, n2, w0)
+    t11 = add(rho, n3, w1)
+    t12 = add(kappa, t11, w2)
+    t13 = multiply(tracking_index, t12, w2)
     t14 = square(t13, w2)
-    t15 = divide(t14, twice_rho, updated_12)
-    t20 = divide(kappa, t9, w2)
-    t21 = divide(n0, twice_rho, w0)
-    t22 = multiply(t20, t21, w2)
-    t24 = add(n5, t22, w2)
-    multiply(t15, kappa, updated_11)
-    multiply(t15, t9, updated_12)
-    t19 = divide(n6, t9, updated_22)
-    multiply(t19, t24, updated_22)
+    t16 = divide(n4, t14, w2)
+    t17 = divide(t16, rho, updated_12)
+    t18 = multiply(kappa, n5, w2)
+    t22 = divide(kappa, t11, updated_11)
+    t23 = multiply(t22, n3, updated_11)
+    t24 = divide(t23, rho, updated_11)
+    t25 = add(n6, t24, w0)
+    multiply(t17, t18, updated_11)
+    multiply(t17, t11, updated_12)
+    t21 = divide(n0, t11, updated_22)
+    multiply(t21, t25, updated_22)
 
 
 _UPDATED_COVARIANCE_DERIVATIVES = Signature(
@@ -1137,12 +1142,12 @@ def gain_second_derivatives(
         acceleration_deviation**2*sampling_interval**4/measurement_deviation**2; a number above 0
         and finite.
 
-    alpha: second derivative by Lambda of the position gain. Relative error at most 15.01 * 2^-52
-        (float64), 15.01 * 2^-23 (float32), proved for 1.5697348409117308e-206 <= tracking_index <=
+    alpha: second derivative by Lambda of the position gain. Relative error at most 10.30 * 2^-52
+        (float64), 10.30 * 2^-23 (float32), proved for 1.5697348409117308e-206 <= tracking_index <=
         1.8122441335979363e77 (float64) and 1.0258392e-26 <= tracking_index <= 6.721987e09
         (float32).
     beta: second derivative by Lambda of the velocity gain times the sampling interval. Relative
-        error at most 13.01 * 2^-52 (float64), 13.01 * 2^-23 (float32), proved for 5e-324 <=
+        error at most 9.94 * 2^-52 (float64), 9.94 * 2^-23 (float32), proved for 5e-324 <=
         tracking_index <= 8.958978968711217e102 (float64) and 1e-45 <= tracking_index <=
         1.1082382e13 (float32).
 
@@ -1179,16 +1184,16 @@ def _gain_second_derivatives_of_numbers(
 ) -> tuple[float, ...]:
     t2 = 1.1102230246251565e-16 / tracking_index
     t4 = t2 + 1.3877787807814457e-17
-    t7 = form.sqrt(t4) * 1.4901161193847656e-08
-    t9 = t7 + 5.551115123125783e-17
-    t13 = 2.465190328815662e-32 / (tracking_index * (t9 * t9))
-    t14 = t13 / tracking_index
-    t17 = 1.1102230246251565e-16 / t7
-    t25 = t13 * (((2.0 + t17) * (6.0 + t17)) * 0.0625)
-    t31 = ((t2 + 2.7755575615628914e-17) / t4) * 0.5
-    t35 = -((t17 * t14) * ((t17 + t31) * t14))
-    t36 = -((t13 * (t2 / t7)) * t25)
-    return (t35, t36)
+    t7 = form.sqrt(t4) * 7.450580596923828e-09
+    t12 = tracking_index * (t2 + (t7 + 2.7755575615628914e-17))
+    t15 = 1.232595164407831e-32 / (t12 * t12)
+    t17 = 5.551115123125783e-17 / t7
+    t20 = ((t2 + 2.7755575615628914e-17) / t4) * 0.5
+    t24 = (t15 * (t17 * (t17 + t20))) / tracking_index
+    t33 = ((2.0 + t17) * (6.0 + t17)) * 0.03125
+    t26 = -(t24 / tracking_index)
+    t36 = -(t15 * ((t2 / t7) * t33))
+    return (t26, t36)
 
 
 def _gain_second_derivatives_block(
@@ -1198,52 +1203,52 @@ def _gain_second_derivatives_block(
     _single: bool,
     n0: float = 1.1102230246251565e-16,
     n1: float = 1.3877787807814457e-17,
-    n2: float = 1.4901161193847656e-08,
-    n3: float = 5.551115123125783e-17,
-    n4: float = 2.465190328815662e-32,
-    n5: float = 2.0,
-    n6: float = 6.0,
-    n7: float = 0.0625,
-    n8: float = 2.7755575615628914e-17,
-    n9: float = 0.5,
+    n2: float = 7.450580596923828e-09,
+    n3: float = 2.7755575615628914e-17,
+    n4: float = 1.232595164407831e-32,
+    n5: float = 5.551115123125783e-17,
+    n6: float = 0.5,
+    n7: float = 2.0,
+    n8: float = 6.0,
+    n9: float = 0.03125,
 ) -> None:
     (tracking_index,) = given
     alpha, beta = out
-    w0, w1, w2, w3, w4, w5 = work
-    kappa = divide(n0, tracking_index, alpha)
+    w0, w1, w2, w3 = work
+    kappa = divide(n0, tracking_index, beta)
     t4 = add(kappa, n1, w0)
-    rho_scaled = sqrt(t4, beta)
-    twice_rho = multiply(rho_scaled, n2, beta)
-    t9 = add(twice_rho, n3, w1)
-    t10 = square(t9, w1)
-    t11 = multiply(tracking_index, t10, w1)
-    t13 = divide(n4, t11, w1)
-    t14 = divide(t13, tracking_index, w2)
-    t15 = divide(kappa, twice_rho, w3)
-    t16 = multiply(t13, t15, w3)
-    t17 = divide(n0, twice_rho, beta)
-    t19 = add(n5, t17, w4)
-    t21 = add(n6, t17, w5)
-    t22 = multiply(t19, t21, w4)
-    t24 = multiply(t22, n7, w4)
-    t25 = multiply(t13, t24, w1)
-    t26 = multiply(t16, t25, w3)
-    t27 = multiply(t17, t14, w1)
-    t29 = add(kappa, n8, alpha)
-    t30 = divide(t29, t4, alpha)
-    t31 = multiply(t30, n9, alpha)
-    t32 = add(t17, t31, beta)
-    t33 = multiply(t32, t14, beta)
-    t34 = multiply(t27, t33, w1)
-    negative(t34, alpha)
-    negative(t26, beta)
+    rho_scaled = sqrt(t4, w1)
+    rho = multiply(rho_scaled, n2, w1)
+    t10 = add(rho, n3, w2)
+    t11 = add(kappa, t10, w2)
+    t12 = multiply(tracking_index, t11, w2)
+    t13 = square(t12, w2)
+    t15 = divide(n4, t13, w2)
+    t17 = divide(n5, rho, alpha)
+    t18 = add(kappa, n3, w3)
+    t19 = divide(t18, t4, w3)
+    t20 = multiply(t19, n6, w3)
+    t21 = add(t17, t20, w3)
+    t22 = multiply(t17, t21, w3)
+    t23 = multiply(t15, t22, w3)
+    t24 = divide(t23, tracking_index, w3)
+    t28 = add(n7, t17, w0)
+    t30 = add(n8, t17, alpha)
+    t31 = multiply(t28, t30, w0)
+    t33 = multiply(t31, n9, w0)
+    t25 = divide(t24, tracking_index, alpha)
+    negative(t25, alpha)
+    t27 = divide(kappa, rho, beta)
+    t34 = multiply(t27, t33, beta)
+    t35 = multiply(t15, t34, beta)
+    negative(t35, beta)
 
 
 _GAIN_SECOND_DERIVATIVES = Signature(
     "gain_second_derivatives",
     (_TRACKING_INDEX_DOMAIN,),
     ("alpha", "beta"),
-    6,
+    4,
     _gain_second_derivatives_block,
     numbers=_gain_second_derivatives_of_numbers,
 )
@@ -1263,11 +1268,11 @@ def predictor_gain_second_derivatives(
         and finite.
 
     position: second derivative by Lambda of the position entry of F K, alpha + beta. Relative error
-        at most 15.53 * 2^-52 (float64), 15.51 * 2^-23 (float32), proved for 1.5697348409117308e-206
+        at most 10.94 * 2^-52 (float64), 10.50 * 2^-23 (float32), proved for 1.5697348409117308e-206
         <= tracking_index <= 8.958978968711217e102 (float64) and 1.0258392e-26 <= tracking_index <=
         1.1082382e13 (float32).
     velocity: second derivative by Lambda of the velocity entry of F K times the sampling interval,
-        beta. Relative error at most 13.01 * 2^-52 (float64), 13.01 * 2^-23 (float32), proved for
+        beta. Relative error at most 9.94 * 2^-52 (float64), 9.94 * 2^-23 (float32), proved for
         5e-324 <= tracking_index <= 8.958978968711217e102 (float64) and 1e-45 <= tracking_index <=
         1.1082382e13 (float32).
 
@@ -1307,17 +1312,16 @@ def _predictor_gain_second_derivatives_of_numbers(
 ) -> tuple[float, ...]:
     t2 = 1.1102230246251565e-16 / tracking_index
     t4 = t2 + 1.3877787807814457e-17
-    t7 = form.sqrt(t4) * 1.4901161193847656e-08
-    t9 = t7 + 5.551115123125783e-17
-    t13 = 2.465190328815662e-32 / (tracking_index * (t9 * t9))
-    t14 = t13 / tracking_index
-    t17 = 1.1102230246251565e-16 / t7
-    t25 = t13 * (((2.0 + t17) * (6.0 + t17)) * 0.0625)
-    t26 = (t13 * (t2 / t7)) * t25
-    t31 = ((t2 + 2.7755575615628914e-17) / t4) * 0.5
-    t35 = ((t17 * t14) * ((t17 + t31) * t14)) + t26
-    t36 = -t35
-    t37 = -t26
+    t7 = form.sqrt(t4) * 7.450580596923828e-09
+    t12 = tracking_index * (t2 + (t7 + 2.7755575615628914e-17))
+    t15 = 1.232595164407831e-32 / (t12 * t12)
+    t17 = 5.551115123125783e-17 / t7
+    t20 = ((t2 + 2.7755575615628914e-17) / t4) * 0.5
+    t24 = (t15 * (t17 * (t17 + t20))) / tracking_index
+    t32 = ((2.0 + t17) * (6.0 + t17)) * 0.03125
+    t34 = t15 * ((t2 / t7) * t32)
+    t36 = -((t24 / tracking_index) + t34)
+    t37 = -t34
     return (t36, t37)
 
 
@@ -1328,53 +1332,53 @@ def _predictor_gain_second_derivatives_block(
     _single: bool,
     n0: float = 1.1102230246251565e-16,
     n1: float = 1.3877787807814457e-17,
-    n2: float = 1.4901161193847656e-08,
-    n3: float = 5.551115123125783e-17,
-    n4: float = 2.465190328815662e-32,
-    n5: float = 2.0,
-    n6: float = 6.0,
-    n7: float = 0.0625,
-    n8: float = 2.7755575615628914e-17,
-    n9: float = 0.5,
+    n2: float = 7.450580596923828e-09,
+    n3: float = 2.7755575615628914e-17,
+    n4: float = 1.232595164407831e-32,
+    n5: float = 5.551115123125783e-17,
+    n6: float = 0.5,
+    n7: float = 2.0,
+    n8: float = 6.0,
+    n9: float = 0.03125,
 ) -> None:
     (tracking_index,) = given
     position, velocity = out
-    w0, w1, w2, w3, w4, w5 = work
+    w0, w1, w2, w3 = work
     kappa = divide(n0, tracking_index, position)
     t4 = add(kappa, n1, w0)
-    rho_scaled = sqrt(t4, w1)
-    twice_rho = multiply(rho_scaled, n2, w1)
-    t9 = add(twice_rho, n3, w2)
-    t10 = square(t9, w2)
-    t11 = multiply(tracking_index, t10, w2)
-    t13 = divide(n4, t11, velocity)
-    t14 = divide(t13, tracking_index, w2)
-    t15 = divide(kappa, twice_rho, w3)
-    t16 = multiply(t13, t15, w3)
-    t17 = divide(n0, twice_rho, w1)
-    t19 = add(n5, t17, w4)
-    t21 = add(n6, t17, w5)
-    t22 = multiply(t19, t21, w4)
-    t24 = multiply(t22, n7, w4)
-    t25 = multiply(t13, t24, velocity)
-    t26 = multiply(t16, t25, w3)
-    t27 = multiply(t17, t14, w4)
-    t29 = add(kappa, n8, position)
-    negative(t26, velocity)
-    t30 = divide(t29, t4, position)
-    t31 = multiply(t30, n9, position)
-    t32 = add(t17, t31, position)
-    t33 = multiply(t32, t14, position)
-    t34 = multiply(t27, t33, position)
-    t35 = add(t34, t26, position)
+    rho_scaled = sqrt(t4, velocity)
+    rho = multiply(rho_scaled, n2, velocity)
+    t10 = add(rho, n3, w1)
+    t11 = add(kappa, t10, w1)
+    t12 = multiply(tracking_index, t11, w1)
+    t13 = square(t12, w1)
+    t15 = divide(n4, t13, w1)
+    t17 = divide(n5, rho, w2)
+    t18 = add(kappa, n3, w3)
+    t19 = divide(t18, t4, w3)
+    t20 = multiply(t19, n6, w3)
+    t21 = add(t17, t20, w3)
+    t22 = multiply(t17, t21, w3)
+    t23 = multiply(t15, t22, w3)
+    t24 = divide(t23, tracking_index, w3)
+    t25 = divide(t24, tracking_index, w3)
+    t26 = divide(kappa, rho, position)
+    t27 = add(n7, t17, w0)
+    t29 = add(n8, t17, w2)
+    t30 = multiply(t27, t29, w0)
+    t32 = multiply(t30, n9, w0)
+    t33 = multiply(t26, t32, position)
+    t34 = multiply(t15, t33, w1)
+    t35 = add(t25, t34, w3)
     negative(t35, position)
+    negative(t34, velocity)
 
 
 _PREDICTOR_GAIN_SECOND_DERIVATIVES = Signature(
     "predictor_gain_second_derivatives",
     (_TRACKING_INDEX_DOMAIN,),
     ("position", "velocity"),
-    6,
+    4,
     _predictor_gain_second_derivatives_block,
     numbers=_predictor_gain_second_derivatives_of_numbers,
 )
@@ -1398,7 +1402,7 @@ def predicted_covariance_second_derivatives(
         and finite.
 
     predicted_11: second derivative by Lambda of the variance of the predicted position over
-        sigma_v^2. Relative error at most 10.23 * 2^-52 (float64), 10.32 * 2^-23 (float32), proved
+        sigma_v^2. Relative error at most 10.05 * 2^-52 (float64), 10.22 * 2^-23 (float32), proved
         for 1.5697348409117308e-206 <= tracking_index <= 1.7976931348623157e308 (float64) and
         1.0258392e-26 <= tracking_index <= 3.4028235e38 (float32).
     predicted_12: second derivative by Lambda of the covariance of predicted position and velocity
@@ -1406,9 +1410,9 @@ def predicted_covariance_second_derivatives(
         proved for 5e-324 <= tracking_index <= 1.7976931348623157e308 (float64) and 1e-45 <=
         tracking_index <= 3.4028235e38 (float32).
     predicted_22: second derivative by Lambda of the variance of the predicted velocity times
-        T^2/sigma_v^2. Relative error at most 10.01 * 2^-52 (float64), 10.01 * 2^-23 (float32),
-        proved for 5e-324 <= tracking_index <= 1.7976931348623157e308 (float64) and 1e-45 <=
-        tracking_index <= 3.4028235e38 (float32).
+        T^2/sigma_v^2. Relative error at most 9.51 * 2^-52 (float64), 9.55 * 2^-23 (float32), proved
+        for 5e-324 <= tracking_index <= 1.7976931348623157e308 (float64) and 1e-45 <= tracking_index
+        <= 3.4028235e38 (float32).
 
     Outside an output's range, a few numbers next to its ends apart, its true value is no normal
     number: it comes as 0, a subnormal number or infinity, never as NaN. Numbers and arrays are
@@ -1444,27 +1448,25 @@ def _predicted_covariance_second_derivatives_of_numbers(
     tracking_index: float,
     form: Form = Double,
 ) -> tuple[float, ...]:
-    t2 = 1.1102230246251565e-16 / tracking_index
-    t4 = t2 + 1.3877787807814457e-17
-    t5 = form.sqrt(t4)
-    t7 = t5 * 7.450580596923828e-09
-    t9 = t5 * 1.4901161193847656e-08
-    t15 = (t2 + 0.0) / (t7 + 2.7755575615628914e-17)
-    t16 = 1.1102230246251565e-16 / t9
-    t20 = (tracking_index + -0.6188021535170061) + (
+    t3 = 1.1102230246251565e-16 / tracking_index
+    t5 = t3 + 1.3877787807814457e-17
+    t8 = form.sqrt(t5) * 7.450580596923828e-09
+    t13 = (tracking_index + -0.6188021535170061) + (
         -2.329468529183032e-08 if form.single else -4.555764098981943e-17
     )
-    t23 = (t20 * 0.20200317547305482) / tracking_index
-    t24 = 2.0 + t16
-    t34 = (t15 + 0.36602540378443865) / (t15 + 2.366025403784439)
-    t36 = t9 + 5.551115123125783e-17
-    t46 = (1.0 + (t16 * 0.5)) + ((t2 / t4) * 0.5)
-    t53 = t2 / (t4 + (t7 * 0.5))
-    t59 = (t53 * t53) * (t53 * (((t15 * 3.0) + 2.0) * 0.25))
-    t41 = (t23 * (t36 * 1.8014398509481984e16)) * (((t24 * t24) * (t24 * 0.125)) * t34)
-    t50 = (t24 * (t36 * 1125899906842624.0)) * t46
-    t60 = t59 + 2.0
-    return (t41, t50, t60)
+    t16 = (t13 * 0.20200317547305482) / tracking_index
+    t18 = t8 + 2.7755575615628914e-17
+    t23 = 5.551115123125783e-17 / t8
+    t24 = 2.0 + t23
+    t29 = t3 / t18
+    t34 = (t29 + 0.36602540378443865) / (t29 + 2.366025403784439)
+    t44 = (1.0 + (t23 * 0.5)) + ((t3 / t5) * 0.5)
+    t48 = t3 / (t5 + (t8 * 0.5))
+    t54 = (t48 * t48) * (t48 * (((t29 * 3.0) + 2.0) * 0.25))
+    t36 = (t16 * (t18 * 3.602879701896397e16)) * (((t24 * t24) * (t24 * 0.125)) * t34)
+    t45 = (t24 * (t18 * 2251799813685248.0)) * t44
+    t55 = t54 + 2.0
+    return (t36, t45, t55)
 
 
 def _predicted_covariance_second_derivatives_block(
@@ -1475,72 +1477,67 @@ def _predicted_covariance_second_derivatives_block(
     n0: float = 1.1102230246251565e-16,
     n1: float = 1.3877787807814457e-17,
     n2: float = 7.450580596923828e-09,
-    n3: float = 1.4901161193847656e-08,
-    n4: float = 0.0,
-    n5: float = 2.7755575615628914e-17,
-    n6: float = -0.6188021535170061,
-    n7: float = -2.329468529183032e-08,
-    n8: float = -4.555764098981943e-17,
-    n9: float = 0.20200317547305482,
+    n3: float = -0.6188021535170061,
+    n4: float = -2.329468529183032e-08,
+    n5: float = -4.555764098981943e-17,
+    n6: float = 0.20200317547305482,
+    n7: float = 2.7755575615628914e-17,
+    n8: float = 3.602879701896397e16,
+    n9: float = 5.551115123125783e-17,
     n10: float = 2.0,
     n11: float = 0.125,
     n12: float = 0.36602540378443865,
     n13: float = 2.366025403784439,
-    n14: float = 5.551115123125783e-17,
-    n15: float = 1.8014398509481984e16,
-    n16: float = 0.5,
-    n17: float = 1.0,
-    n18: float = 1125899906842624.0,
-    n19: float = 3.0,
-    n20: float = 0.25,
+    n14: float = 2251799813685248.0,
+    n15: float = 0.5,
+    n16: float = 1.0,
+    n17: float = 3.0,
+    n18: float = 0.25,
 ) -> None:
     (tracking_index,) = given
     predicted_11, predicted_12, predicted_22 = out
     w0, w1, w2, w3, w4, w5, w6, w7 = work
-    kappa = divide(n0, tracking_index, predicted_12)
-    t4 = add(kappa, n1, w0)
-    rho_scaled = sqrt(t4, predicted_11)
-    rho = multiply(rho_scaled, n2, w1)
-    twice_rho = multiply(rho_scaled, n3, predicted_11)
-    t12 = add(kappa, n4, w2)
-    t14 = add(rho, n5, w3)
-    t15 = divide(t12, t14, predicted_22)
-    t16 = divide(n0, twice_rho, w2)
-    rest = n7 if single else n8
-    add(tracking_index, n6, w3)
-    t20 = add(w3, rest, w3)
-    t22 = multiply(t20, n9, w3)
-    t24 = add(n10, t16, w4)
-    t25 = square(t24, w5)
-    t27 = multiply(t24, n11, w6)
-    t28 = multiply(t25, t27, w5)
-    t31 = add(t15, n12, w6)
-    t33 = add(t15, n13, w7)
+    kappa = divide(n0, tracking_index, predicted_11)
+    t5 = add(kappa, n1, w0)
+    rho_scaled = sqrt(t5, predicted_12)
+    rho = multiply(rho_scaled, n2, predicted_12)
+    rest = n4 if single else n5
+    add(tracking_index, n3, w1)
+    t13 = add(w1, rest, w1)
+    t15 = multiply(t13, n6, w1)
+    t16 = divide(t15, tracking_index, predicted_22)
+    t18 = add(rho, n7, w1)
+    t20 = multiply(t18, n8, w2)
+    t21 = multiply(t16, t20, predicted_22)
+    t23 = divide(n9, rho, w2)
+    t24 = add(n10, t23, w3)
+    t25 = square(t24, w4)
+    t27 = multiply(t24, n11, w5)
+    t28 = multiply(t25, t27, w4)
+    t29 = divide(kappa, t18, w5)
+    t31 = add(t29, n12, w6)
+    t33 = add(t29, n13, w7)
     t34 = divide(t31, t33, w6)
-    t36 = add(twice_rho, n14, predicted_11)
-    t38 = multiply(t36, n15, w7)
-    t40 = multiply(t28, t34, w5)
-    t42 = multiply(t16, n16, w2)
-    t43 = add(n17, t42, w2)
-    t48 = multiply(t36, n18, predicted_11)
-    t49 = multiply(t24, t48, w4)
-    t51 = multiply(rho, n16, w1)
-    t52 = add(t4, t51, w1)
-    t53 = divide(kappa, t52, predicted_11)
-    t54 = square(t53, w1)
-    t55 = multiply(t15, n19, predicted_22)
-    t56 = add(t55, n10, predicted_22)
-    t57 = multiply(t56, n20, predicted_22)
-    t58 = multiply(t53, t57, predicted_11)
-    t59 = multiply(t54, t58, w1)
-    add(t59, n10, predicted_22)
-    t23 = divide(t22, tracking_index, predicted_11)
-    t39 = multiply(t23, t38, predicted_11)
-    multiply(t39, t40, predicted_11)
-    t44 = divide(kappa, t4, predicted_12)
-    t45 = multiply(t44, n16, predicted_12)
-    t46 = add(t43, t45, predicted_12)
-    multiply(t49, t46, predicted_12)
+    t35 = multiply(t28, t34, w4)
+    t38 = multiply(t18, n14, w1)
+    t39 = multiply(t24, t38, w3)
+    t40 = multiply(t23, n15, w2)
+    t41 = add(n16, t40, w2)
+    t42 = divide(kappa, t5, w1)
+    t43 = multiply(t42, n15, w1)
+    t44 = add(t41, t43, w2)
+    t46 = multiply(rho, n15, predicted_12)
+    t47 = add(t5, t46, w0)
+    t48 = divide(kappa, t47, predicted_11)
+    t49 = square(t48, w0)
+    t50 = multiply(t29, n17, w5)
+    t51 = add(t50, n10, w5)
+    t52 = multiply(t51, n18, w5)
+    t53 = multiply(t48, t52, predicted_11)
+    t54 = multiply(t49, t53, w0)
+    multiply(t21, t35, predicted_11)
+    multiply(t39, t44, predicted_12)
+    add(t54, n10, predicted_22)
 
 
 _PREDICTED_COVARIANCE_SECOND_DERIVATIVES = Signature(
@@ -1567,15 +1564,15 @@ def updated_covariance_second_derivatives(
         and finite.
 
     updated_11: second derivative by Lambda of the variance of the updated position over sigma_v^2.
-        Relative error at most 15.01 * 2^-52 (float64), 15.01 * 2^-23 (float32), proved for
+        Relative error at most 10.30 * 2^-52 (float64), 10.30 * 2^-23 (float32), proved for
         1.5697348409117308e-206 <= tracking_index <= 1.8122441335979363e77 (float64) and
         1.0258392e-26 <= tracking_index <= 6.721987e09 (float32).
     updated_12: second derivative by Lambda of the covariance of updated position and velocity times
-        T/sigma_v^2. Relative error at most 13.01 * 2^-52 (float64), 13.01 * 2^-23 (float32), proved
+        T/sigma_v^2. Relative error at most 9.94 * 2^-52 (float64), 9.94 * 2^-23 (float32), proved
         for 5e-324 <= tracking_index <= 8.958978968711217e102 (float64) and 1e-45 <= tracking_index
         <= 1.1082382e13 (float32).
     updated_22: second derivative by Lambda of the variance of the updated velocity times
-        T^2/sigma_v^2. Relative error at most 9.51 * 2^-52 (float64), 9.51 * 2^-23 (float32), proved
+        T^2/sigma_v^2. Relative error at most 9.01 * 2^-52 (float64), 9.03 * 2^-23 (float32), proved
         for 5e-324 <= tracking_index <= 1.1287606188244725e103 (float64) and 1e-45 <= tracking_index
         <= 1.3962927e13 (float32).
 
@@ -1613,23 +1610,22 @@ def _updated_covariance_second_derivatives_of_numbers(
     tracking_index: float,
     form: Form = Double,
 ) -> tuple[float, ...]:
-    t2 = 1.1102230246251565e-16 / tracking_index
-    t4 = t2 + 1.3877787807814457e-17
-    t5 = form.sqrt(t4)
-    t7 = t5 * 7.450580596923828e-09
-    t9 = t5 * 1.4901161193847656e-08
-    t11 = t9 + 5.551115123125783e-17
-    t15 = 2.465190328815662e-32 / (tracking_index * (t11 * t11))
-    t16 = t15 / tracking_index
-    t19 = 1.1102230246251565e-16 / t9
-    t27 = t15 * (((2.0 + t19) * (6.0 + t19)) * 0.0625)
-    t33 = ((t2 + 2.7755575615628914e-17) / t4) * 0.5
-    t42 = (t2 + 0.0) / (t7 + 2.7755575615628914e-17)
-    t45 = t2 / (t4 + (t7 * 0.5))
-    t37 = -((t19 * t16) * ((t19 + t33) * t16))
-    t38 = -((t15 * (t2 / t9)) * t27)
-    t53 = (t45 * t45) * (t45 * (((t42 * 3.0) + 2.0) * 0.25))
-    return (t37, t38, t53)
+    t3 = 1.1102230246251565e-16 / tracking_index
+    t5 = t3 + 1.3877787807814457e-17
+    t8 = form.sqrt(t5) * 7.450580596923828e-09
+    t11 = t8 + 2.7755575615628914e-17
+    t13 = tracking_index * (t3 + t11)
+    t16 = 1.232595164407831e-32 / (t13 * t13)
+    t18 = 5.551115123125783e-17 / t8
+    t21 = ((t3 + 2.7755575615628914e-17) / t5) * 0.5
+    t25 = (t16 * (t18 * (t18 + t21))) / tracking_index
+    t34 = ((2.0 + t18) * (6.0 + t18)) * 0.03125
+    t40 = t3 / (t5 + (t8 * 0.5))
+    t47 = t40 * ((((t3 / t11) * 3.0) + 2.0) * 0.25)
+    t27 = -(t25 / tracking_index)
+    t37 = -(t16 * ((t3 / t8) * t34))
+    t48 = (t40 * t40) * t47
+    return (t27, t37, t48)
 
 
 def _updated_covariance_second_derivatives_block(
@@ -1640,61 +1636,56 @@ def _updated_covariance_second_derivatives_block(
     n0: float = 1.1102230246251565e-16,
     n1: float = 1.3877787807814457e-17,
     n2: float = 7.450580596923828e-09,
-    n3: float = 1.4901161193847656e-08,
-    n4: float = 5.551115123125783e-17,
-    n5: float = 2.465190328815662e-32,
-    n6: float = 2.0,
-    n7: float = 6.0,
-    n8: float = 0.0625,
-    n9: float = 2.7755575615628914e-17,
-    n10: float = 0.5,
-    n11: float = 0.0,
-    n12: float = 3.0,
-    n13: float = 0.25,
+    n3: float = 2.7755575615628914e-17,
+    n4: float = 1.232595164407831e-32,
+    n5: float = 5.551115123125783e-17,
+    n6: float = 0.5,
+    n7: float = 2.0,
+    n8: float = 6.0,
+    n9: float = 0.03125,
+    n10: float = 3.0,
+    n11: float = 0.25,
 ) -> None:
     (tracking_index,) = given
     updated_11, updated_12, updated_22 = out
     w0, w1, w2, w3, w4, w5 = work
     kappa = divide(n0, tracking_index, updated_11)
-    t4 = add(kappa, n1, w0)
-    rho_scaled = sqrt(t4, updated_12)
-    rho = multiply(rho_scaled, n2, w1)
-    twice_rho = multiply(rho_scaled, n3, updated_12)
-    t11 = add(twice_rho, n4, w2)
-    t12 = square(t11, w2)
+    t5 = add(kappa, n1, w0)
+    rho_scaled = sqrt(t5, updated_12)
+    rho = multiply(rho_scaled, n2, updated_12)
+    t11 = add(rho, n3, w1)
+    t12 = add(kappa, t11, w2)
     t13 = multiply(tracking_index, t12, w2)
-    t15 = divide(n5, t13, updated_22)
-    t16 = divide(t15, tracking_index, w2)
-    t17 = divide(kappa, twice_rho, w3)
-    t18 = multiply(t15, t17, w3)
-    t19 = divide(n0, twice_rho, updated_12)
-    t21 = add(n6, t19, w4)
-    t23 = add(n7, t19, w5)
-    t24 = multiply(t21, t23, w4)
-    t26 = multiply(t24, n8, w4)
-    t27 = multiply(t15, t26, updated_22)
-    t28 = multiply(t18, t27, w3)
-    t29 = multiply(t19, t16, w4)
-    t31 = add(kappa, n9, w5)
-    t32 = divide(t31, t4, w5)
-    t33 = multiply(t32, n10, w5)
-    t34 = add(t19, t33, updated_12)
-    t35 = multiply(t34, t16, updated_12)
-    t36 = multiply(t29, t35, w4)
-    t40 = add(kappa, n11, w2)
-    t41 = add(rho, n9, w5)
-    t42 = divide(t40, t41, w2)
-    t43 = multiply(rho, n10, w1)
-    t44 = add(t4, t43, w0)
-    t45 = divide(kappa, t44, updated_11)
-    t46 = square(t45, w0)
-    t48 = multiply(t42, n12, w2)
-    t49 = add(t48, n6, w2)
-    t51 = multiply(t49, n13, w2)
-    t52 = multiply(t45, t51, w2)
-    negative(t36, updated_11)
-    negative(t28, updated_12)
-    multiply(t46, t52, updated_22)
+    t14 = square(t13, w2)
+    t16 = divide(n4, t14, updated_22)
+    t18 = divide(n5, rho, w2)
+    t19 = add(kappa, n3, w3)
+    t20 = divide(t19, t5, w3)
+    t21 = multiply(t20, n6, w3)
+    t22 = add(t18, t21, w3)
+    t23 = multiply(t18, t22, w3)
+    t24 = multiply(t16, t23, w3)
+    t25 = divide(t24, tracking_index, w3)
+    t26 = divide(t25, tracking_index, w3)
+    t28 = divide(kappa, rho, w4)
+    t29 = add(n7, t18, w5)
+    t31 = add(n8, t18, w2)
+    t32 = multiply(t29, t31, w5)
+    t34 = multiply(t32, n9, w5)
+    t35 = multiply(t28, t34, w4)
+    t36 = multiply(t16, t35, updated_22)
+    t38 = multiply(rho, n6, updated_12)
+    t39 = add(t5, t38, w0)
+    t40 = divide(kappa, t39, w0)
+    t41 = square(t40, w2)
+    t42 = divide(kappa, t11, updated_11)
+    t43 = multiply(t42, n10, updated_11)
+    t44 = add(t43, n7, updated_11)
+    t46 = multiply(t44, n11, updated_11)
+    t47 = multiply(t40, t46, w0)
+    negative(t26, updated_11)
+    negative(t36, updated_12)
+    multiply(t41, t47, updated_22)
 
 
 _UPDATED_COVARIANCE_SECOND_DERIVATIVES = Signature(
@@ -1722,26 +1713,25 @@ def closed_loop_poles(
         acceleration_deviation**2*sampling_interval**4/measurement_deviation**2; a number above 0
         and finite.
 
-    first_real: real part of the first pole. Error over first_modulus at most 8.52 * 2^-52
-        (float64), 8.51 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=
+    first_real: real part of the first pole. Error over first_modulus at most 7.51 * 2^-52
+        (float64), 7.51 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=
         1.7976931348623157e308 (float64) and 1e-45 <= tracking_index <= 3.4028235e38 (float32).
-        Digits that can be lost: up to 3.3 of 16 in float64; up to 1.8 of 7 in float32, a quarter or
-        more only where 2.4 <= tracking_index <= 5.6.
+        Digits that can be lost: up to 3.7 of 16 in float64; up to 1.7 of 7 in float32.
     first_imaginary: imaginary part of the first pole, not negative. Error over first_modulus at
-        most 7.61 * 2^-52 (float64), 7.61 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=
+        most 6.35 * 2^-52 (float64), 6.35 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=
         1.7976931348623157e308 (float64) and 1e-45 <= tracking_index <= 3.4028235e38 (float32).
         Digits that can be lost: up to 16 of 16 in float64, half or more only where tracking_index
-        <= 8.4e-14; up to 7 of 7 in float32, half or more only where tracking_index <= 7.4e-5.
-    second_real: real part of the second pole. Error over second_modulus at most 8.58 * 2^-52
-        (float64), 8.58 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=
+        <= 5.9e-14; up to 7 of 7 in float32, half or more only where tracking_index <= 7.3e-5.
+    second_real: real part of the second pole. Error over second_modulus at most 7.37 * 2^-52
+        (float64), 7.37 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=
         1.3407807929942597e154 (float64) and 1e-45 <= tracking_index <= 1.8446744e19 (float32).
-        Digits that can be lost: up to 3.2 of 16 in float64; up to 2 of 7 in float32, a quarter or
-        more only where 2.2 <= tracking_index <= 5.6.
+        Digits that can be lost: up to 3.9 of 16 in float64; up to 1.9 of 7 in float32, a quarter or
+        more only where 2.6 <= tracking_index <= 5.4.
     second_imaginary: imaginary part of the second pole, not positive. Error over second_modulus at
-        most 7.61 * 2^-52 (float64), 7.61 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=
+        most 6.35 * 2^-52 (float64), 6.35 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=
         1.3407807929942597e154 (float64) and 1e-45 <= tracking_index <= 1.8446744e19 (float32).
         Digits that can be lost: up to 16 of 16 in float64, half or more only where tracking_index
-        <= 9.6e-14; up to 7 of 7 in float32, half or more only where tracking_index <= 9.4e-5.
+        <= 5.6e-14; up to 7 of 7 in float32, half or more only where tracking_index <= 5.3e-5.
 
     Outside an output's range, a few numbers next to its ends apart, its true value is no normal
     number: it comes as 0, a subnormal number or infinity, never as NaN. Numbers and arrays are
@@ -1771,21 +1761,22 @@ def closed_loop_poles(
 def _closed_loop_poles_of_numbers(tracking_index: float, form: Form = Double) -> tuple[float, ...]:
     t2 = 1.1102230246251565e-16 / tracking_index
     t5 = form.sqrt(t2 + 1.3877787807814457e-17)
-    t11 = (t5 * 1.4901161193847656e-08) + 5.551115123125783e-17
-    t15 = 2.465190328815662e-32 / (tracking_index * (t11 * t11))
-    t19 = tracking_index * 0.25
-    t27 = tracking_index * (t2 + 2.7755575615628914e-17)
-    t28 = tracking_index * 0.5
-    t33 = ((2.0 - t28) / t27) * ((2.0 + t28) * t15)
+    t7 = t5 * 7.450580596923828e-09
+    t11 = tracking_index * 0.25
+    t17 = tracking_index * 0.5
+    t21 = tracking_index * (t2 + 2.7755575615628914e-17)
+    t26 = tracking_index * (t2 + (t7 + 2.7755575615628914e-17))
+    t27 = 1.1102230246251565e-16 / t26
+    t29 = ((2.0 - t17) / t21) * ((2.0 + t17) * t27)
+    t30 = t29 * 2.7755575615628914e-17
+    t33 = (form.sqrt(abs(2.0 - t11)) / t7) * (form.sqrt(2.0 + t11) * t27)
     t34 = t33 * 2.7755575615628914e-17
-    t35 = form.sqrt(abs(2.0 - t19)) / (t5 * 7.450580596923828e-09)
-    t38 = (t35 * (form.sqrt(2.0 + t19) * t15)) * 2.7755575615628914e-17
-    t40 = abs(t34) + t38
-    t45 = t34 if tracking_index < 8.0 else -t40
-    t47 = t34 if tracking_index < 8.0 else -((t15 / t40) * t15)
-    t48 = t38 if tracking_index < 8.0 else form.of(0.0)
-    t50 = -t38 if tracking_index < 8.0 else form.of(0.0)
-    return (t45, t48, t47, t50)
+    t36 = abs(t30) + t34
+    t41 = t30 if tracking_index < 8.0 else -t36
+    t43 = t30 if tracking_index < 8.0 else -((t27 / t36) * t27)
+    t44 = t34 if tracking_index < 8.0 else form.of(0.0)
+    t46 = -t34 if tracking_index < 8.0 else form.of(0.0)
+    return (t41, t44, t43, t46)
 
 
 def _closed_loop_poles_block(
@@ -1796,66 +1787,62 @@ def _closed_loop_poles_block(
     n0: float = 1.1102230246251565e-16,
     n1: float = 1.3877787807814457e-17,
     n2: float = 7.450580596923828e-09,
-    n3: float = 1.4901161193847656e-08,
-    n4: float = 5.551115123125783e-17,
-    n5: float = 2.465190328815662e-32,
-    n6: float = 0.25,
-    n7: float = 2.0,
-    n8: float = 2.7755575615628914e-17,
-    n9: float = 0.5,
-    n10: float = 8.0,
-    n11: float = 0.0,
+    n3: float = 0.25,
+    n4: float = 2.0,
+    n5: float = 0.5,
+    n6: float = 2.7755575615628914e-17,
+    n7: float = 8.0,
+    n8: float = 0.0,
 ) -> None:
     (tracking_index,) = given
     first_real, first_imaginary, second_real, second_imaginary = out
-    w0, w1, w2, w3 = work
+    w0, w1, w2 = work
     kappa = divide(n0, tracking_index, first_real)
     t4 = add(kappa, n1, w0)
     rho_scaled = sqrt(t4, second_real)
-    rho = multiply(rho_scaled, n2, w0)
-    twice_rho = multiply(rho_scaled, n3, second_real)
-    t11 = add(twice_rho, n4, second_real)
-    t12 = square(t11, second_real)
-    t13 = multiply(tracking_index, t12, second_real)
-    t15 = divide(n5, t13, first_imaginary)
-    t19 = multiply(tracking_index, n6, second_real)
-    t20 = subtract(n7, t19, w1)
-    distance = absolute(t20, w1)
-    below = sqrt(distance, second_imaginary)
-    t23 = add(n7, t19, second_real)
-    above = sqrt(t23, second_real)
-    t26 = add(kappa, n8, first_real)
-    t27 = multiply(tracking_index, t26, first_real)
-    t28 = multiply(tracking_index, n9, w1)
-    t29 = subtract(n7, t28, w2)
-    t30 = divide(t29, t27, w2)
-    t31 = add(n7, t28, w1)
-    t32 = multiply(t31, t15, w1)
-    t33 = multiply(t30, t32, w2)
-    t34 = multiply(t33, n8, w2)
-    t35 = divide(below, rho, second_imaginary)
-    t36 = multiply(above, t15, second_real)
-    t37 = multiply(t35, t36, second_imaginary)
-    t38 = multiply(t37, n8, second_imaginary)
-    middle_size = absolute(t34, w0)
-    t40 = add(middle_size, t38, w0)
-    t41 = divide(t15, t40, w1)
-    t42 = multiply(t41, t15, w1)
-    t44 = negative(t40, w0)
-    t46 = negative(t42, w1)
-    t49 = negative(t38, w3)
-    mask = mask_of(less(tracking_index, n10), single)
-    choose(mask, t34, t44, out=first_real)
-    choose(mask, t34, t46, out=second_real)
-    choose(mask, t38, n11, out=first_imaginary)
-    choose(mask, t49, n11, out=second_imaginary)
+    rho = multiply(rho_scaled, n2, second_real)
+    t11 = multiply(tracking_index, n3, w0)
+    t12 = subtract(n4, t11, w1)
+    distance = absolute(t12, w1)
+    below = sqrt(distance, first_imaginary)
+    t15 = add(n4, t11, w0)
+    above = sqrt(t15, second_imaginary)
+    t17 = multiply(tracking_index, n5, w0)
+    t18 = subtract(n4, t17, w1)
+    t20 = add(kappa, n6, w2)
+    t21 = multiply(tracking_index, t20, w2)
+    t22 = divide(t18, t21, w1)
+    t23 = add(n4, t17, w0)
+    t24 = add(rho, n6, w2)
+    t25 = add(kappa, t24, first_real)
+    t26 = multiply(tracking_index, t25, first_real)
+    t27 = divide(n0, t26, first_real)
+    t28 = multiply(t23, t27, w0)
+    t29 = multiply(t22, t28, w1)
+    t30 = multiply(t29, n6, w1)
+    t31 = divide(below, rho, first_imaginary)
+    t32 = multiply(above, t27, second_imaginary)
+    t33 = multiply(t31, t32, first_imaginary)
+    t34 = multiply(t33, n6, first_imaginary)
+    middle_size = absolute(t30, w0)
+    t36 = add(middle_size, t34, w0)
+    t37 = divide(t27, t36, w2)
+    t38 = multiply(t37, t27, w2)
+    t40 = negative(t36, w0)
+    t42 = negative(t38, w2)
+    t45 = negative(t34, second_imaginary)
+    mask = mask_of(less(tracking_index, n7), single)
+    choose(mask, t30, t40, out=first_real)
+    choose(mask, t30, t42, out=second_real)
+    choose(mask, t34, n8, out=first_imaginary)
+    choose(mask, t45, n8, out=second_imaginary)
 
 
 _CLOSED_LOOP_POLES = Signature(
     "closed_loop_poles",
     (_TRACKING_INDEX_DOMAIN,),
     ("first_real", "first_imaginary", "second_real", "second_imaginary"),
-    4,
+    3,
     _closed_loop_poles_block,
     numbers=_closed_loop_poles_of_numbers,
 )

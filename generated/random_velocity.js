@@ -97,18 +97,18 @@
       const t10 = kappa + 1.1102230246251565e-16;
       const rho_scaled = Math.sqrt(t10);
       const rho = rho_scaled * 1.4901161193847656e-08;
-      const t14 = tracking_index * rho;
-      const t16 = t14 * 4503599627370496.0;
-      const t17 = tracking_index * t16;
-      const t18 = rho + 1.1102230246251565e-16;
-      const t19 = kappa + t18;
-      const t20 = tracking_index * t19;
-      const t22 = t20 * 2251799813685248.0;
+      const t14 = rho + 1.1102230246251565e-16;
+      const t15 = kappa + t14;
+      const t16 = tracking_index * t15;
+      const t18 = t16 * 2251799813685248.0;
+      const t19 = tracking_index * rho;
+      const t21 = t19 * 4503599627370496.0;
+      const t24 = tracking_index * t21;
       const t25 = tracking_index * tracking_index;
-      const t23 = t22 * t16;
-      const t24 = tracking_index * t22;
-      const t26 = t17 + t25;
-      return { predicted_11: t23, predicted_12: t24, predicted_22: t26 };
+      const t22 = t18 * t21;
+      const t23 = tracking_index * t18;
+      const t26 = t24 + t25;
+      return { predicted_11: t22, predicted_12: t23, predicted_22: t26 };
     },
     // Updated covariance in units of sigma_v^2 and T.
     updated_covariance(tracking_index) {

@@ -276,11 +276,11 @@ def gain_derivatives(
         sampling_interval**2*velocity_deviation**2/measurement_deviation**2; a number above 0 and
         finite.
 
-    alpha: derivative of the position gain. Relative error at most 9.26 * 2^-52 (float64), 9.26 *
+    alpha: derivative of the position gain. Relative error at most 8.76 * 2^-52 (float64), 8.76 *
         2^-23 (float32), proved for 5e-324 <= tracking_index <= 4.4794894843556084e102 (float64) and
         1e-45 <= tracking_index <= 5.541191e12 (float32).
-    beta: derivative of the velocity gain times the sampling interval. Relative error at most 10.31
-        * 2^-52 (float64), 10.31 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=
+    beta: derivative of the velocity gain times the sampling interval. Relative error at most 9.81 *
+        2^-52 (float64), 9.81 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=
         6.46054178400843e102 (float64) and 1e-45 <= tracking_index <= 7.9917807e12 (float32).
 
     Outside an output's range, a few numbers next to its ends apart, its true value is no normal
@@ -317,12 +317,11 @@ def _gain_derivatives_of_numbers(tracking_index: float, form: Form = Double) -> 
     t12 = form.sqrt(t8 + 1.1102230246251565e-16)
     t14 = t12 * 1.4901161193847656e-08
     t17 = tracking_index * (t8 + (t14 + 1.1102230246251565e-16))
-    t19 = 4.440892098500626e-16 / t17
-    t21 = (t19 * t19) / (t1 * t7)
+    t20 = (1.9721522630525295e-31 / (t17 * t17)) / (t1 * t7)
     t25 = (4.930380657631324e-32 / t14) + 4.440892098500626e-16
-    t22 = t21 * t14
-    t26 = t21 * t25
-    return (t22, t26)
+    t21 = t20 * t14
+    t26 = t20 * t25
+    return (t21, t26)
 
 
 def _gain_derivatives_block(
@@ -334,8 +333,8 @@ def _gain_derivatives_block(
     n1: float = 1.232595164407831e-32,
     n2: float = 1.1102230246251565e-16,
     n3: float = 1.4901161193847656e-08,
-    n4: float = 4.440892098500626e-16,
-    n5: float = 4.930380657631324e-32,
+    n4: float = 4.930380657631324e-32,
+    n5: float = 4.440892098500626e-16,
 ) -> None:
     (tracking_index,) = given
     alpha, beta = out
@@ -353,13 +352,13 @@ def _gain_derivatives_block(
     t15 = add(rho, n2, w1)
     t16 = add(kappa, t15, w0)
     t17 = multiply(tracking_index, t16, w0)
-    t19 = divide(n4, t17, w0)
-    t20 = square(t19, w0)
-    t21 = divide(t20, half_eta, w0)
-    t24 = divide(n5, rho, w1)
-    t25 = add(t24, n4, w1)
-    multiply(t21, rho, alpha)
-    multiply(t21, t25, beta)
+    t18 = square(t17, w0)
+    t19 = divide(n0, t18, w0)
+    t20 = divide(t19, half_eta, w0)
+    t23 = divide(n4, rho, w1)
+    t25 = add(t23, n5, w1)
+    multiply(t20, rho, alpha)
+    multiply(t20, t25, beta)
 
 
 _GAIN_DERIVATIVES = Signature(
@@ -437,14 +436,14 @@ def _gains_with_derivatives_of_numbers(
     t12 = (t1 * 9.094947017729282e-13) + t11
     t14 = form.sqrt(t5 * t12)
     t17 = (t12 + t14) * 0.5
-    t18 = t1 * t17
-    t23 = 6.018531076210112e-36 / ((t18 * t18) * (t1 * t11))
-    t24 = t5 / t14
-    t25 = t23 / t24
-    t26 = t14 / t17
-    t27 = t5 / t17
-    t29 = t23 * (t24 + 2.0)
-    return (t26, t27, t25, t29)
+    t20 = t1 * t17
+    t25 = 6.018531076210112e-36 / ((t20 * t20) * (t1 * t11))
+    t26 = t5 / t14
+    t18 = t14 / t17
+    t19 = t5 / t17
+    t27 = t25 / t26
+    t29 = t25 * (t26 + 2.0)
+    return (t18, t19, t27, t29)
 
 
 def _gains_with_derivatives_block(
@@ -466,26 +465,26 @@ def _gains_with_derivatives_block(
     p = sqrt(tracking_index, alpha)
     t3 = multiply(p, n0, w0)
     t5 = multiply(p, n1, w1)
-    t7 = divide(n2, tracking_index, w2)
-    t9 = multiply(tracking_index, n3, w3)
-    t10 = add(t7, t9, w2)
-    h_at_once = sqrt(t10, beta)
+    t7 = divide(n2, tracking_index, beta)
+    t9 = multiply(tracking_index, n3, w2)
+    t10 = add(t7, t9, beta)
+    h_at_once = sqrt(t10, d_alpha)
     t12 = add(t3, h_at_once, w0)
     t13 = multiply(t5, t12, w2)
-    twice_ratio = sqrt(t13, d_alpha)
+    twice_ratio = sqrt(t13, d_beta)
     t15 = add(t12, twice_ratio, w0)
     t17 = multiply(t15, n4, w0)
-    t18 = multiply(p, t17, w2)
-    t19 = square(t18, w2)
-    t20 = multiply(p, h_at_once, alpha)
-    t21 = multiply(t19, t20, w2)
-    t23 = divide(n5, t21, d_beta)
-    t24 = divide(t5, twice_ratio, w2)
-    t28 = add(t24, n6, w3)
+    t20 = multiply(p, t17, w2)
+    t21 = square(t20, w2)
+    t22 = multiply(p, h_at_once, alpha)
+    t23 = multiply(t21, t22, w2)
+    t25 = divide(n5, t23, w2)
+    t26 = divide(t5, twice_ratio, d_alpha)
+    t28 = add(t26, n6, w3)
     divide(twice_ratio, t17, alpha)
     divide(t5, t17, beta)
-    divide(t23, t24, d_alpha)
-    multiply(t23, t28, d_beta)
+    divide(t25, t26, d_alpha)
+    multiply(t25, t28, d_beta)
 
 
 _GAINS_WITH_DERIVATIVES = Signature(
@@ -618,11 +617,11 @@ def predictor_gain_derivatives(
         sampling_interval**2*velocity_deviation**2/measurement_deviation**2; a number above 0 and
         finite.
 
-    position: derivative of the position entry of F K, alpha + beta. Relative error at most 10.32 *
-        2^-52 (float64), 10.32 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=
+    position: derivative of the position entry of F K, alpha + beta. Relative error at most 9.82 *
+        2^-52 (float64), 9.82 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=
         7.11074631974658e102 (float64) and 1e-45 <= tracking_index <= 8.796093e12 (float32).
     velocity: derivative of the velocity entry of F K times the sampling interval, beta. Relative
-        error at most 10.31 * 2^-52 (float64), 10.31 * 2^-23 (float32), proved for 5e-324 <=
+        error at most 9.81 * 2^-52 (float64), 9.81 * 2^-23 (float32), proved for 5e-324 <=
         tracking_index <= 6.46054178400843e102 (float64) and 1e-45 <= tracking_index <= 7.9917807e12
         (float32).
 
@@ -667,11 +666,10 @@ def _predictor_gain_derivatives_of_numbers(
     t12 = form.sqrt(t8 + 1.1102230246251565e-16)
     t14 = t12 * 1.4901161193847656e-08
     t17 = tracking_index * (t8 + (t14 + 1.1102230246251565e-16))
-    t19 = 4.440892098500626e-16 / t17
-    t21 = (t19 * t19) / (t1 * t7)
+    t20 = (1.9721522630525295e-31 / (t17 * t17)) / (t1 * t7)
     t25 = (4.930380657631324e-32 / t14) + 4.440892098500626e-16
-    t26 = t21 * t25
-    t27 = (t21 * t14) + t26
+    t26 = t20 * t25
+    t27 = (t20 * t14) + t26
     return (t27, t26)
 
 
@@ -684,8 +682,8 @@ def _predictor_gain_derivatives_block(
     n1: float = 1.232595164407831e-32,
     n2: float = 1.1102230246251565e-16,
     n3: float = 1.4901161193847656e-08,
-    n4: float = 4.440892098500626e-16,
-    n5: float = 4.930380657631324e-32,
+    n4: float = 4.930380657631324e-32,
+    n5: float = 4.440892098500626e-16,
 ) -> None:
     (tracking_index,) = given
     position, velocity = out
@@ -703,14 +701,14 @@ def _predictor_gain_derivatives_block(
     t15 = add(rho, n2, w1)
     t16 = add(kappa, t15, w0)
     t17 = multiply(tracking_index, t16, w0)
-    t19 = divide(n4, t17, w0)
-    t20 = square(t19, w0)
-    t21 = divide(t20, half_eta, w0)
-    t22 = multiply(t21, rho, w1)
-    t24 = divide(n5, rho, position)
-    t25 = add(t24, n4, position)
-    multiply(t21, t25, velocity)
-    add(t22, velocity, position)
+    t18 = square(t17, w0)
+    t19 = divide(n0, t18, w0)
+    t20 = divide(t19, half_eta, w0)
+    t21 = multiply(t20, rho, w1)
+    t23 = divide(n4, rho, position)
+    t25 = add(t23, n5, position)
+    multiply(t20, t25, velocity)
+    add(t21, velocity, position)
 
 
 _PREDICTOR_GAIN_DERIVATIVES = Signature(
@@ -783,13 +781,13 @@ def _predicted_covariance_of_numbers(
     t8 = form.sqrt(t3 + t5) / form.sqrt(tracking_index)
     t11 = form.sqrt(t8 + 1.1102230246251565e-16)
     t13 = t11 * 1.4901161193847656e-08
-    t16 = (tracking_index * t13) * 4503599627370496.0
-    t20 = tracking_index * (t8 + (t13 + 1.1102230246251565e-16))
-    t22 = t20 * 2251799813685248.0
-    t23 = t22 * t16
-    t24 = tracking_index * t22
-    t26 = (tracking_index * t16) + (tracking_index * tracking_index)
-    return (t23, t24, t26)
+    t16 = tracking_index * (t8 + (t13 + 1.1102230246251565e-16))
+    t18 = t16 * 2251799813685248.0
+    t21 = (tracking_index * t13) * 4503599627370496.0
+    t22 = t18 * t21
+    t23 = tracking_index * t18
+    t26 = (tracking_index * t21) + (tracking_index * tracking_index)
+    return (t22, t23, t26)
 
 
 def _predicted_covariance_block(
@@ -801,12 +799,12 @@ def _predicted_covariance_block(
     n1: float = 1.232595164407831e-32,
     n2: float = 1.1102230246251565e-16,
     n3: float = 1.4901161193847656e-08,
-    n4: float = 4503599627370496.0,
-    n5: float = 2251799813685248.0,
+    n4: float = 2251799813685248.0,
+    n5: float = 4503599627370496.0,
 ) -> None:
     (tracking_index,) = given
     predicted_11, predicted_12, predicted_22 = out
-    w0, w1 = work
+    w0, w1, w2 = work
     p = sqrt(tracking_index, predicted_11)
     t3 = divide(n0, tracking_index, predicted_12)
     t5 = multiply(tracking_index, n1, w0)
@@ -816,24 +814,24 @@ def _predicted_covariance_block(
     t10 = add(kappa, n2, w0)
     rho_scaled = sqrt(t10, w0)
     rho = multiply(rho_scaled, n3, w0)
-    t14 = multiply(tracking_index, rho, predicted_11)
-    t16 = multiply(t14, n4, predicted_11)
-    t17 = multiply(tracking_index, t16, w1)
-    t18 = add(rho, n2, w0)
-    t19 = add(kappa, t18, predicted_22)
-    t20 = multiply(tracking_index, t19, predicted_22)
-    t22 = multiply(t20, n5, predicted_22)
-    t25 = square(tracking_index, w0)
-    multiply(t22, t16, predicted_11)
-    multiply(tracking_index, t22, predicted_12)
-    add(t17, t25, predicted_22)
+    t14 = add(rho, n2, predicted_11)
+    t15 = add(kappa, t14, predicted_22)
+    t16 = multiply(tracking_index, t15, predicted_22)
+    t18 = multiply(t16, n4, predicted_22)
+    t19 = multiply(tracking_index, rho, w0)
+    t21 = multiply(t19, n5, w0)
+    t24 = multiply(tracking_index, t21, w1)
+    t25 = square(tracking_index, w2)
+    multiply(t18, t21, predicted_11)
+    multiply(tracking_index, t18, predicted_12)
+    add(t24, t25, predicted_22)
 
 
 _PREDICTED_COVARIANCE = Signature(
     "predicted_covariance",
     (_TRACKING_INDEX_DOMAIN,),
     ("predicted_11", "predicted_12", "predicted_22"),
-    2,
+    3,
     _predicted_covariance_block,
     numbers=_predicted_covariance_of_numbers,
 )
@@ -903,15 +901,15 @@ def _predicted_covariance_derivatives_of_numbers(
     t8 = form.sqrt(t3 + t5) / form.sqrt(tracking_index)
     t10 = t8 + 1.1102230246251565e-16
     t13 = form.sqrt(t10) * 1.4901161193847656e-08
-    t15 = t10 / t8
-    t21 = (t13 * 4503599627370496.0) + (((t10 / t13) * t15) * 0.5)
-    t24 = t8 + (t13 + 1.1102230246251565e-16)
-    t27 = (tracking_index * t24) * 2251799813685248.0
-    t35 = 1.0 + (t15 * (1.1102230246251565e-16 / t13))
-    t31 = t27 * (t15 * ((t24 / t13) * 0.5))
-    t36 = t27 * t35
-    t38 = (tracking_index * t21) + (tracking_index * 2.0)
-    return (t31, t36, t38)
+    t15 = t8 + (t13 + 1.1102230246251565e-16)
+    t18 = (tracking_index * t15) * 2251799813685248.0
+    t19 = t10 / t8
+    t28 = 1.0 + (t19 * (1.1102230246251565e-16 / t13))
+    t35 = (t13 * 4503599627370496.0) + (((t10 / t13) * t19) * 0.5)
+    t24 = t18 * (t19 * ((t15 / t13) * 0.5))
+    t29 = t18 * t28
+    t38 = (tracking_index * t35) + (tracking_index * 2.0)
+    return (t24, t29, t38)
 
 
 def _predicted_covariance_derivatives_block(
@@ -923,15 +921,15 @@ def _predicted_covariance_derivatives_block(
     n1: float = 1.232595164407831e-32,
     n2: float = 1.1102230246251565e-16,
     n3: float = 1.4901161193847656e-08,
-    n4: float = 4503599627370496.0,
+    n4: float = 2251799813685248.0,
     n5: float = 0.5,
-    n6: float = 2251799813685248.0,
-    n7: float = 1.0,
+    n6: float = 1.0,
+    n7: float = 4503599627370496.0,
     n8: float = 2.0,
 ) -> None:
     (tracking_index,) = given
     predicted_11, predicted_12, predicted_22 = out
-    w0, w1, w2 = work
+    w0, w1, w2, w3 = work
     p = sqrt(tracking_index, predicted_11)
     t3 = divide(n0, tracking_index, predicted_12)
     t5 = multiply(tracking_index, n1, w0)
@@ -941,34 +939,34 @@ def _predicted_covariance_derivatives_block(
     t10 = add(kappa, n2, w0)
     rho_scaled = sqrt(t10, predicted_11)
     rho = multiply(rho_scaled, n3, predicted_11)
-    t14 = divide(t10, rho, predicted_12)
-    t15 = divide(t10, kappa, w0)
-    t16 = multiply(t14, t15, predicted_12)
-    t18 = multiply(rho, n4, w1)
-    t20 = multiply(t16, n5, predicted_12)
-    t21 = add(t18, t20, w1)
-    t22 = multiply(tracking_index, t21, w1)
-    t23 = add(rho, n2, predicted_12)
-    t24 = add(kappa, t23, predicted_22)
-    t25 = multiply(tracking_index, t24, predicted_12)
-    t27 = multiply(t25, n6, predicted_12)
-    t28 = divide(t24, rho, predicted_22)
-    t29 = multiply(t28, n5, predicted_22)
-    t30 = multiply(t15, t29, predicted_22)
-    t32 = divide(n2, rho, predicted_11)
-    t33 = multiply(t15, t32, w0)
-    t35 = add(n7, t33, w0)
-    t37 = multiply(tracking_index, n8, w2)
-    multiply(t27, t30, predicted_11)
-    multiply(t27, t35, predicted_12)
-    add(t22, t37, predicted_22)
+    t14 = add(rho, n2, predicted_12)
+    t15 = add(kappa, t14, predicted_12)
+    t16 = multiply(tracking_index, t15, w1)
+    t18 = multiply(t16, n4, w1)
+    t19 = divide(t10, kappa, predicted_22)
+    t20 = divide(t15, rho, predicted_12)
+    t22 = multiply(t20, n5, predicted_12)
+    t23 = multiply(t19, t22, predicted_12)
+    t25 = divide(n2, rho, w2)
+    t26 = multiply(t19, t25, w2)
+    t28 = add(n6, t26, w2)
+    t31 = multiply(rho, n7, w3)
+    t32 = divide(t10, rho, w0)
+    t33 = multiply(t32, t19, w0)
+    t34 = multiply(t33, n5, w0)
+    t35 = add(t31, t34, w3)
+    t36 = multiply(tracking_index, t35, w3)
+    t37 = multiply(tracking_index, n8, w0)
+    multiply(t18, t23, predicted_11)
+    multiply(t18, t28, predicted_12)
+    add(t36, t37, predicted_22)
 
 
 _PREDICTED_COVARIANCE_DERIVATIVES = Signature(
     "predicted_covariance_derivatives",
     (_TRACKING_INDEX_DOMAIN,),
     ("predicted_11", "predicted_12", "predicted_22"),
-    3,
+    4,
     _predicted_covariance_derivatives_block,
     numbers=_predicted_covariance_derivatives_of_numbers,
 )
@@ -1097,12 +1095,12 @@ def updated_covariance_derivatives(
         finite.
 
     updated_11: derivative of the variance of the updated position over sigma_v^2. Relative error at
-        most 9.26 * 2^-52 (float64), 9.26 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=
+        most 8.76 * 2^-52 (float64), 8.76 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=
         4.4794894843556084e102 (float64) and 1e-45 <= tracking_index <= 5.541191e12 (float32).
     updated_12: derivative of the covariance of updated position and velocity times T/sigma_v^2.
-        Relative error at most 10.31 * 2^-52 (float64), 10.31 * 2^-23 (float32), proved for 5e-324
-        <= tracking_index <= 6.46054178400843e102 (float64) and 1e-45 <= tracking_index <=
-        7.9917807e12 (float32).
+        Relative error at most 9.81 * 2^-52 (float64), 9.81 * 2^-23 (float32), proved for 5e-324 <=
+        tracking_index <= 6.46054178400843e102 (float64) and 1e-45 <= tracking_index <= 7.9917807e12
+        (float32).
     updated_22: derivative of the variance of the updated velocity times T^2/sigma_v^2. Relative
         error at most 3.09 * 2^-52 (float64), 3.09 * 2^-23 (float32), proved for 5e-324 <=
         tracking_index <= 8.988465674311451e307 (float64) and 1e-45 <= tracking_index <=
@@ -1150,14 +1148,13 @@ def _updated_covariance_derivatives_of_numbers(
     t11 = t8 + 1.1102230246251565e-16
     t14 = form.sqrt(t11) * 1.4901161193847656e-08
     t17 = tracking_index * (t8 + (t14 + 1.1102230246251565e-16))
-    t19 = 4.440892098500626e-16 / t17
-    t21 = (t19 * t19) / (t1 * t7)
+    t20 = (1.9721522630525295e-31 / (t17 * t17)) / (t1 * t7)
     t25 = (4.930380657631324e-32 / t14) + 4.440892098500626e-16
     t34 = (t14 * 4503599627370496.0) + (((t11 / t14) * (t11 / t8)) * 0.5)
-    t22 = t21 * t14
-    t26 = t21 * t25
+    t21 = t20 * t14
+    t26 = t20 * t25
     t35 = tracking_index * t34
-    return (t22, t26, t35)
+    return (t21, t26, t35)
 
 
 def _updated_covariance_derivatives_block(
@@ -1169,14 +1166,14 @@ def _updated_covariance_derivatives_block(
     n1: float = 1.232595164407831e-32,
     n2: float = 1.1102230246251565e-16,
     n3: float = 1.4901161193847656e-08,
-    n4: float = 4.440892098500626e-16,
-    n5: float = 4.930380657631324e-32,
+    n4: float = 4.930380657631324e-32,
+    n5: float = 4.440892098500626e-16,
     n6: float = 4503599627370496.0,
     n7: float = 0.5,
 ) -> None:
     (tracking_index,) = given
     updated_11, updated_12, updated_22 = out
-    w0, w1, w2 = work
+    w0, w1, w2, w3 = work
     p = sqrt(tracking_index, updated_11)
     t3 = divide(n0, tracking_index, updated_12)
     t5 = multiply(tracking_index, n1, w0)
@@ -1190,19 +1187,19 @@ def _updated_covariance_derivatives_block(
     t15 = add(rho, n2, w1)
     t16 = add(kappa, t15, w1)
     t17 = multiply(tracking_index, t16, w1)
-    t19 = divide(n4, t17, w1)
-    t20 = square(t19, w1)
-    t21 = divide(t20, half_eta, w1)
-    t24 = divide(n5, rho, updated_11)
-    t25 = add(t24, n4, w2)
-    t27 = divide(t11, rho, updated_11)
-    t28 = divide(t11, kappa, updated_12)
-    t29 = multiply(t27, t28, updated_11)
-    t31 = multiply(rho, n6, w0)
-    t33 = multiply(t29, n7, updated_11)
-    t34 = add(t31, t33, w0)
-    multiply(t21, rho, updated_11)
-    multiply(t21, t25, updated_12)
+    t18 = square(t17, w1)
+    t19 = divide(n0, t18, w1)
+    t20 = divide(t19, half_eta, w1)
+    t23 = divide(n4, rho, updated_11)
+    t25 = add(t23, n5, w2)
+    t28 = multiply(rho, n6, updated_11)
+    t29 = divide(t11, rho, w3)
+    t30 = divide(t11, kappa, updated_12)
+    t31 = multiply(t29, t30, w3)
+    t33 = multiply(t31, n7, w3)
+    t34 = add(t28, t33, w3)
+    multiply(t20, rho, updated_11)
+    multiply(t20, t25, updated_12)
     multiply(tracking_index, t34, updated_22)
 
 
@@ -1210,7 +1207,7 @@ _UPDATED_COVARIANCE_DERIVATIVES = Signature(
     "updated_covariance_derivatives",
     (_TRACKING_INDEX_DOMAIN,),
     ("updated_11", "updated_12", "updated_22"),
-    3,
+    4,
     _updated_covariance_derivatives_block,
     numbers=_updated_covariance_derivatives_of_numbers,
 )
@@ -1231,12 +1228,12 @@ def gain_second_derivatives(
         sampling_interval**2*velocity_deviation**2/measurement_deviation**2; a number above 0 and
         finite.
 
-    alpha: second derivative by Lambda of the position gain. Relative error at most 13.31 * 2^-52
-        (float64), 13.29 * 2^-23 (float32), proved for 1.5697348409117316e-206 <= tracking_index <=
-        1.2814501160326402e77 (float64) and 1.0258395e-26 <= tracking_index <= 4.753162e09
+    alpha: second derivative by Lambda of the position gain. Relative error at most 12.81 * 2^-52
+        (float64), 12.79 * 2^-23 (float32), proved for 1.5697348409117313e-206 <= tracking_index <=
+        1.2814501160326402e77 (float64) and 1.0258394e-26 <= tracking_index <= 4.753162e09
         (float32).
     beta: second derivative by Lambda of the velocity gain times the sampling interval. Relative
-        error at most 12.83 * 2^-52 (float64), 12.76 * 2^-23 (float32), proved for 5e-324 <=
+        error at most 12.33 * 2^-52 (float64), 12.26 * 2^-23 (float32), proved for 5e-324 <=
         tracking_index <= 1.686483196605514e77 (float64) and 1e-45 <= tracking_index <= 6.2555136e09
         (float32).
 
@@ -1272,28 +1269,28 @@ def _gain_second_derivatives_of_numbers(
     form: Form = Double,
 ) -> tuple[float, ...]:
     t1 = form.sqrt(tracking_index)
-    t3 = 1.9721522630525295e-31 / tracking_index
-    t5 = tracking_index * 1.232595164407831e-32
-    t7 = form.sqrt(t3 + t5)
-    t8 = t7 / t1
-    t11 = t8 + 1.1102230246251565e-16
-    t12 = form.sqrt(t11)
-    t14 = t12 * 1.4901161193847656e-08
-    t19 = tracking_index * (t8 + (t14 + 1.1102230246251565e-16))
-    t21 = 4.440892098500626e-16 / t19
-    t22 = t21 / tracking_index
-    t25 = (t21 * 2.220446049250313e-16) / (t1 * t7)
-    t26 = 2.220446049250313e-16 / t14
-    t27 = 2.220446049250313e-16 / t8
-    t29 = (t12 * 2.9802322387695312e-08) * 2251799813685248.0
-    t40 = 1.0 + ((1.0 + (t26 * 0.5)) * (t27 * 0.5))
-    t42 = t25 * ((((t29 * 3.0) + t26) * 0.5) + t40)
-    t44 = t14 / t8
-    t50 = ((t8 + 2.220446049250313e-16) / t8) * (t27 * 5.551115123125783e-17)
-    t55 = (t44 + (((t8 + t50) / t11) * 0.5)) * t22
-    t57 = -((t44 * t22) * t55)
-    t58 = -(t25 * t42)
-    return (t57, t58)
+    t4 = 1.9721522630525295e-31 / tracking_index
+    t6 = tracking_index * 1.232595164407831e-32
+    t8 = form.sqrt(t4 + t6)
+    t9 = t8 / t1
+    t12 = t9 + 1.1102230246251565e-16
+    t13 = form.sqrt(t12)
+    t15 = t13 * 1.4901161193847656e-08
+    t20 = tracking_index * (t9 + (t15 + 1.1102230246251565e-16))
+    t22 = 1.9721522630525295e-31 / (t20 * t20)
+    t23 = t15 / t9
+    t27 = 2.220446049250313e-16 / t9
+    t30 = ((t9 + 2.220446049250313e-16) / t9) * (t27 * 5.551115123125783e-17)
+    t36 = t23 * (t23 + (((t9 + t30) / t12) * 0.5))
+    t39 = ((t22 * t36) / tracking_index) / tracking_index
+    t42 = (t13 * 2.9802322387695312e-08) * 2251799813685248.0
+    t44 = 2.220446049250313e-16 / t15
+    t52 = 1.0 + ((1.0 + (t44 * 0.5)) * (t27 * 0.5))
+    t54 = t22 * ((((t42 * 3.0) + t44) * 0.5) + t52)
+    t56 = (t1 * t8) * 4503599627370496.0
+    t40 = -t39
+    t59 = -((t54 / t56) / t56)
+    return (t40, t59)
 
 
 def _gain_second_derivatives_block(
@@ -1306,70 +1303,71 @@ def _gain_second_derivatives_block(
     n2: float = 1.1102230246251565e-16,
     n3: float = 1.4901161193847656e-08,
     n4: float = 2.9802322387695312e-08,
-    n5: float = 4.440892098500626e-16,
-    n6: float = 2.220446049250313e-16,
-    n7: float = 2251799813685248.0,
-    n8: float = 3.0,
-    n9: float = 0.5,
+    n5: float = 2.220446049250313e-16,
+    n6: float = 5.551115123125783e-17,
+    n7: float = 0.5,
+    n8: float = 2251799813685248.0,
+    n9: float = 3.0,
     n10: float = 1.0,
-    n11: float = 5.551115123125783e-17,
+    n11: float = 4503599627370496.0,
 ) -> None:
     (tracking_index,) = given
     alpha, beta = out
-    w0, w1, w2, w3, w4, w5, w6 = work
+    w0, w1, w2, w3, w4, w5, w6, w7 = work
     p = sqrt(tracking_index, alpha)
-    t3 = divide(n0, tracking_index, beta)
-    t5 = multiply(tracking_index, n1, w0)
-    t6 = add(t3, t5, beta)
-    h_scaled = sqrt(t6, beta)
+    t4 = divide(n0, tracking_index, beta)
+    t6 = multiply(tracking_index, n1, w0)
+    t7 = add(t4, t6, beta)
+    h_scaled = sqrt(t7, beta)
     kappa = divide(h_scaled, p, w0)
     half_eta = multiply(p, h_scaled, alpha)
-    t11 = add(kappa, n2, beta)
-    rho_scaled = sqrt(t11, w1)
+    t12 = add(kappa, n2, beta)
+    rho_scaled = sqrt(t12, w1)
     rho = multiply(rho_scaled, n3, w2)
     twice_rho = multiply(rho_scaled, n4, w1)
-    t17 = add(rho, n2, w3)
-    t18 = add(kappa, t17, w3)
-    t19 = multiply(tracking_index, t18, w3)
-    t21 = divide(n5, t19, w3)
-    t22 = divide(t21, tracking_index, w4)
-    t24 = multiply(t21, n6, w3)
-    t25 = divide(t24, half_eta, w3)
-    t26 = divide(n6, rho, alpha)
-    t27 = divide(n6, kappa, w5)
-    t29 = multiply(twice_rho, n7, w1)
-    t31 = multiply(t29, n8, w1)
-    t32 = add(t31, t26, w1)
-    t34 = multiply(t32, n9, w1)
-    t35 = multiply(t26, n9, alpha)
-    t37 = add(n10, t35, alpha)
-    t38 = multiply(t27, n9, w6)
-    t39 = multiply(t37, t38, alpha)
-    t40 = add(n10, t39, alpha)
-    t41 = add(t34, t40, w1)
-    t42 = multiply(t25, t41, w1)
-    t43 = multiply(t25, t42, w3)
-    t44 = divide(rho, kappa, w2)
-    t45 = multiply(t44, t22, w1)
-    t46 = add(kappa, n6, w6)
-    t47 = divide(t46, kappa, w6)
-    t49 = multiply(t27, n11, w5)
-    t50 = multiply(t47, t49, w6)
-    t51 = add(kappa, t50, w0)
-    t52 = divide(t51, t11, w0)
-    t53 = multiply(t52, n9, w0)
-    t54 = add(t44, t53, w2)
-    t55 = multiply(t54, t22, w2)
-    t56 = multiply(t45, t55, w1)
-    negative(t56, alpha)
-    negative(t43, beta)
+    t18 = add(rho, n2, w3)
+    t19 = add(kappa, t18, w3)
+    t20 = multiply(tracking_index, t19, w3)
+    t21 = square(t20, w3)
+    t22 = divide(n0, t21, w3)
+    t23 = divide(rho, kappa, w4)
+    t25 = add(kappa, n5, w5)
+    t26 = divide(t25, kappa, w5)
+    t27 = divide(n5, kappa, w6)
+    t29 = multiply(t27, n6, w7)
+    t30 = multiply(t26, t29, w5)
+    t31 = add(kappa, t30, w0)
+    t32 = divide(t31, t12, w0)
+    t34 = multiply(t32, n7, w0)
+    t35 = add(t23, t34, w0)
+    t36 = multiply(t23, t35, w4)
+    t37 = multiply(t22, t36, w4)
+    t38 = divide(t37, tracking_index, w4)
+    t39 = divide(t38, tracking_index, w4)
+    t42 = multiply(twice_rho, n8, w1)
+    t43 = multiply(t42, n9, w1)
+    t44 = divide(n5, rho, w2)
+    t45 = add(t43, t44, w1)
+    t46 = multiply(t45, n7, w1)
+    t47 = multiply(t44, n7, w2)
+    t49 = add(n10, t47, w2)
+    t50 = multiply(t27, n7, w6)
+    t51 = multiply(t49, t50, w2)
+    t52 = add(n10, t51, w2)
+    t53 = add(t46, t52, w1)
+    t54 = multiply(t22, t53, w3)
+    t56 = multiply(half_eta, n11, alpha)
+    t57 = divide(t54, t56, w3)
+    t58 = divide(t57, t56, w3)
+    negative(t39, alpha)
+    negative(t58, beta)
 
 
 _GAIN_SECOND_DERIVATIVES = Signature(
     "gain_second_derivatives",
     (_TRACKING_INDEX_DOMAIN,),
     ("alpha", "beta"),
-    7,
+    8,
     _gain_second_derivatives_block,
     numbers=_gain_second_derivatives_of_numbers,
 )
@@ -1389,11 +1387,11 @@ def predictor_gain_second_derivatives(
         finite.
 
     position: second derivative by Lambda of the position entry of F K, alpha + beta. Relative error
-        at most 13.79 * 2^-52 (float64), 13.80 * 2^-23 (float32), proved for 1.569734840911732e-206
-        <= tracking_index <= 1.8122441335979363e77 (float64) and 1.0258396e-26 <= tracking_index <=
+        at most 13.29 * 2^-52 (float64), 13.30 * 2^-23 (float32), proved for 1.5697348409117316e-206
+        <= tracking_index <= 1.8122441335979363e77 (float64) and 1.0258395e-26 <= tracking_index <=
         6.721987e09 (float32).
     velocity: second derivative by Lambda of the velocity entry of F K times the sampling interval,
-        beta. Relative error at most 12.83 * 2^-52 (float64), 12.76 * 2^-23 (float32), proved for
+        beta. Relative error at most 12.33 * 2^-52 (float64), 12.26 * 2^-23 (float32), proved for
         5e-324 <= tracking_index <= 1.686483196605514e77 (float64) and 1e-45 <= tracking_index <=
         6.2555136e09 (float32).
 
@@ -1432,29 +1430,29 @@ def _predictor_gain_second_derivatives_of_numbers(
     form: Form = Double,
 ) -> tuple[float, ...]:
     t1 = form.sqrt(tracking_index)
-    t3 = 1.9721522630525295e-31 / tracking_index
-    t5 = tracking_index * 1.232595164407831e-32
-    t7 = form.sqrt(t3 + t5)
-    t8 = t7 / t1
-    t11 = t8 + 1.1102230246251565e-16
-    t12 = form.sqrt(t11)
-    t14 = t12 * 1.4901161193847656e-08
-    t19 = tracking_index * (t8 + (t14 + 1.1102230246251565e-16))
-    t21 = 4.440892098500626e-16 / t19
-    t22 = t21 / tracking_index
-    t25 = (t21 * 2.220446049250313e-16) / (t1 * t7)
-    t26 = 2.220446049250313e-16 / t14
-    t27 = 2.220446049250313e-16 / t8
-    t29 = (t12 * 2.9802322387695312e-08) * 2251799813685248.0
-    t40 = 1.0 + ((1.0 + (t26 * 0.5)) * (t27 * 0.5))
-    t42 = t25 * ((((t29 * 3.0) + t26) * 0.5) + t40)
-    t43 = t25 * t42
-    t44 = t14 / t8
-    t50 = ((t8 + 2.220446049250313e-16) / t8) * (t27 * 5.551115123125783e-17)
-    t55 = (t44 + (((t8 + t50) / t11) * 0.5)) * t22
-    t58 = -(((t44 * t22) * t55) + t43)
-    t59 = -t43
-    return (t58, t59)
+    t4 = 1.9721522630525295e-31 / tracking_index
+    t6 = tracking_index * 1.232595164407831e-32
+    t8 = form.sqrt(t4 + t6)
+    t9 = t8 / t1
+    t12 = t9 + 1.1102230246251565e-16
+    t13 = form.sqrt(t12)
+    t15 = t13 * 1.4901161193847656e-08
+    t20 = tracking_index * (t9 + (t15 + 1.1102230246251565e-16))
+    t22 = 1.9721522630525295e-31 / (t20 * t20)
+    t23 = t15 / t9
+    t27 = 2.220446049250313e-16 / t9
+    t30 = ((t9 + 2.220446049250313e-16) / t9) * (t27 * 5.551115123125783e-17)
+    t36 = t23 * (t23 + (((t9 + t30) / t12) * 0.5))
+    t39 = ((t22 * t36) / tracking_index) / tracking_index
+    t41 = (t13 * 2.9802322387695312e-08) * 2251799813685248.0
+    t43 = 2.220446049250313e-16 / t15
+    t51 = 1.0 + ((1.0 + (t43 * 0.5)) * (t27 * 0.5))
+    t53 = t22 * ((((t41 * 3.0) + t43) * 0.5) + t51)
+    t55 = (t1 * t8) * 4503599627370496.0
+    t57 = (t53 / t55) / t55
+    t59 = -(t39 + t57)
+    t60 = -t57
+    return (t59, t60)
 
 
 def _predictor_gain_second_derivatives_block(
@@ -1467,71 +1465,72 @@ def _predictor_gain_second_derivatives_block(
     n2: float = 1.1102230246251565e-16,
     n3: float = 1.4901161193847656e-08,
     n4: float = 2.9802322387695312e-08,
-    n5: float = 4.440892098500626e-16,
-    n6: float = 2.220446049250313e-16,
-    n7: float = 2251799813685248.0,
-    n8: float = 3.0,
-    n9: float = 0.5,
+    n5: float = 2.220446049250313e-16,
+    n6: float = 5.551115123125783e-17,
+    n7: float = 0.5,
+    n8: float = 2251799813685248.0,
+    n9: float = 3.0,
     n10: float = 1.0,
-    n11: float = 5.551115123125783e-17,
+    n11: float = 4503599627370496.0,
 ) -> None:
     (tracking_index,) = given
     position, velocity = out
-    w0, w1, w2, w3, w4, w5, w6 = work
+    w0, w1, w2, w3, w4, w5, w6, w7 = work
     p = sqrt(tracking_index, position)
-    t3 = divide(n0, tracking_index, velocity)
-    t5 = multiply(tracking_index, n1, w0)
-    t6 = add(t3, t5, velocity)
-    h_scaled = sqrt(t6, velocity)
+    t4 = divide(n0, tracking_index, velocity)
+    t6 = multiply(tracking_index, n1, w0)
+    t7 = add(t4, t6, velocity)
+    h_scaled = sqrt(t7, velocity)
     kappa = divide(h_scaled, p, w0)
     half_eta = multiply(p, h_scaled, position)
-    t11 = add(kappa, n2, velocity)
-    rho_scaled = sqrt(t11, w1)
+    t12 = add(kappa, n2, velocity)
+    rho_scaled = sqrt(t12, w1)
     rho = multiply(rho_scaled, n3, w2)
     twice_rho = multiply(rho_scaled, n4, w1)
-    t17 = add(rho, n2, w3)
-    t18 = add(kappa, t17, w3)
-    t19 = multiply(tracking_index, t18, w3)
-    t21 = divide(n5, t19, w3)
-    t22 = divide(t21, tracking_index, w4)
-    t24 = multiply(t21, n6, w3)
-    t25 = divide(t24, half_eta, w3)
-    t26 = divide(n6, rho, position)
-    t27 = divide(n6, kappa, w5)
-    t29 = multiply(twice_rho, n7, w1)
-    t31 = multiply(t29, n8, w1)
-    t32 = add(t31, t26, w1)
-    t34 = multiply(t32, n9, w1)
-    t35 = multiply(t26, n9, position)
-    t37 = add(n10, t35, position)
-    t38 = multiply(t27, n9, w6)
-    t39 = multiply(t37, t38, position)
-    t40 = add(n10, t39, position)
-    t41 = add(t34, t40, w1)
-    t42 = multiply(t25, t41, w1)
-    t43 = multiply(t25, t42, w3)
-    t44 = divide(rho, kappa, w2)
-    t45 = multiply(t44, t22, w1)
-    t46 = add(kappa, n6, w6)
-    t47 = divide(t46, kappa, w6)
-    t49 = multiply(t27, n11, w5)
-    t50 = multiply(t47, t49, w6)
-    t51 = add(kappa, t50, w0)
-    t52 = divide(t51, t11, w0)
-    t53 = multiply(t52, n9, w0)
-    t54 = add(t44, t53, w2)
-    t55 = multiply(t54, t22, w2)
-    t56 = multiply(t45, t55, w1)
-    t57 = add(t56, t43, w1)
-    negative(t57, position)
-    negative(t43, velocity)
+    t18 = add(rho, n2, w3)
+    t19 = add(kappa, t18, w3)
+    t20 = multiply(tracking_index, t19, w3)
+    t21 = square(t20, w3)
+    t22 = divide(n0, t21, w3)
+    t23 = divide(rho, kappa, w4)
+    t25 = add(kappa, n5, w5)
+    t26 = divide(t25, kappa, w5)
+    t27 = divide(n5, kappa, w6)
+    t29 = multiply(t27, n6, w7)
+    t30 = multiply(t26, t29, w5)
+    t31 = add(kappa, t30, w0)
+    t32 = divide(t31, t12, w0)
+    t34 = multiply(t32, n7, w0)
+    t35 = add(t23, t34, w0)
+    t36 = multiply(t23, t35, w4)
+    t37 = multiply(t22, t36, w4)
+    t38 = divide(t37, tracking_index, w4)
+    t39 = divide(t38, tracking_index, w4)
+    t41 = multiply(twice_rho, n8, w1)
+    t42 = multiply(t41, n9, w1)
+    t43 = divide(n5, rho, w2)
+    t44 = add(t42, t43, w1)
+    t45 = multiply(t44, n7, w1)
+    t46 = multiply(t43, n7, w2)
+    t48 = add(n10, t46, w2)
+    t49 = multiply(t27, n7, w6)
+    t50 = multiply(t48, t49, w2)
+    t51 = add(n10, t50, w2)
+    t52 = add(t45, t51, w1)
+    t53 = multiply(t22, t52, w3)
+    t55 = multiply(half_eta, n11, position)
+    t56 = divide(t53, t55, w3)
+    t57 = divide(t56, t55, w3)
+    t58 = add(t39, t57, w4)
+    negative(t58, position)
+    negative(t57, velocity)
 
 
 _PREDICTOR_GAIN_SECOND_DERIVATIVES = Signature(
     "predictor_gain_second_derivatives",
     (_TRACKING_INDEX_DOMAIN,),
     ("position", "velocity"),
-    7,
+    8,
     _predictor_gain_second_derivatives_block,
     numbers=_predictor_gain_second_derivatives_of_numbers,
 )
@@ -1612,22 +1611,22 @@ def _predicted_covariance_second_derivatives_of_numbers(
     t11 = t8 + 1.1102230246251565e-16
     t12 = form.sqrt(t11)
     t14 = t12 * 1.4901161193847656e-08
-    t18 = 2.220446049250313e-16 / t14
-    t19 = 2.220446049250313e-16 / t8
-    t21 = t8 + (t14 + 1.1102230246251565e-16)
-    t22 = t21 / t8
-    t24 = t19 * 0.5
-    t31 = 1.0 + t19
-    t37 = (t21 * 4503599627370496.0) * (1.0 + (t31 * ((t19 * t19) * 0.25)))
-    t43 = ((t22 * (t21 * (1.0 + t24))) * 0.25) - (((t21 * t18) * t37) * 0.125)
-    t51 = (1.9721522630525295e-31 / (t1 * t7)) / tracking_index
-    t52 = t51 / t11
-    t55 = (1.0 + ((t14 / t8) * 0.5)) + ((t52 * 0.5) * t31)
-    t57 = (t12 * 2.9802322387695312e-08) * 2251799813685248.0
-    t70 = ((0.5 + (t19 * 0.25)) * (5.0 + t52)) + ((t51 / t8) * t24)
-    t44 = t43 * 4503599627370496.0
-    t60 = (t22 * (t57 * 0.25)) * t55
-    t76 = ((t57 * 0.75) + (t18 * (t70 * 0.25))) + 2.0
+    t18 = t8 + (t14 + 1.1102230246251565e-16)
+    t19 = t18 / t8
+    t21 = 2.220446049250313e-16 / t8
+    t29 = (t19 * (t18 * (1.0 + (t21 * 0.5)))) * 0.25
+    t30 = 2.220446049250313e-16 / t14
+    t34 = 1.0 + t21
+    t39 = (t18 * 4503599627370496.0) * (1.0 + (t34 * ((t21 * t21) * 0.25)))
+    t48 = (t12 * 2.9802322387695312e-08) * 2251799813685248.0
+    t55 = (1.9721522630525295e-31 / (t1 * t7)) / tracking_index
+    t56 = t55 / t11
+    t59 = (1.0 + ((t14 / t8) * 0.5)) + ((t56 * 0.5) * t34)
+    t69 = (0.125 + (t21 * 0.0625)) * (5.0 + t56)
+    t74 = t30 * (t69 + ((t55 / t8) * (t21 * 0.125)))
+    t44 = (t29 - (((t18 * t30) * t39) * 0.125)) * 4503599627370496.0
+    t60 = (t19 * (t48 * 0.25)) * t59
+    t76 = ((t48 * 0.75) + t74) + 2.0
     return (t44, t60, t76)
 
 
@@ -1644,17 +1643,18 @@ def _predicted_covariance_second_derivatives_block(
     n5: float = 2.220446049250313e-16,
     n6: float = 0.5,
     n7: float = 1.0,
-    n8: float = 4503599627370496.0,
-    n9: float = 0.25,
+    n8: float = 0.25,
+    n9: float = 4503599627370496.0,
     n10: float = 0.125,
     n11: float = 2251799813685248.0,
-    n12: float = 5.0,
-    n13: float = 0.75,
-    n14: float = 2.0,
+    n12: float = 0.75,
+    n13: float = 0.0625,
+    n14: float = 5.0,
+    n15: float = 2.0,
 ) -> None:
     (tracking_index,) = given
     predicted_11, predicted_12, predicted_22 = out
-    w0, w1, w2, w3, w4, w5, w6, w7, w8, w9, w10 = work
+    w0, w1, w2, w3, w4, w5, w6, w7, w8, w9 = work
     p = sqrt(tracking_index, predicted_11)
     t3 = divide(n0, tracking_index, predicted_12)
     t5 = multiply(tracking_index, n1, w0)
@@ -1666,60 +1666,60 @@ def _predicted_covariance_second_derivatives_block(
     rho_scaled = sqrt(t11, predicted_22)
     rho = multiply(rho_scaled, n3, w1)
     twice_rho = multiply(rho_scaled, n4, predicted_22)
-    t18 = divide(n5, rho, w2)
-    t19 = divide(n5, kappa, w3)
-    t20 = add(rho, n2, w4)
-    t21 = add(kappa, t20, w4)
-    t22 = divide(t21, kappa, w5)
-    t24 = multiply(t19, n6, w6)
-    t26 = add(n7, t24, w7)
-    t27 = multiply(t21, t26, w7)
-    t28 = multiply(t22, t27, w7)
-    t30 = multiply(t21, n8, w8)
-    t31 = add(n7, t19, w9)
-    t32 = square(t19, w10)
-    t34 = multiply(t32, n9, w10)
-    t35 = multiply(t31, t34, w10)
-    t36 = add(n7, t35, w10)
-    t37 = multiply(t30, t36, w8)
-    t38 = multiply(t28, n9, w7)
-    t39 = multiply(t21, t18, w4)
-    t40 = multiply(t39, t37, w4)
-    t42 = multiply(t40, n10, w4)
-    predicted_11_turn = subtract(t38, t42, w7)
-    t47 = divide(rho, kappa, w1)
-    t48 = multiply(t47, n6, w1)
-    t49 = add(n7, t48, w1)
-    t50 = divide(n0, half_eta, predicted_11)
-    t51 = divide(t50, tracking_index, predicted_11)
-    t52 = divide(t51, t11, predicted_12)
-    t53 = multiply(t52, n6, w4)
-    t54 = multiply(t53, t31, w4)
-    t55 = add(t49, t54, w1)
-    t57 = multiply(twice_rho, n11, predicted_22)
-    t58 = multiply(t57, n9, w4)
-    t59 = multiply(t22, t58, w5)
-    t62 = multiply(t19, n9, w3)
-    t64 = add(n6, t62, w3)
-    t66 = add(n12, t52, predicted_12)
-    t67 = multiply(t64, t66, w3)
-    t68 = divide(t51, kappa, predicted_11)
-    t69 = multiply(t68, t24, predicted_11)
-    t70 = add(t67, t69, w3)
-    t72 = multiply(t57, n13, predicted_22)
-    t73 = multiply(t70, n9, w3)
-    t74 = multiply(t18, t73, w2)
-    t75 = add(t72, t74, predicted_22)
-    multiply(predicted_11_turn, n8, predicted_11)
-    multiply(t59, t55, predicted_12)
-    add(t75, n14, predicted_22)
+    t17 = add(rho, n2, w2)
+    t18 = add(kappa, t17, w2)
+    t19 = divide(t18, kappa, w3)
+    t21 = divide(n5, kappa, w4)
+    t23 = multiply(t21, n6, w5)
+    t25 = add(n7, t23, w5)
+    t26 = multiply(t18, t25, w5)
+    t27 = multiply(t19, t26, w5)
+    t29 = multiply(t27, n8, w5)
+    t30 = divide(n5, rho, w6)
+    t31 = multiply(t18, t30, w7)
+    t33 = multiply(t18, n9, w2)
+    t34 = add(n7, t21, w8)
+    t35 = square(t21, w9)
+    t36 = multiply(t35, n8, w9)
+    t37 = multiply(t34, t36, w9)
+    t38 = add(n7, t37, w9)
+    t39 = multiply(t33, t38, w2)
+    t40 = multiply(t31, t39, w7)
+    t42 = multiply(t40, n10, w7)
+    predicted_11_turn = subtract(t29, t42, w5)
+    t48 = multiply(twice_rho, n11, predicted_22)
+    t49 = multiply(t48, n8, w2)
+    t50 = multiply(t19, t49, w3)
+    t51 = divide(rho, kappa, w1)
+    t52 = multiply(t51, n6, w1)
+    t53 = add(n7, t52, w1)
+    t54 = divide(n0, half_eta, predicted_11)
+    t55 = divide(t54, tracking_index, predicted_11)
+    t56 = divide(t55, t11, predicted_12)
+    t57 = multiply(t56, n6, w2)
+    t58 = multiply(t57, t34, w2)
+    t59 = add(t53, t58, w1)
+    t62 = multiply(t48, n12, predicted_22)
+    t64 = multiply(t21, n13, w2)
+    t66 = add(n10, t64, w2)
+    t68 = add(n14, t56, predicted_12)
+    t69 = multiply(t66, t68, w2)
+    t70 = divide(t55, kappa, predicted_11)
+    t71 = multiply(t21, n10, w4)
+    t72 = multiply(t70, t71, predicted_11)
+    t73 = add(t69, t72, w2)
+    t74 = multiply(t30, t73, w6)
+    t75 = add(t62, t74, predicted_22)
+    multiply(predicted_11_turn, n9, predicted_11)
+    multiply(t50, t59, predicted_12)
+    add(t75, n15, predicted_22)
 
 
 _PREDICTED_COVARIANCE_SECOND_DERIVATIVES = Signature(
     "predicted_covariance_second_derivatives",
     (_TRACKING_INDEX_DOMAIN,),
     ("predicted_11", "predicted_12", "predicted_22"),
-    11,
+    10,
     _predicted_covariance_second_derivatives_block,
     numbers=_predicted_covariance_second_derivatives_of_numbers,
 )
@@ -1739,11 +1739,11 @@ def updated_covariance_second_derivatives(
         finite.
 
     updated_11: second derivative by Lambda of the variance of the updated position over sigma_v^2.
-        Relative error at most 13.31 * 2^-52 (float64), 13.29 * 2^-23 (float32), proved for
-        1.5697348409117316e-206 <= tracking_index <= 1.2814501160326402e77 (float64) and
-        1.0258395e-26 <= tracking_index <= 4.753162e09 (float32).
+        Relative error at most 12.81 * 2^-52 (float64), 12.79 * 2^-23 (float32), proved for
+        1.5697348409117313e-206 <= tracking_index <= 1.2814501160326402e77 (float64) and
+        1.0258394e-26 <= tracking_index <= 4.753162e09 (float32).
     updated_12: second derivative by Lambda of the covariance of updated position and velocity times
-        T/sigma_v^2. Relative error at most 12.83 * 2^-52 (float64), 12.76 * 2^-23 (float32), proved
+        T/sigma_v^2. Relative error at most 12.33 * 2^-52 (float64), 12.26 * 2^-23 (float32), proved
         for 5e-324 <= tracking_index <= 1.686483196605514e77 (float64) and 1e-45 <= tracking_index
         <= 6.2555136e09 (float32).
     updated_22: second derivative by Lambda of the variance of the updated velocity times
@@ -1786,33 +1786,33 @@ def _updated_covariance_second_derivatives_of_numbers(
     form: Form = Double,
 ) -> tuple[float, ...]:
     t1 = form.sqrt(tracking_index)
-    t3 = 1.9721522630525295e-31 / tracking_index
-    t5 = tracking_index * 1.232595164407831e-32
-    t7 = form.sqrt(t3 + t5)
-    t8 = t7 / t1
-    t9 = t1 * t7
-    t11 = t8 + 1.1102230246251565e-16
-    t12 = form.sqrt(t11)
-    t14 = t12 * 1.4901161193847656e-08
-    t19 = tracking_index * (t8 + (t14 + 1.1102230246251565e-16))
-    t21 = 4.440892098500626e-16 / t19
-    t22 = t21 / tracking_index
-    t25 = (t21 * 2.220446049250313e-16) / t9
-    t26 = 2.220446049250313e-16 / t14
-    t27 = 2.220446049250313e-16 / t8
-    t29 = (t12 * 2.9802322387695312e-08) * 2251799813685248.0
-    t38 = t27 * 0.5
-    t41 = (((t29 * 3.0) + t26) * 0.5) + (1.0 + ((1.0 + (t26 * 0.5)) * t38))
-    t44 = t14 / t8
-    t50 = ((t8 + 2.220446049250313e-16) / t8) * (t27 * 5.551115123125783e-17)
-    t55 = (t44 + (((t8 + t50) / t11) * 0.5)) * t22
-    t60 = (1.9721522630525295e-31 / t9) / tracking_index
-    t68 = (0.5 + (t27 * 0.25)) * (5.0 + (t60 / t11))
-    t76 = t26 * ((t68 + ((t60 / t8) * t38)) * 0.25)
-    t57 = -((t44 * t22) * t55)
-    t58 = -(t25 * (t25 * t41))
-    t77 = (t29 * 0.75) + t76
-    return (t57, t58, t77)
+    t4 = 1.9721522630525295e-31 / tracking_index
+    t6 = tracking_index * 1.232595164407831e-32
+    t8 = form.sqrt(t4 + t6)
+    t9 = t8 / t1
+    t10 = t1 * t8
+    t12 = t9 + 1.1102230246251565e-16
+    t13 = form.sqrt(t12)
+    t15 = t13 * 1.4901161193847656e-08
+    t20 = tracking_index * (t9 + (t15 + 1.1102230246251565e-16))
+    t22 = 1.9721522630525295e-31 / (t20 * t20)
+    t23 = t15 / t9
+    t27 = 2.220446049250313e-16 / t9
+    t30 = ((t9 + 2.220446049250313e-16) / t9) * (t27 * 5.551115123125783e-17)
+    t36 = t23 * (t23 + (((t9 + t30) / t12) * 0.5))
+    t39 = ((t22 * t36) / tracking_index) / tracking_index
+    t42 = (t13 * 2.9802322387695312e-08) * 2251799813685248.0
+    t44 = 2.220446049250313e-16 / t15
+    t52 = 1.0 + ((1.0 + (t44 * 0.5)) * (t27 * 0.5))
+    t54 = t22 * ((((t42 * 3.0) + t44) * 0.5) + t52)
+    t56 = t10 * 4503599627370496.0
+    t67 = (1.9721522630525295e-31 / t10) / tracking_index
+    t71 = (0.125 + (t27 * 0.0625)) * (5.0 + (t67 / t12))
+    t76 = t44 * (t71 + ((t67 / t9) * (t27 * 0.125)))
+    t40 = -t39
+    t59 = -((t54 / t56) / t56)
+    t77 = (t42 * 0.75) + t76
+    return (t40, t59, t77)
 
 
 def _updated_covariance_second_derivatives_block(
@@ -1825,87 +1825,89 @@ def _updated_covariance_second_derivatives_block(
     n2: float = 1.1102230246251565e-16,
     n3: float = 1.4901161193847656e-08,
     n4: float = 2.9802322387695312e-08,
-    n5: float = 4.440892098500626e-16,
-    n6: float = 2.220446049250313e-16,
-    n7: float = 2251799813685248.0,
-    n8: float = 3.0,
-    n9: float = 0.5,
+    n5: float = 2.220446049250313e-16,
+    n6: float = 5.551115123125783e-17,
+    n7: float = 0.5,
+    n8: float = 2251799813685248.0,
+    n9: float = 3.0,
     n10: float = 1.0,
-    n11: float = 5.551115123125783e-17,
-    n12: float = 0.25,
-    n13: float = 5.0,
-    n14: float = 0.75,
+    n11: float = 4503599627370496.0,
+    n12: float = 0.75,
+    n13: float = 0.0625,
+    n14: float = 0.125,
+    n15: float = 5.0,
 ) -> None:
     (tracking_index,) = given
     updated_11, updated_12, updated_22 = out
-    w0, w1, w2, w3, w4, w5, w6, w7, w8, w9 = work
+    w0, w1, w2, w3, w4, w5, w6, w7 = work
     p = sqrt(tracking_index, updated_11)
-    t3 = divide(n0, tracking_index, updated_12)
-    t5 = multiply(tracking_index, n1, w0)
-    t6 = add(t3, t5, updated_12)
-    h_scaled = sqrt(t6, updated_22)
+    t4 = divide(n0, tracking_index, updated_12)
+    t6 = multiply(tracking_index, n1, w0)
+    t7 = add(t4, t6, updated_12)
+    h_scaled = sqrt(t7, updated_22)
     kappa = divide(h_scaled, p, w0)
     half_eta = multiply(p, h_scaled, updated_11)
-    t11 = add(kappa, n2, updated_12)
-    rho_scaled = sqrt(t11, updated_22)
+    t12 = add(kappa, n2, updated_12)
+    rho_scaled = sqrt(t12, updated_22)
     rho = multiply(rho_scaled, n3, w1)
     twice_rho = multiply(rho_scaled, n4, updated_22)
-    t17 = add(rho, n2, w2)
-    t18 = add(kappa, t17, w2)
-    t19 = multiply(tracking_index, t18, w2)
-    t21 = divide(n5, t19, w2)
-    t22 = divide(t21, tracking_index, w3)
-    t24 = multiply(t21, n6, w2)
-    t25 = divide(t24, half_eta, w2)
-    t26 = divide(n6, rho, w4)
-    t27 = divide(n6, kappa, w5)
-    t29 = multiply(twice_rho, n7, updated_22)
-    t31 = multiply(t29, n8, w6)
-    t32 = add(t31, t26, w6)
-    t34 = multiply(t32, n9, w6)
-    t35 = multiply(t26, n9, w7)
-    t37 = add(n10, t35, w7)
-    t38 = multiply(t27, n9, w8)
-    t39 = multiply(t37, t38, w7)
-    t40 = add(n10, t39, w7)
-    t41 = add(t34, t40, w6)
-    t42 = multiply(t25, t41, w6)
-    t43 = multiply(t25, t42, w2)
-    t44 = divide(rho, kappa, w1)
-    t45 = multiply(t44, t22, w6)
-    t46 = add(kappa, n6, w7)
-    t47 = divide(t46, kappa, w7)
-    t49 = multiply(t27, n11, w9)
-    t50 = multiply(t47, t49, w7)
-    t51 = add(kappa, t50, w7)
-    t52 = divide(t51, t11, w7)
-    t53 = multiply(t52, n9, w7)
-    t54 = add(t44, t53, w1)
-    t55 = multiply(t54, t22, w1)
-    t56 = multiply(t45, t55, w6)
-    t59 = divide(n0, half_eta, updated_11)
-    t60 = divide(t59, tracking_index, updated_11)
-    t61 = divide(t60, t11, updated_12)
-    t63 = multiply(t27, n12, w5)
-    t65 = add(n9, t63, w5)
-    t67 = add(n13, t61, updated_12)
-    t68 = multiply(t65, t67, w5)
-    t69 = divide(t60, kappa, updated_11)
-    t70 = multiply(t69, t38, updated_11)
-    t71 = add(t68, t70, w5)
-    t73 = multiply(t29, n14, updated_22)
-    t75 = multiply(t71, n12, w5)
-    t76 = multiply(t26, t75, w4)
-    negative(t56, updated_11)
-    negative(t43, updated_12)
-    add(t73, t76, updated_22)
+    t18 = add(rho, n2, w2)
+    t19 = add(kappa, t18, w2)
+    t20 = multiply(tracking_index, t19, w2)
+    t21 = square(t20, w2)
+    t22 = divide(n0, t21, w2)
+    t23 = divide(rho, kappa, w3)
+    t25 = add(kappa, n5, w4)
+    t26 = divide(t25, kappa, w4)
+    t27 = divide(n5, kappa, w5)
+    t29 = multiply(t27, n6, w6)
+    t30 = multiply(t26, t29, w4)
+    t31 = add(kappa, t30, w4)
+    t32 = divide(t31, t12, w4)
+    t34 = multiply(t32, n7, w4)
+    t35 = add(t23, t34, w4)
+    t36 = multiply(t23, t35, w3)
+    t37 = multiply(t22, t36, w3)
+    t38 = divide(t37, tracking_index, w3)
+    t39 = divide(t38, tracking_index, w3)
+    t42 = multiply(twice_rho, n8, updated_22)
+    t43 = multiply(t42, n9, w4)
+    t44 = divide(n5, rho, w1)
+    t45 = add(t43, t44, w4)
+    t46 = multiply(t45, n7, w4)
+    t47 = multiply(t44, n7, w6)
+    t49 = add(n10, t47, w6)
+    t50 = multiply(t27, n7, w7)
+    t51 = multiply(t49, t50, w6)
+    t52 = add(n10, t51, w6)
+    t53 = add(t46, t52, w4)
+    t54 = multiply(t22, t53, w2)
+    t56 = multiply(half_eta, n11, w4)
+    t57 = divide(t54, t56, w2)
+    t58 = divide(t57, t56, w2)
+    t61 = multiply(t42, n12, updated_22)
+    t63 = multiply(t27, n13, w4)
+    t65 = add(n14, t63, w4)
+    t66 = divide(n0, half_eta, updated_11)
+    t67 = divide(t66, tracking_index, updated_11)
+    t68 = divide(t67, t12, updated_12)
+    t70 = add(n15, t68, updated_12)
+    t71 = multiply(t65, t70, w4)
+    t72 = divide(t67, kappa, updated_11)
+    t73 = multiply(t27, n14, w5)
+    t74 = multiply(t72, t73, updated_11)
+    t75 = add(t71, t74, w4)
+    t76 = multiply(t44, t75, w1)
+    negative(t39, updated_11)
+    negative(t58, updated_12)
+    add(t61, t76, updated_22)
 
 
 _UPDATED_COVARIANCE_SECOND_DERIVATIVES = Signature(
     "updated_covariance_second_derivatives",
     (_TRACKING_INDEX_DOMAIN,),
     ("updated_11", "updated_12", "updated_22"),
-    10,
+    8,
     _updated_covariance_second_derivatives_block,
     numbers=_updated_covariance_second_derivatives_of_numbers,
 )

@@ -19,21 +19,28 @@ import re
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
-from functools import reduce
+from functools import cache, reduce
 from pathlib import Path
 from typing import Any
 
 from gainproof.derive.derivation import PageError
 from gainproof.derive.pages.formula import NAME, Formula, FormulaError, read_formula
-from gainproof.derive.printer.graph import Node
+from gainproof.derive.printer.graph import Graph, GraphBuilder, Node
 
 WHERE = "## Where "
 INDENT = "    "
 CALLS = {"atan2": 2, "cos": 1, "exp": 1, "expm1": 1, "sin": 1, "sqrt": 1}
 """Functions, with how many arguments they have."""
+SCALE = "_scale"
+"""Ends the name of what an output of changing sign is measured by: its parts, added."""
+TURN = "_turn"
+"""Ends the name of a difference."""
+FIRST, SECOND = "d_", "dd_"
+"""Begin the names of formulas of derivatives."""
 _LINE = re.compile(rf"({NAME}) = (.+)")
 _RELATIONS: Mapping[str, Callable[[Any, Any], bool]] = {"=": operator.eq, "<": operator.lt}
-Value = Node | Fraction
+Value = Any
+"""A node or an expression of SymPy, or a Fraction."""
 
 
 @dataclass(frozen=True)
@@ -72,6 +79,7 @@ def read_sections(text: str) -> tuple[Section, ...]:
     return tuple(Section(*each) for each in found)
 
 
+@cache
 def read_page(page: Path) -> tuple[Section, ...]:
     """The sections of a file. Raises PageError, with file and line, for what is no formula."""
     try:
@@ -104,10 +112,45 @@ def _condition(text: str) -> Condition:
     return Condition(read_formula(match[1]), match[2], read_formula(match[3]))
 
 
+def formula_of(kernel: str, output: str) -> str:
+    """The name of the formula by which a kernel computes an output."""
+    if kernel.endswith("_second_derivatives"):
+        return f"{SECOND}{output}"
+    if kernel.endswith("_derivatives") and kernel != "gains_with_derivatives":
+        return f"{FIRST}{output}"
+    return output
+
+
+def formula_graph(
+    builder: GraphBuilder,
+    page: Path,
+    known: Mapping[str, Value],
+    outputs: Mapping[str, str],
+    names: Mapping[str, Node],
+) -> Graph:
+    """The graph of outputs, each by the name of its formula; a difference with a scale has a name.
+
+    Raises as `kernel_values` does.
+    """
+    wanted = [f"{name}{end}" for name in outputs.values() for end in ("", SCALE, TURN)]
+    found = kernel_values(read_page(page), known, wanted)
+    made: dict[str, Value] = {}
+    turns: dict[str, Node] = {}
+    for output, name in outputs.items():
+        made[output] = found[name]
+        # a scale of 0 says that nothing cancels
+        if found.get(f"{name}{SCALE}", 0) != 0:
+            made[f"{output}{SCALE}"] = found[f"{name}{SCALE}"]
+            turn = f"{name}{TURN}"
+            turns[f"{output}{TURN}"] = found[turn if turn in found else name]
+    return builder.graph(made, {**names, **turns})
+
+
 def kernel_values(
     sections: Iterable[Section], known: Mapping[str, Value], names: Iterable[str]
 ) -> dict[str, Value]:
-    """The values of some names over known nodes and numbers; names without a formula are left out.
+    """The values of some names over known nodes or symbols, and numbers; those without a formula
+    are left out.
 
     Raises ArithmeticError where a number that stands with a node is negative: a form that is not
     for this model; FormulaError for what a formula cannot hold.

@@ -10,14 +10,13 @@ from typing import Any
 from gainproof.derive.algebra.limits import End
 from gainproof.derive.algebra.tower import Tower
 from gainproof.derive.model import Model, ModelError, ScaledModel, scale
-from gainproof.derive.steady_state.forms import Basis
 from gainproof.derive.steady_state.spectrum import Spectrum, factorise
-from gainproof.derive.steady_state.towers import end, main_tower, start, symbolic_basis
+from gainproof.derive.steady_state.towers import end, main_tower, start
 
 
 @dataclass(frozen=True)
 class Context:
-    """A scaled model with its spectrum, tower and stable forms."""
+    """A scaled model with its spectrum and tower."""
 
     original: Model
     model: ScaledModel
@@ -25,7 +24,6 @@ class Context:
     e: Fraction
     n: Fraction
     tower: Tower
-    basis: Basis
 
     @property
     def ends(self) -> Mapping[str, End]:
@@ -53,4 +51,4 @@ def context(model: Model) -> Context:
             f"model {model.name}: noise(4)/noise(0) in [0, 1] and Q12/Q22 in [0, 1/2] are wanted, "
             f"they are {e} and {n}"
         )
-    return Context(model, scaled, spectrum, e, n, main_tower(e, n), symbolic_basis(e, n))
+    return Context(model, scaled, spectrum, e, n, main_tower(e, n))

@@ -6,14 +6,14 @@ from collections.abc import Mapping
 from fractions import Fraction
 from types import MappingProxyType
 
+from gainproof.derive.pages import kernel_formulas
 from gainproof.derive.printer.graph import Graph
 from gainproof.derive.printer.kernel import Output
-from gainproof.derive.steady_state.curvature_kernels import (
-    SCALE,
-    SECOND_DERIVATIVES,
-    TURN,
-    second_derivative_graph,
-)
+
+SCALE = f"predicted_11{kernel_formulas.SCALE}"
+"""What the second derivative of M11 is measured by for e > 0: its terms, added."""
+TURN = f"predicted_11{kernel_formulas.TURN}"
+"""The difference in the second derivative of M11 for e > 0."""
 
 SUMMARIES: Mapping[str, str] = MappingProxyType(
     {
@@ -49,11 +49,6 @@ EQUATIONS: Mapping[str, tuple[str, ...]] = MappingProxyType(
 REASON = (
     "the variance bends down for a small index and up for a large one, so that it vanishes between"
 )
-
-
-def second_derivative_graphs(e: Fraction, n: Fraction) -> dict[str, Graph]:
-    """The graphs of all kernels of second derivatives."""
-    return {name: second_derivative_graph(e, n, name) for name in SECOND_DERIVATIVES}
 
 
 def equations(kernel: str, e: Fraction) -> tuple[str, ...]:

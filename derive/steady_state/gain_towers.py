@@ -13,8 +13,7 @@ import sympy as sp
 
 from gainproof.derive.algebra.tower import Generator, Parameter, Tower
 from gainproof.derive.expression import real
-from gainproof.derive.steady_state.gain_forms import RAISED, SWITCH, UNIT
-from gainproof.derive.steady_state.gain_kernels import CHOICES
+from gainproof.derive.steady_state.gain_kernels import CHOICES, RAISED, SWITCH, UNIT
 from gainproof.derive.steady_state.names import ALPHA, INDEX, ROOT
 from gainproof.derive.steady_state.towers import (
     ROOT_16,

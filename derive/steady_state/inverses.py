@@ -14,7 +14,7 @@ from collections.abc import Callable
 from fractions import Fraction
 from typing import Any
 
-from gainproof.derive.steady_state.forms import times
+from gainproof.derive.steady_state.gain_kernels import times
 
 Root = Callable[[Any], Any]
 SCALE = 2**30  # kernels hold 2^30 W, so that subnormal gains lose nothing

@@ -8,24 +8,10 @@ from fractions import Fraction
 from gainproof.derive.catalogue_module import catalogue_module
 from gainproof.derive.printer.graph import Graph
 from gainproof.derive.printer.kernel import Input, Kernel, Module, Output, closed
-from gainproof.derive.steady_state import covariance_forms, curvature_module, forms
+from gainproof.derive.steady_state import curvature_module
 from gainproof.derive.steady_state.context import Context
-from gainproof.derive.steady_state.gain_kernels import GAINS, PREDICTOR_GAINS
-from gainproof.derive.steady_state.gains_at_once import GAINS_WITH_DERIVATIVES
-from gainproof.derive.steady_state.kernels import Part, largest_beta
+from gainproof.derive.steady_state.kernels import largest_beta
 from gainproof.derive.subject import in_double_words
-
-INDEX_KERNELS: Mapping[str, tuple[Part, ...]] = {
-    "gains": (GAINS,),
-    "gain_derivatives": (forms.gain_derivatives,),
-    "gains_with_derivatives": (GAINS_WITH_DERIVATIVES,),
-    "predictor_gains": (PREDICTOR_GAINS,),
-    "predictor_gain_derivatives": (forms.predictor_gain_derivatives,),
-    "predicted_covariance": (covariance_forms.predicted_covariance,),
-    "predicted_covariance_derivatives": (covariance_forms.predicted_covariance_derivatives,),
-    "updated_covariance": (covariance_forms.updated_covariance,),
-    "updated_covariance_derivatives": (covariance_forms.updated_covariance_derivatives,),
-}
 
 ACCURATE_GAINS = in_double_words("gains")
 SUMMARIES = {
@@ -100,7 +86,7 @@ def _kernel(c: Context, name: str, graphs: Mapping[str, Graph]) -> Kernel:
 
 
 def _root_text(e: Fraction) -> str:
-    """h of `gains_at_once` in words."""
+    """h of gains with derivatives in words."""
     if e == 0:
         return "4/p"
     return f"sqrt(16/Lambda + {'' if e == 1 else f'{e} '}Lambda)"

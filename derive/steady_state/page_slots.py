@@ -12,37 +12,34 @@ import sympy as sp
 
 from gainproof.derive.algebra.limits import End
 from gainproof.derive.algebra.tower import Generator, Tower
-from gainproof.derive.expression import real
 from gainproof.derive.pages.model_slots import model_slots, plain
-from gainproof.derive.steady_state import covariance_forms, forms, inverses
+from gainproof.derive.steady_state import inverses
 from gainproof.derive.steady_state.context import Context
-from gainproof.derive.steady_state.curvature import Curvature
-from gainproof.derive.steady_state.curvature_covariances import (
-    cross_second_derivative,
-    first_second_derivative_round_turn,
-    rate_second_derivative,
-    turning_index,
-)
-from gainproof.derive.steady_state.curvature_gains import (
-    falling_gain_slopes,
-    predictor_gain_second_derivatives,
-)
 from gainproof.derive.steady_state.gain_towers import LIMIT, WIDE
+from gainproof.derive.steady_state.kernels import symbolic_forms
 from gainproof.derive.steady_state.names import (
     ALPHA,
     BETA,
     DEVIATION,
     GROWTH,
     INDEX,
+    KAPPA,
     PREDICTED,
+    RHO,
     ROOT,
+    ROOT_3,
 )
-from gainproof.derive.steady_state.pole_towers import SIDE, G, X, complex_ends, real_ends
-from gainproof.derive.steady_state.poles import half_width
-from gainproof.derive.steady_state.towers import KAPPA, RHO, ROOT_S, rational, root_of_16, surd
+from gainproof.derive.steady_state.pole_towers import (
+    SIDE,
+    G,
+    X,
+    complex_ends,
+    half_width,
+    real_ends,
+)
+from gainproof.derive.steady_state.towers import ROOT_S, rational, root_of_16, surd
 
 Slots = dict[str, Any]
-ROOT_3 = real("root_3")
 TURN_TOWER = "with_root_of_3"
 
 
@@ -121,36 +118,36 @@ def _noise_of_v(e: Fraction) -> str:
 
 def _forms(c: Context) -> Slots:
     """What kernels compute of covariances and derivatives."""
-    stable = covariance_forms.predicted_covariance(c.basis)
-    stable |= covariance_forms.updated_covariance(c.basis)
     return {
-        **{name: stable[name] for name in (*PREDICTED, "updated_22")},
+        **symbolic_forms(c.e, c.n, (*PREDICTED, "updated_22")),
         **{f"slope_of_{name}": form for name, form in _slopes(c).items()},
-        "bend_of_updated_22": rate_second_derivative(c.basis),
+        "bend_of_updated_22": _second(c, "updated_22"),
     }
 
 
 def _slopes(c: Context) -> Slots:
-    return {
-        **forms.gain_derivatives(c.basis),
-        "predictor_position": forms.predictor_gain_derivatives(c.basis)["position"],
-        **covariance_forms.predicted_covariance_derivatives(c.basis),
-        "updated_22": covariance_forms.updated_covariance_derivatives(c.basis)["updated_22"],
-    }
+    own = {name: f"d_{name}" for name in ("alpha", "beta", *PREDICTED, "updated_22")}
+    own["predictor_position"] = "d_position"
+    found = symbolic_forms(c.e, c.n, own.values())
+    return {name: found[formula] for name, formula in own.items()}
+
+
+def _second(c: Context, name: str) -> sp.Expr:
+    """The second derivative of an output of kernels."""
+    return symbolic_forms(c.e, c.n, (f"dd_{name}",))[f"dd_{name}"]
 
 
 def _bends(c: Context) -> Slots:
     """What second derivatives are, for their signs."""
-    falling, rate = falling_gain_slopes(c.basis), rate_second_derivative(c.basis)
-    return {
-        "concave-alpha": falling["alpha"],
-        "concave-beta": falling["beta"],
-        "concave-predictor-position": -predictor_gain_second_derivatives(c.basis)["position"],
-        "convex-predicted-12": cross_second_derivative(c.basis),
-        "convex-predicted-22": rate + 2,
-        "convex-updated-22": rate,
-        "growth-grows": Curvature(c.basis).unbent,
+    own = {
+        **{f"concave-{name}": f"fall_{name}" for name in ("alpha", "beta")},
+        "concave-predictor-position": "fall_position",
+        **{f"convex-{name}": f"dd_{name}" for name in ("predicted_12", "predicted_22")},
+        "convex-updated-22": "dd_updated_22",
+        "growth-grows": "unbent",
     }
+    found = symbolic_forms(c.e, c.n, own.values())
+    return {step: found[name] for step, name in own.items()}
 
 
 def _updated_22_of_rho(n: Fraction) -> str:
@@ -175,7 +172,7 @@ def _discriminant(c: Context) -> sp.Expr:
     """That of c(z) over what shows its sign."""
     limit = pole_limit(c.e)
     if limit is None:
-        return 4 * half_width(c.basis, None, None) ** 2
+        return 4 * half_width(c.e, c.n) ** 2
     return (1 - rational(c.e)) ** 2 * (INDEX + limit) / (16 * (RHO * DEVIATION) ** 2)
 
 
@@ -209,8 +206,7 @@ def _share_of_turn(number: Fraction) -> sp.Expr:
 def _turn_form(c: Context) -> sp.Expr:
     """M11'' over what has its sign in closed form or as a polynomial."""
     if c.e == 0:
-        form = first_second_derivative_round_turn(c.basis, ROOT_3)
-        return form / (INDEX - turning_index(ROOT_3))
+        return _second(c, "predicted_11") / (INDEX - 4 / (2 * ROOT_3 + 3))
     _, rest = _turn_polynomial(c.e)
     return _share_of_turn(c.e) * rest / KAPPA**4
 

@@ -13,15 +13,13 @@ import sympy as sp
 from gainproof.derive.algebra.limits import End
 from gainproof.derive.algebra.tower import Generator, Parameter, Tower
 from gainproof.derive.expression import real
-from gainproof.derive.steady_state import poles
-from gainproof.derive.steady_state.forms import Basis
-from gainproof.derive.steady_state.names import DEVIATION, INDEX
+from gainproof.derive.steady_state.kernels import symbolic_forms
+from gainproof.derive.steady_state.names import DEVIATION, INDEX, KAPPA
 from gainproof.derive.steady_state.towers import (
     rational,
     root_of_16,
     steady_elements,
     surd,
-    symbolic_basis,
 )
 
 X, G = real("x"), real("g")
@@ -56,9 +54,8 @@ def complex_tower(e: Fraction, n: Fraction) -> Tower:
     elements |= {"s": real("u") / (2 * SIDE)}
     elements |= {"below": real("y") / (2 * SIDE), "above": real("w") / (2 * SIDE)}
     elements |= steady_elements(e, n, limit * X**2 / SIDE)
-    basis = symbolic_basis(e, n)
     elements["pole_real"] = 1 - (real("alpha") + real("beta")) / 2
-    elements["pole_imaginary"] = poles.half_width(basis, BELOW, ABOVE)
+    elements["pole_imaginary"] = half_width(e, n)
     return Tower("complex_poles", (Parameter("x"),), tuple(generators), elements)
 
 
@@ -118,19 +115,23 @@ def real_tower(e: Fraction, n: Fraction) -> Tower:
         Generator("w", limit + index),
     ]
     elements = {"below": G / 2, "above": real("w") / 2, **steady_elements(e, n, index)}
-    basis = symbolic_basis(e, n)
-    first = middle_size(basis) + poles.half_width(basis, BELOW, ABOVE)
+    first = middle_size(e) + half_width(e, n)
     elements["first_pole"] = -first
     elements["second_pole"] = real("rest") / real("first_pole")
     parameter = Parameter("g", above=None, start="0")
     return Tower("real_poles", (parameter,), tuple(generators), elements)
 
 
-def middle_size(x: Basis) -> sp.Expr:
+def half_width(e: Fraction, n: Fraction) -> sp.Expr:
+    """Half the distance of the poles."""
+    return symbolic_forms(e, n, ("half_width",), {"below": BELOW, "above": ABOVE})["half_width"]
+
+
+def middle_size(e: Fraction) -> sp.Expr:
     """(1 - 2 kappa) Lambda/(4 sigma) where Lambda > L1, positive by its looks."""
-    ratio, limit = rational(x.e), rational(8 / (1 - x.e))
+    ratio, limit = rational(e), rational(8 / (1 - e))
     top = sp.expand((1 - ratio) * (limit + G**2) ** 2 - 16)
-    return top / (4 * INDEX * DEVIATION * (2 * x.kappa + 1))
+    return top / (4 * INDEX * DEVIATION * (2 * KAPPA + 1))
 
 
 def real_ends(e: Fraction) -> dict[str, End]:

@@ -10,16 +10,11 @@ from gainproof.derive.algebra.leading_terms import prime_powers
 from gainproof.derive.algebra.limits import End
 from gainproof.derive.algebra.tower import Generator, Parameter, Tower
 from gainproof.derive.expression import real
-from gainproof.derive.steady_state.covariance_forms import updated_covariance
-from gainproof.derive.steady_state.curvature import Curvature
-from gainproof.derive.steady_state.forms import Basis
-from gainproof.derive.steady_state.gains_at_once import scale_of
-from gainproof.derive.steady_state.kernels import unit_root
-from gainproof.derive.steady_state.names import ALPHA, BETA, DEVIATION, INDEX, ROOT
+from gainproof.derive.steady_state.kernels import scale_of, symbolic_forms, unit_root
+from gainproof.derive.steady_state.names import ALPHA, BETA, DEVIATION, INDEX, RHO, ROOT
 
 ROOT_16 = real("H")
 ROOT_S = real("s")
-KAPPA, RHO = real("kappa"), real("rho")
 
 
 def rational(value: Fraction) -> sp.Rational:
@@ -36,26 +31,19 @@ def main_tower(e: Fraction, n: Fraction) -> Tower:
     """p = sqrt(Lambda), H = sqrt(16 + e p^4), s = sqrt((1 + e) p^2 + 2 H)/2; the steady state.
 
     alpha, beta and the innovation's deviation are what factorisation gives; the covariances are
-    those of `forms`.
+    those of `kernels.md`, as are psi and chi.
     """
     ratio = rational(e)
     generators = [Generator("H", 16 + ratio * ROOT**4)] if e else []
     generators.append(Generator("s", ((1 + ratio) * ROOT**2 + 2 * root_of_16(e)) / 4))
-    elements = steady_elements(e, n, ROOT**2) | shares(symbolic_basis(e, n))
+    elements = steady_elements(e, n, ROOT**2) | symbolic_forms(e, n, ("psi", "chi"))
     return Tower("main", (Parameter("p"),), tuple(generators), elements)
-
-
-def shares(x: Basis) -> dict[str, sp.Expr]:
-    """psi and chi of `curvature` by name."""
-    share = Curvature(x)
-    return {"psi": share.growth, "chi": share.bend / share.bend_weight}
 
 
 def steady_elements(e: Fraction, n: Fraction, index: sp.Expr) -> dict[str, sp.Expr]:
     """The named quantities over p, H and s; predicted entries polynomial, for short cofactors."""
     p, high, s = ROOT, root_of_16(e), ROOT_S
     rate = p**3 * (s - rational(n) * p)
-    stable = updated_covariance(symbolic_basis(e, n))["updated_22"]
     deviation = (p**2 + high + 2 * p * s) / 4
     return {
         "tracking_index": index,
@@ -69,19 +57,14 @@ def steady_elements(e: Fraction, n: Fraction, index: sp.Expr) -> dict[str, sp.Ex
         "predicted_22": rate + INDEX**2,
         "updated_11": ALPHA,
         "updated_12": BETA,
-        "updated_22": stable,
+        **symbolic_forms(e, n, ("updated_22",)),
         "predictor_position": ALPHA + BETA,
         "rest": 1 / DEVIATION**2,
     }
 
 
-def symbolic_basis(e: Fraction, n: Fraction) -> Basis:
-    """The basis of the stable forms over the named quantities."""
-    return Basis(INDEX, KAPPA, RHO, 2 * RHO, INDEX * KAPPA, e, n)
-
-
 def graph_roots(e: Fraction) -> dict[str, sp.Expr]:
-    """Tower values of the roots in `kernels.graph_basis`."""
+    """Tower values of the roots that formulas of kernels are over."""
     root = rational(unit_root(e))
     return {
         "p": ROOT,
@@ -91,7 +74,7 @@ def graph_roots(e: Fraction) -> dict[str, sp.Expr]:
 
 
 def at_once_roots(e: Fraction) -> dict[str, sp.Expr]:
-    """Tower values of the roots in `gains_at_once`."""
+    """Tower values of the roots of gains with derivatives."""
     scale = rational(scale_of(e))
     return {
         "p": ROOT,

@@ -12,23 +12,28 @@ from gainproof.derive.derivation import Derivation, Step
 from gainproof.derive.expression import real
 from gainproof.derive.model import Model
 from gainproof.derive.pages.derivation import FOLDER, Given, written
+from gainproof.derive.pages.kernel_formulas import FIRST, SECOND, formula_of
 from gainproof.derive.printer.graph import Graph
 from gainproof.derive.relation import Relation
-from gainproof.derive.steady_state import forms
 from gainproof.derive.steady_state.context import Context, context
-from gainproof.derive.steady_state.curvature_kernels import SCALE
-from gainproof.derive.steady_state.curvature_module import second_derivative_graphs
+from gainproof.derive.steady_state.curvature_module import SCALE
 from gainproof.derive.steady_state.gain_towers import (
     Side,
     last_roots,
     range_towers,
     sides,
 )
-from gainproof.derive.steady_state.kernels import alpha_graph, beta_graph, index_graph, pole_graph
-from gainproof.derive.steady_state.module import ACCURATE_GAINS, INDEX_KERNELS, kernel_module
-from gainproof.derive.steady_state.names import ALPHA, BETA, DEVIATION, INDEX, LATEX
+from gainproof.derive.steady_state.kernels import (
+    KERNELS,
+    accurate_gains,
+    alpha_graph,
+    beta_graph,
+    index_graph,
+    pole_graph,
+)
+from gainproof.derive.steady_state.module import ACCURATE_GAINS, kernel_module
+from gainproof.derive.steady_state.names import ALPHA, BETA, DEVIATION, INDEX, LATEX, ROOT_3
 from gainproof.derive.steady_state.page_slots import (
-    ROOT_3,
     TURN_TOWER,
     ends,
     hints,
@@ -44,11 +49,11 @@ from gainproof.derive.steady_state.pole_towers import (
     SIDE,
     G,
     complex_tower,
+    half_width,
     middle_size,
     real_tower,
     turning_root,
 )
-from gainproof.derive.steady_state.poles import half_width
 from gainproof.derive.steady_state.textbook import textbook_forms
 from gainproof.derive.steady_state.towers import at_once_roots, graph_roots
 from gainproof.derive.subject import Program, Subject
@@ -107,10 +112,9 @@ def _inputs(name: str) -> Mapping[str, str]:
 
 
 def _graphs(c: Context) -> dict[str, Graph]:
-    graphs = {name: index_graph(c.e, c.n, *parts) for name, parts in INDEX_KERNELS.items()}
-    graphs[ACCURATE_GAINS] = index_graph(c.e, c.n, forms.gains)
-    graphs |= second_derivative_graphs(c.e, c.n)
+    graphs = {name: index_graph(c.e, c.n, name) for name in KERNELS}
     return graphs | {
+        ACCURATE_GAINS: accurate_gains(c.e, c.n),
         POLES: pole_graph(c.e, c.n),
         "index_from_alpha": alpha_graph(c.e, "tracking_index"),
         "beta_from_alpha": alpha_graph(c.e, "beta"),
@@ -167,19 +171,14 @@ def _kernel(
 
 def _meant(kernel: str, output: str) -> sp.Expr:
     """What an output of a kernel stands for."""
-    named = {"position": "predictor_position", "velocity": "beta"}
     if output == SCALE:
         return -_second("alpha") * DEVIATION**4
-    if kernel.endswith("_second_derivatives"):
-        return _second(named.get(output, output))
-    if output.startswith("d_"):
-        return sp.Derivative(real(named.get(output[2:], output[2:])), INDEX)
-    value = real(named.get(output, output))
-    return (
-        sp.Derivative(value, INDEX)
-        if kernel.endswith("_derivatives") and (kernel != "gains_with_derivatives")
-        else value
-    )
+    name = formula_of(kernel, output)
+    plain = name.removeprefix(SECOND).removeprefix(FIRST)
+    value = {"position": "predictor_position", "velocity": "beta"}.get(plain, plain)
+    if name.startswith(SECOND):
+        return _second(value)
+    return real(value) if plain == name else sp.Derivative(real(value), INDEX)
 
 
 def _second(name: str) -> sp.Expr:
@@ -191,7 +190,7 @@ def _pole_steps(c: Context, graph: Graph) -> Iterator[Step]:
     """The kernel of the poles computes those of the derivation, on each side of their limit."""
     roots, limit = graph_roots(c.e), pole_limit(c.e)
     if limit is None:
-        found = _pair(1 - (ALPHA + BETA) / 2, half_width(c.basis, None, None))
+        found = _pair(1 - (ALPHA + BETA) / 2, half_width(c.e, c.n))
         yield _kernel("poles", "them", (POLES, graph, found), "main", {"roots": roots})
         return
     roots |= {"turning_root": turning_root(c.e), "below": BELOW, "above": ABOVE}
@@ -222,7 +221,7 @@ def _pole_steps(c: Context, graph: Graph) -> Iterator[Step]:
             "gaps": {
                 **dict.fromkeys(choices, G**2),
                 "distance": G**2 / 4,
-                "middle_size": middle_size(c.basis),
+                "middle_size": middle_size(c.e),
             },
         },
     )

@@ -5,27 +5,15 @@ from __future__ import annotations
 import sympy as sp
 
 from gainproof.derive.expression import real
+from gainproof.derive.pages.kernel_formulas import FIRST, SCALE, SECOND, formula_of
 from gainproof.derive.three_state.names import DEVIATION, INDEX, XI
 
-SCALE = "_scale"
-"""Ends the name of what an output of changing sign is measured by: its parts, added."""
-FIRST, SECOND = "d_", "dd_"
-"""Begin the names of formulas of derivatives."""
 NAMED = {
     "position": real("predictor_position"),
     "velocity": real("predictor_velocity"),
     "acceleration": real("gamma"),
     "pole_product": 1 - real("alpha"),
 }
-
-
-def formula_of(kernel: str, output: str) -> str:
-    """The name of the formula by which a kernel computes an output."""
-    if kernel.endswith("_second_derivatives"):
-        return f"{SECOND}{output}"
-    if kernel.endswith("_derivatives") and kernel != "gains_with_derivatives":
-        return f"{FIRST}{output}"
-    return output
 
 
 def meant(kernel: str, output: str) -> sp.Expr:

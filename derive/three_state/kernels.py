@@ -2,23 +2,21 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Callable, Mapping
 from contextlib import suppress
 from fractions import Fraction
-from functools import cache
 from pathlib import Path
 from typing import Any
 
 import sympy as sp
 
 from gainproof.derive.expression import real
-from gainproof.derive.pages.kernel_formulas import Section, Value, kernel_values, read_page
+from gainproof.derive.pages.kernel_formulas import FIRST, Value, formula_graph, formula_of
 from gainproof.derive.printer.graph import Graph, GraphBuilder
 from gainproof.derive.steady_state.towers import rational
 from gainproof.derive.three_state import inverses, pole_tower
 from gainproof.derive.three_state.context import Context
 from gainproof.derive.three_state.kernel_basis import UNIT, KernelBasis, kernel_basis
-from gainproof.derive.three_state.kernel_meanings import FIRST, SCALE, formula_of
 from gainproof.derive.three_state.kernel_poles import POLES, pole_graph
 from gainproof.derive.three_state.names import DELTA, ETA, GAINS, PREDICTED, UPDATED, XI
 
@@ -45,8 +43,6 @@ KERNELS: Mapping[str, tuple[str, ...]] = {
     "updated_covariance_second_derivatives": UPDATED[3:],
 }
 """Outputs of the kernels of the index."""
-TURN = "_turn"
-"""Ends the name of a difference."""
 
 
 def kernel_graphs(c: Context) -> dict[str, Graph]:
@@ -86,28 +82,11 @@ def kernel_roots(c: Context, kernel: str) -> Mapping[str, sp.Expr]:
 
 
 def _index_graph(c: Context, kernel: str) -> Graph:
-    """The graph of a kernel; a difference that a scale measures has a name."""
+    """The graph of a kernel."""
     builder = GraphBuilder()
     basis = kernel_basis(builder, c.spectrum)
-    names = {output: formula_of(kernel, output) for output in _with_scales(KERNELS[kernel])}
-    found = kernel_values(_sections(FORMULAS), _known(c, basis), names.values())
-    # a scale of 0 says that nothing cancels
-    outputs = {output: found[name] for output, name in names.items() if found.get(name, 0) != 0}
-    turns = {
-        f"{output}{TURN}": builder.node(outputs[output])
-        for output in KERNELS[kernel]
-        if f"{output}{SCALE}" in outputs
-    }
-    return builder.graph(outputs, basis.names | turns)
-
-
-@cache
-def _sections(page: Path) -> tuple[Section, ...]:
-    return read_page(page)
-
-
-def _with_scales(outputs: Iterable[str]) -> tuple[str, ...]:
-    return tuple(name for output in outputs for name in (output, f"{output}{SCALE}"))
+    outputs = {output: formula_of(kernel, output) for output in KERNELS[kernel]}
+    return formula_graph(builder, FORMULAS, _known(c, basis), outputs, basis.names)
 
 
 def _known(c: Context, k: KernelBasis) -> Mapping[str, Value]:

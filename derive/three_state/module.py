@@ -6,15 +6,14 @@ from collections.abc import Mapping
 from fractions import Fraction
 
 from gainproof.derive.catalogue_module import catalogue_module
+from gainproof.derive.pages.kernel_formulas import SCALE, TURN
 from gainproof.derive.printer.graph import Graph
 from gainproof.derive.printer.kernel import Input, Kernel, Module, Output
 from gainproof.derive.subject import in_double_words
 from gainproof.derive.three_state import pole_module
 from gainproof.derive.three_state.accurate_gains import REFINEMENT, accurate_input
 from gainproof.derive.three_state.context import Context
-from gainproof.derive.three_state.kernel_meanings import SCALE
 from gainproof.derive.three_state.kernel_poles import POLES
-from gainproof.derive.three_state.kernels import TURN
 
 SUMMARIES = {
     "gains": "Steady-state filter gain.",

@@ -12,7 +12,6 @@ from gainproof.derive.printer.bound import prove
 from gainproof.derive.printer.formats import FLOAT32, FLOAT64, Format
 from gainproof.derive.printer.kernel import Input, Kernel, Output
 from gainproof.derive.steady_state.kernels import index_graph
-from gainproof.derive.steady_state.module import INDEX_KERNELS
 
 HALF = Fraction(1, 2)
 
@@ -35,7 +34,7 @@ def test_kernels_have_bounds(e: Fraction, n: Fraction, form: Format) -> None:
         ("predicted_covariance", 8),
         ("updated_covariance_derivatives", 16),
     ):
-        graph = index_graph(e, n, *INDEX_KERNELS[name])
+        graph = index_graph(e, n, name)
         outputs = tuple(Output(output, "a value") for output in graph["outputs"])
         index = Input("tracking_index", "the index")
         kernel = Kernel(name, "Result", "Under test.", (), (index,), outputs, graph, "this test")
