@@ -9,14 +9,14 @@ from typing import Any, Protocol
 import sympy as sp
 
 from gainproof.derive.algebra.evidence import evidence
-from gainproof.derive.algebra.plain import tower_data
-from gainproof.derive.algebra.positive import NoPlainSign
+from gainproof.derive.algebra.plain_data import tower_data
+from gainproof.derive.algebra.positive_forms import NoPlainSign
 from gainproof.derive.algebra.tower import NoValue, Tower
 from gainproof.derive.derivation import Derivation, PageError, Step
 from gainproof.derive.model import ScaledModel
 from gainproof.derive.printer.graph import Graph
 from gainproof.derive.printer.kernel import Kernel, Module
-from gainproof.derive.sensors.algebraic import algebraic
+from gainproof.derive.sensors.algebraic_graphs import algebraic
 
 FORMAT = "gainproof certificate 1"
 

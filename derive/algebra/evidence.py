@@ -16,10 +16,10 @@ import sympy as sp
 
 from gainproof.derive.algebra.derivative import derivative
 from gainproof.derive.algebra.limits import end_evidence
-from gainproof.derive.algebra.plain import fraction_data
-from gainproof.derive.algebra.positive import nonnegative_form
+from gainproof.derive.algebra.plain_data import fraction_data
+from gainproof.derive.algebra.positive_forms import nonnegative_form
 from gainproof.derive.algebra.riccati import definite_evidence, riccati_evidence, stable_evidence
-from gainproof.derive.algebra.signs import divisors_shown, shown
+from gainproof.derive.algebra.sign_evidence import divisors_shown, shown
 from gainproof.derive.algebra.tower import Fraction, Tower
 from gainproof.derive.derivation import Step
 

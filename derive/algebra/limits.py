@@ -9,7 +9,7 @@ from typing import Any
 import sympy as sp
 from sympy.polys.rings import PolyRing
 
-from gainproof.derive.algebra.plain import poly_data
+from gainproof.derive.algebra.plain_data import poly_data
 from gainproof.derive.algebra.tower import Tower
 from gainproof.derive.expression import real
 

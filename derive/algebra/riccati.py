@@ -11,8 +11,8 @@ from sympy.polys.matrices import DomainMatrix
 
 from gainproof.derive.algebra.cofactors import cofactors
 from gainproof.derive.algebra.model_entries import matrix_of
-from gainproof.derive.algebra.plain import fraction_data, poly_data
-from gainproof.derive.algebra.signs import shown
+from gainproof.derive.algebra.plain_data import fraction_data, poly_data
+from gainproof.derive.algebra.sign_evidence import shown
 from gainproof.derive.algebra.tower import Poly, Tower
 from gainproof.derive.derivation import Step
 from gainproof.derive.expression import real

@@ -6,12 +6,12 @@ from pathlib import Path
 
 from gainproof.derive.any_three_state.context import Context
 from gainproof.derive.any_three_state.kernels import kernel_roots
+from gainproof.derive.any_three_state.model_numbers import shape_of
 from gainproof.derive.any_three_state.module import module_of
 from gainproof.derive.any_three_state.page_slots import given
-from gainproof.derive.any_three_state.shape import shape_of
 from gainproof.derive.any_three_state.towers import roots_of
-from gainproof.derive.any_two_state.printed import require_kernels
 from gainproof.derive.any_two_state.programs import kernel_steps
+from gainproof.derive.any_two_state.proved_module import require_kernels
 from gainproof.derive.any_two_state.scaling import scale_free
 from gainproof.derive.derivation import Derivation
 from gainproof.derive.model import Model, ModelError

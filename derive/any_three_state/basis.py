@@ -9,10 +9,10 @@ from typing import Any
 import sympy as sp
 
 from gainproof.derive.any_three_state.forms import Form
+from gainproof.derive.any_three_state.model_numbers import Shape
 from gainproof.derive.any_three_state.monomials import Term
 from gainproof.derive.any_three_state.names import DETERMINANT, INDEX, ROOTS
-from gainproof.derive.any_three_state.shape import Shape
-from gainproof.derive.any_two_state.signed import Signed, total
+from gainproof.derive.any_two_state.signed_values import Signed, total
 
 
 @dataclass(frozen=True)

@@ -5,12 +5,12 @@ from __future__ import annotations
 from dataclasses import dataclass
 from functools import cached_property
 
-from gainproof.derive.algebra.leading import Edge
+from gainproof.derive.algebra.leading_elements import Edge
 from gainproof.derive.algebra.tower import Tower
 from gainproof.derive.any_three_state.basis import Basis, symbolic_basis
+from gainproof.derive.any_three_state.model_numbers import Shape
 from gainproof.derive.any_three_state.names import LATEX
 from gainproof.derive.any_three_state.quantities import Quantities
-from gainproof.derive.any_three_state.shape import Shape
 from gainproof.derive.any_three_state.towers import edges, main_tower
 from gainproof.derive.any_two_state.names import ODDS
 from gainproof.derive.model import Model, ScaledModel

@@ -9,8 +9,8 @@ from itertools import combinations
 
 import sympy as sp
 
+from gainproof.derive.any_three_state.model_numbers import Shape
 from gainproof.derive.any_three_state.names import AREA, DEVIATION, GAINS, INDEX, symmetric
-from gainproof.derive.any_three_state.shape import Shape
 from gainproof.derive.expression import real
 from gainproof.derive.model import ModelError
 

@@ -16,9 +16,9 @@ from gainproof.derive.algebra.tower import Tower
 from gainproof.derive.any_three_state import forms
 from gainproof.derive.any_three_state.basis import Basis
 from gainproof.derive.any_three_state.forms import Form
+from gainproof.derive.any_three_state.model_numbers import Shape
 from gainproof.derive.any_three_state.names import DETERMINANT, INDEX, ROOTS
-from gainproof.derive.any_three_state.shape import Shape
-from gainproof.derive.any_two_state.signed import Signed, total
+from gainproof.derive.any_two_state.signed_values import Signed, total
 
 
 def slopes(x: Basis) -> tuple[Signed, Signed, Signed, Signed]:

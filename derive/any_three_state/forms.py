@@ -17,9 +17,9 @@ from itertools import combinations_with_replacement
 import sympy as sp
 
 from gainproof.derive.algebra.tower import Fraction, Poly, Tower
+from gainproof.derive.any_three_state.model_numbers import Shape
 from gainproof.derive.any_three_state.monomials import Term, against_others, terms_of
 from gainproof.derive.any_three_state.names import ROOTS, TOTAL
-from gainproof.derive.any_three_state.shape import Shape
 from gainproof.derive.model import ModelError
 
 MOST_FACTORS = 5

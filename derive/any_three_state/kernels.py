@@ -9,12 +9,12 @@ from typing import Any
 import sympy as sp
 
 from gainproof.derive.any_three_state.basis import Basis, symbolic_basis
+from gainproof.derive.any_three_state.model_numbers import Shape
 from gainproof.derive.any_three_state.quantities import ValuesOf
-from gainproof.derive.any_three_state.shape import Shape
 from gainproof.derive.any_two_state.kernel_numbers import Numbers
 from gainproof.derive.any_two_state.kernels import SCALE, Made, difference, plain_root
 from gainproof.derive.printer.graph import GraphBuilder, Node
-from gainproof.derive.printer.nested import nested_fixed_point
+from gainproof.derive.printer.nested_roots import nested_fixed_point
 
 
 def made(shape: Shape, parts: ValuesOf) -> Made:

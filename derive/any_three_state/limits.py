@@ -7,14 +7,14 @@ from collections.abc import Mapping
 import sympy as sp
 
 from gainproof.derive.algebra.derivative import by
-from gainproof.derive.algebra.leading import Edge, NoLeadingTerm
-from gainproof.derive.algebra.positive import NoPlainSign, nonnegative_form
+from gainproof.derive.algebra.leading_elements import Edge, NoLeadingTerm
+from gainproof.derive.algebra.positive_forms import NoPlainSign, nonnegative_form
 from gainproof.derive.any_three_state import derivatives
 from gainproof.derive.any_three_state.context import Context
 from gainproof.derive.any_three_state.names import DEVIATION, GAINS, INDEX, ROOT
 from gainproof.derive.any_three_state.towers import powers_of_root, variable
 from gainproof.derive.any_two_state.limits import first_leading, known_limit
-from gainproof.derive.any_two_state.signed import Signed
+from gainproof.derive.any_two_state.signed_values import Signed
 from gainproof.derive.derivation import Step, joined
 from gainproof.derive.expression import real
 from gainproof.derive.relation import increasing_onto, limit

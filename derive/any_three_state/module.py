@@ -7,7 +7,7 @@ from functools import partial
 
 from gainproof.derive.any_three_state.context import Context
 from gainproof.derive.any_three_state.kernels import made
-from gainproof.derive.any_two_state.printed import (
+from gainproof.derive.any_two_state.proved_module import (
     SINGLE_RANGE,
     WIDTH,
     Printed,

@@ -10,7 +10,7 @@ from math import prod
 import sympy as sp
 
 from gainproof.derive.algebra.tower import Poly, Tower
-from gainproof.derive.any_three_state.shape import Shape
+from gainproof.derive.any_three_state.model_numbers import Shape
 from gainproof.derive.any_three_state.towers import powers_of_root, roots_of
 from gainproof.derive.any_two_state.domain import NoSign
 

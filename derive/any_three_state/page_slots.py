@@ -9,9 +9,9 @@ from typing import Any
 
 import sympy as sp
 
-from gainproof.derive.algebra.leading import NoLeadingTerm
+from gainproof.derive.algebra.leading_elements import NoLeadingTerm
 from gainproof.derive.algebra.limits import End
-from gainproof.derive.algebra.positive import NoPlainSign
+from gainproof.derive.algebra.positive_forms import NoPlainSign
 from gainproof.derive.algebra.riccati import definite_evidence
 from gainproof.derive.any_three_state import derivatives, forms
 from gainproof.derive.any_three_state.context import Context
@@ -33,7 +33,7 @@ from gainproof.derive.any_three_state.quantities import Values
 from gainproof.derive.any_three_state.towers import powers_of_root
 from gainproof.derive.any_two_state.free_numbers import free_number_steps
 from gainproof.derive.any_two_state.page_slots import followed, left_out, subtractions
-from gainproof.derive.any_two_state.signed import Signed
+from gainproof.derive.any_two_state.signed_values import Signed
 from gainproof.derive.derivation import Step
 from gainproof.derive.expression import real
 from gainproof.derive.model import ModelError

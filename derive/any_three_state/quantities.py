@@ -8,9 +8,9 @@ from dataclasses import dataclass, field
 from gainproof.derive.algebra.tower import Tower
 from gainproof.derive.any_three_state import derivatives, forms
 from gainproof.derive.any_three_state.basis import Basis
-from gainproof.derive.any_three_state.excess import excess
 from gainproof.derive.any_three_state.forms import Form
-from gainproof.derive.any_two_state.signed import Signed
+from gainproof.derive.any_three_state.root_excess import excess
+from gainproof.derive.any_two_state.signed_values import Signed
 from gainproof.derive.model import ModelError
 
 Values = Mapping[str, Signed]

@@ -13,9 +13,10 @@ from math import lcm
 
 import sympy as sp
 
-from gainproof.derive.algebra.leading import Edge, edge, square_root
+from gainproof.derive.algebra.leading_elements import Edge, edge, square_root
 from gainproof.derive.algebra.tower import Generator, Parameter, Tower, coupled
 from gainproof.derive.any_three_state.covariances import hidden_entries
+from gainproof.derive.any_three_state.model_numbers import Shape
 from gainproof.derive.any_three_state.names import (
     AREA,
     DEVIATION,
@@ -26,7 +27,6 @@ from gainproof.derive.any_three_state.names import (
     TOTAL,
     symmetric,
 )
-from gainproof.derive.any_three_state.shape import Shape
 from gainproof.derive.any_two_state.denominators import common_denominator, over_parameters
 from gainproof.derive.expression import real
 from gainproof.derive.model import ModelError

@@ -8,8 +8,8 @@ from typing import Any
 
 import sympy as sp
 
-from gainproof.derive.any_two_state.shape import Shape
-from gainproof.derive.any_two_state.signed import Signed, total
+from gainproof.derive.any_two_state.model_numbers import Shape
+from gainproof.derive.any_two_state.signed_values import Signed, total
 
 Number = Callable[[sp.Expr], Any]
 

@@ -7,12 +7,12 @@ from functools import cached_property
 
 import sympy as sp
 
-from gainproof.derive.algebra.leading import Edge
+from gainproof.derive.algebra.leading_elements import Edge
 from gainproof.derive.algebra.tower import Tower
 from gainproof.derive.any_two_state.basis import Basis
 from gainproof.derive.any_two_state.kernels import symbolic_basis
+from gainproof.derive.any_two_state.model_numbers import Shape
 from gainproof.derive.any_two_state.names import ODDS
-from gainproof.derive.any_two_state.shape import Shape
 from gainproof.derive.any_two_state.towers import edges, main_tower
 from gainproof.derive.expression import real
 from gainproof.derive.model import Model, ScaledModel

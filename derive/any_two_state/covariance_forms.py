@@ -14,7 +14,7 @@ from gainproof.derive.any_two_state.forms import (
     second_inside,
     variance_excess,
 )
-from gainproof.derive.any_two_state.signed import Signed
+from gainproof.derive.any_two_state.signed_values import Signed
 from gainproof.derive.model import ModelError
 
 

@@ -13,7 +13,7 @@ import sympy as sp
 
 from gainproof.derive.any_two_state.basis import Basis
 from gainproof.derive.any_two_state.forms import alpha, below_beta, couplings, far
-from gainproof.derive.any_two_state.signed import Signed, total
+from gainproof.derive.any_two_state.signed_values import Signed, total
 from gainproof.derive.model import ModelError
 
 

@@ -15,8 +15,8 @@ from typing import Any
 import sympy as sp
 
 from gainproof.derive.any_two_state.basis import Basis
-from gainproof.derive.any_two_state.excess import excess, excesses
-from gainproof.derive.any_two_state.signed import Signed
+from gainproof.derive.any_two_state.root_excess import excess, excesses
+from gainproof.derive.any_two_state.signed_values import Signed
 
 
 def second_inside(x: Basis) -> bool:

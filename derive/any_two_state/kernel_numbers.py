@@ -8,7 +8,7 @@ from typing import Any
 
 import sympy as sp
 
-from gainproof.derive.any_two_state.shape import MeasuredFirst
+from gainproof.derive.any_two_state.model_numbers import MeasuredFirst
 from gainproof.derive.model import ModelError
 from gainproof.derive.printer.graph import GraphBuilder
 

@@ -8,14 +8,14 @@ from typing import Any
 
 import sympy as sp
 
-from gainproof.derive.algebra.leading import square_root
+from gainproof.derive.algebra.leading_elements import square_root
 from gainproof.derive.any_two_state import covariance_forms, curvature, derivatives, forms
 from gainproof.derive.any_two_state.basis import Basis
-from gainproof.derive.any_two_state.excess import rises
 from gainproof.derive.any_two_state.kernel_numbers import Numbers
+from gainproof.derive.any_two_state.model_numbers import MeasuredFirst, Shape
 from gainproof.derive.any_two_state.names import INDEX
-from gainproof.derive.any_two_state.shape import MeasuredFirst, Shape
-from gainproof.derive.any_two_state.signed import Signed
+from gainproof.derive.any_two_state.root_excess import rises
+from gainproof.derive.any_two_state.signed_values import Signed
 from gainproof.derive.printer.graph import Graph, GraphBuilder, Node
 
 FormsOf = Callable[[Basis], Mapping[str, Signed]]

@@ -7,13 +7,13 @@ from collections.abc import Mapping
 import sympy as sp
 
 from gainproof.derive.algebra.derivative import by
-from gainproof.derive.algebra.leading import Edge, Leading, NoLeadingTerm
-from gainproof.derive.algebra.positive import NoPlainSign, nonnegative_form
+from gainproof.derive.algebra.leading_elements import Edge, Leading, NoLeadingTerm
+from gainproof.derive.algebra.positive_forms import NoPlainSign, nonnegative_form
 from gainproof.derive.algebra.tower import Fraction
 from gainproof.derive.any_two_state import covariance_forms, derivatives, forms
 from gainproof.derive.any_two_state.context import Context
 from gainproof.derive.any_two_state.names import ALPHA, DEVIATION, INDEX, ROOT
-from gainproof.derive.any_two_state.signed import Signed
+from gainproof.derive.any_two_state.signed_values import Signed
 from gainproof.derive.any_two_state.towers import variable
 from gainproof.derive.derivation import Step, joined
 from gainproof.derive.expression import real

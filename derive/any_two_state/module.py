@@ -8,7 +8,7 @@ from functools import partial
 from gainproof.derive.any_two_state import forms
 from gainproof.derive.any_two_state.context import Context
 from gainproof.derive.any_two_state.kernels import KERNELS, made
-from gainproof.derive.any_two_state.printed import (
+from gainproof.derive.any_two_state.proved_module import (
     WIDTH,
     Printed,
     Wording,

@@ -8,7 +8,7 @@ from typing import Any
 
 import sympy as sp
 
-from gainproof.derive.algebra.positive import NoPlainSign
+from gainproof.derive.algebra.positive_forms import NoPlainSign
 from gainproof.derive.algebra.riccati import definite_evidence
 from gainproof.derive.any_two_state import covariance_forms, curvature, derivatives, forms
 from gainproof.derive.any_two_state.context import Context
@@ -28,7 +28,7 @@ from gainproof.derive.any_two_state.names import (
     S,
     Z,
 )
-from gainproof.derive.any_two_state.signed import Signed
+from gainproof.derive.any_two_state.signed_values import Signed
 from gainproof.derive.any_two_state.towers import starts_with_half_powers
 from gainproof.derive.derivation import Step, joined
 from gainproof.derive.expression import real

@@ -8,7 +8,7 @@ import sympy as sp
 
 from gainproof.derive.any_two_state.kernels import SCALE, Made, known_values
 from gainproof.derive.any_two_state.names import INDEX
-from gainproof.derive.any_two_state.printed import Printed
+from gainproof.derive.any_two_state.proved_module import Printed
 from gainproof.derive.derivation import Step
 from gainproof.derive.expression import real
 from gainproof.derive.relation import Relation, described

@@ -12,11 +12,11 @@ from dataclasses import dataclass
 
 import sympy as sp
 
-from gainproof.derive.algebra.leading import Edge, edge, square_root
+from gainproof.derive.algebra.leading_elements import Edge, edge, square_root
 from gainproof.derive.algebra.tower import Generator, Parameter, Tower, is_manifestly_positive
 from gainproof.derive.any_two_state.denominators import common_denominator, over_parameters
+from gainproof.derive.any_two_state.model_numbers import Shape
 from gainproof.derive.any_two_state.names import D0, D1, D2, DEVIATION, INDEX, ROOT
-from gainproof.derive.any_two_state.shape import Shape
 from gainproof.derive.expression import real
 
 AREA = INDEX**2

@@ -12,10 +12,10 @@ from gainproof.derive.derivation import Derivation
 from gainproof.derive.expression import real
 from gainproof.derive.fixed_gain.names import LATEX
 from gainproof.derive.fixed_gain.page_slots import page_slots
-from gainproof.derive.fixed_gain.three_curve_towers import curve_towers
 from gainproof.derive.fixed_gain.three_kernels import graphs
 from gainproof.derive.fixed_gain.three_module import SYMBOLS, kernel_module, kernel_steps
 from gainproof.derive.fixed_gain.three_noises import noise_tower, noise_variances
+from gainproof.derive.fixed_gain.three_random_jerk_tower import curve_towers
 from gainproof.derive.fixed_gain.three_towers import LOOP, D, M, X, lecture_variance, main_tower
 from gainproof.derive.pages.derivation import Given, written
 from gainproof.derive.source import LECTURE

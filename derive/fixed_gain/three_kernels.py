@@ -10,7 +10,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from gainproof.derive.fixed_gain.three_curve_kernels import (
+from gainproof.derive.fixed_gain.three_named_lag_kernels import (
     random_acceleration_by_lag,
     random_jerk_by_gain,
     random_jerk_by_lag,

@@ -10,7 +10,6 @@ from gainproof.derive.catalogue_module import catalogue_module
 from gainproof.derive.derivation import Step
 from gainproof.derive.expression import real
 from gainproof.derive.fixed_gain.names import MEANINGS
-from gainproof.derive.fixed_gain.three_curve_towers import BY_GAIN, BY_LAG, curve_roots
 from gainproof.derive.fixed_gain.three_kernels import UPDATED, graphs
 from gainproof.derive.fixed_gain.three_noise_kernels import TURNING, kernel_of, noise_graphs
 from gainproof.derive.fixed_gain.three_noises import TOWER as NOISE_TOWER
@@ -21,6 +20,7 @@ from gainproof.derive.fixed_gain.three_pole_kernels import POLES, pole_input, po
 from gainproof.derive.fixed_gain.three_pole_kernels import SUMMARY as POLE_SUMMARY
 from gainproof.derive.fixed_gain.three_pole_kernels import TOWER as POLE_TOWER
 from gainproof.derive.fixed_gain.three_pole_kernels import TURNING as POLE_TURNING
+from gainproof.derive.fixed_gain.three_random_jerk_tower import BY_GAIN, BY_LAG, curve_roots
 from gainproof.derive.fixed_gain.three_towers import ALPHA, BETA, GAMMA, MARGIN
 from gainproof.derive.fixed_gain.two_kernels import SCALE, difference
 from gainproof.derive.printer.graph import Graph, symbols_of

@@ -6,7 +6,7 @@ fraction with its factors drawn apart: u/r - x (x u + y v)/r^3 is y (y u - x v)/
 r = sqrt(x^2 + y^2), whose terms are smaller; differences of two inputs stay as they are in it. What
 is squared under a root is its quotient with the root, at most 1, times the root: (y/r)(y/r u -
 x/r v)/r leaves no format where the whole does not. What is proved of the errors decides (see
-`subject`); that nothing but the form changes is proved for each (see `as_written`).
+`subject`); that nothing but the form changes is proved for each (see `written_form`).
 """
 
 from __future__ import annotations

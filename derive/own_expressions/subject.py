@@ -10,7 +10,7 @@ from fractions import Fraction
 import sympy as sp
 
 from gainproof.derive.derivation import Derivation
-from gainproof.derive.own_expressions.as_written import as_written
+from gainproof.derive.own_expressions.certified_kernel import Formed
 from gainproof.derive.own_expressions.checks import require_written_well
 from gainproof.derive.own_expressions.conditions import asked
 from gainproof.derive.own_expressions.dimensions import require_units
@@ -20,14 +20,14 @@ from gainproof.derive.own_expressions.expressions import (
     ExpressionSet,
     Result,
 )
-from gainproof.derive.own_expressions.formed import Formed
 from gainproof.derive.own_expressions.other_forms import Form, forms, rooted
-from gainproof.derive.own_expressions.rewritten import rewritten
+from gainproof.derive.own_expressions.stable_kernel import rewritten
+from gainproof.derive.own_expressions.written_form import as_written
 from gainproof.derive.printer.bound import KernelBound, prove
 from gainproof.derive.printer.formats import FORMATS
 from gainproof.derive.printer.kernel import Kernel, Module
 from gainproof.derive.printer.known_values import known_values
-from gainproof.derive.printer.together import prove_all
+from gainproof.derive.printer.module_bounds import prove_all
 from gainproof.derive.subject import Subject
 
 OPENING = (

@@ -11,13 +11,13 @@ from gainproof.derive.any_three_state import names as three_states
 from gainproof.derive.any_three_state.any_three_state import derive_any_three_state
 from gainproof.derive.any_two_state import names as two_states
 from gainproof.derive.any_two_state.any_two_state import derive_any_two_state
+from gainproof.derive.any_two_state.model_numbers import require_first_measured
 from gainproof.derive.any_two_state.scaling import scale_free
-from gainproof.derive.any_two_state.shape import require_first_measured
 from gainproof.derive.derivation import PageError
 from gainproof.derive.model import Model, ModelError, ScaledModel, scale
 from gainproof.derive.own_model.checks import require_steady_state, require_written_well
 from gainproof.derive.own_model.one_state import derive_one_state
-from gainproof.derive.printer.together import prove_all
+from gainproof.derive.printer.module_bounds import prove_all
 from gainproof.derive.quantity import METRE, SECOND
 from gainproof.derive.steady_state.two_state import derive_two_state
 from gainproof.derive.subject import Subject

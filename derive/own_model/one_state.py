@@ -11,7 +11,7 @@ from typing import Any
 
 import sympy as sp
 
-from gainproof.derive.algebra.leading import Edge, NoLeadingTerm, edge
+from gainproof.derive.algebra.leading_elements import Edge, NoLeadingTerm, edge
 from gainproof.derive.algebra.tower import Generator, Parameter, Tower
 from gainproof.derive.any_two_state.basis import Basis
 from gainproof.derive.any_two_state.context import Context
@@ -20,12 +20,12 @@ from gainproof.derive.any_two_state.domain import FreeNumbers
 from gainproof.derive.any_two_state.free_numbers import free_number_steps
 from gainproof.derive.any_two_state.kernel_numbers import Numbers
 from gainproof.derive.any_two_state.kernels import Made, graph_end_root, symbolic_basis
+from gainproof.derive.any_two_state.model_numbers import Shape, require_first_measured
 from gainproof.derive.any_two_state.names import D0, D2, INDEX, LATEX
-from gainproof.derive.any_two_state.printed import Wording, linear, printed, require_kernels
 from gainproof.derive.any_two_state.programs import kernel_steps
+from gainproof.derive.any_two_state.proved_module import Wording, linear, printed, require_kernels
 from gainproof.derive.any_two_state.scaling import scale_free
-from gainproof.derive.any_two_state.shape import Shape, require_first_measured
-from gainproof.derive.any_two_state.signed import Signed
+from gainproof.derive.any_two_state.signed_values import Signed
 from gainproof.derive.any_two_state.towers import end_root
 from gainproof.derive.derivation import Derivation, Step
 from gainproof.derive.expression import real

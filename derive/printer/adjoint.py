@@ -19,9 +19,9 @@ from gainproof.derive.printer.forward import Forward
 from gainproof.derive.printer.interval import Array, Interval
 from gainproof.derive.printer.program import Step
 from gainproof.derive.printer.ratio import ratio
+from gainproof.derive.printer.rounding_weights import Weight
+from gainproof.derive.printer.step_ranges import MARGIN, Value, none_as_zero, true_size
 from gainproof.derive.printer.structural import measured_by_parts
-from gainproof.derive.printer.value import MARGIN, Value, none_as_zero, true_size
-from gainproof.derive.printer.weight import Weight
 
 
 class Adjoint:

@@ -11,12 +11,12 @@ from gainproof.derive.printer.affine import AffineSum, in_two_parts
 from gainproof.derive.printer.formats import FLOAT32, FORMATS
 from gainproof.derive.printer.kernel import Kernel
 from gainproof.derive.printer.layout import WIDTH
-from gainproof.derive.printer.least import is_least
-from gainproof.derive.printer.library import NUMPY
-from gainproof.derive.printer.plain import plain
+from gainproof.derive.printer.library_functions import NUMPY
+from gainproof.derive.printer.minimum_choices import is_least
+from gainproof.derive.printer.printed_program import plain
 from gainproof.derive.printer.program import Step
 from gainproof.derive.printer.registers import plan
-from gainproof.derive.printer.threshold import threshold
+from gainproof.derive.printer.select_conditions import threshold
 
 UFUNC = {
     "add": "add",

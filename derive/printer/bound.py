@@ -11,13 +11,13 @@ import numpy as np
 
 from gainproof.derive.printer.formats import Format
 from gainproof.derive.printer.kernel import Kernel
-from gainproof.derive.printer.loss import Loss
+from gainproof.derive.printer.lost_digits_text import Loss
 from gainproof.derive.printer.one_input import OneInput
 from gainproof.derive.printer.proof import Settled
 from gainproof.derive.printer.several_inputs import SeveralInputs
 from gainproof.derive.printer.signed_inputs import by_reference, has_signs
-from gainproof.derive.printer.value import Box, PrintingError
-from gainproof.derive.printer.zero import ZeroCase, zero_cases
+from gainproof.derive.printer.step_ranges import Box, PrintingError
+from gainproof.derive.printer.zero_inputs import ZeroCase, zero_cases
 
 DIGITS = 100  # printed bounds are rounded up to hundredths of the format's epsilon
 

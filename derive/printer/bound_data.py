@@ -17,8 +17,8 @@ from gainproof.derive.printer.bound import DIGITS, Bounds, KernelBound, OutputBo
 from gainproof.derive.printer.formats import FORMATS, Format
 from gainproof.derive.printer.graph import fraction_text
 from gainproof.derive.printer.kernel import Kernel
-from gainproof.derive.printer.loss import Loss, Part
-from gainproof.derive.printer.value import Box
+from gainproof.derive.printer.lost_digits_text import Loss, Part
+from gainproof.derive.printer.step_ranges import Box
 
 Plain = dict[str, Any]
 

@@ -11,8 +11,8 @@ from gainproof.derive.printer.affine import affine_sum
 from gainproof.derive.printer.formats import FLOAT64, Format
 from gainproof.derive.printer.interval import Array, up
 from gainproof.derive.printer.program import Program
-from gainproof.derive.printer.threshold import threshold
-from gainproof.derive.printer.value import Box, Grid, Mask
+from gainproof.derive.printer.select_conditions import threshold
+from gainproof.derive.printer.step_ranges import Box, Grid, Mask
 
 RATIO = 2.0**8  # of the first boxes' ends
 

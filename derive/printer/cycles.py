@@ -14,12 +14,12 @@ from weakref import proxy
 
 import numpy as np
 
-from gainproof.derive.printer import interval, near_cbrt
-from gainproof.derive.printer.enclosed import UP, astray, chain, enclosed, failed
+from gainproof.derive.printer import cube_root_start, interval
+from gainproof.derive.printer.fixed_point_enclosure import UP, astray, chain, enclosed, failed
 from gainproof.derive.printer.program import ITERATES, Program
 from gainproof.derive.printer.ratio import ratio
-from gainproof.derive.printer.unrolled import Cycle
-from gainproof.derive.printer.value import MARGIN, Mask, PrintingError, Value
+from gainproof.derive.printer.step_ranges import MARGIN, Mask, PrintingError, Value
+from gainproof.derive.printer.unrolled_fixed_point import Cycle
 
 if TYPE_CHECKING:
     from gainproof.derive.printer.forward import Forward
@@ -94,8 +94,8 @@ class Cycles:
     def _near_cbrt(self, part: Value) -> Value:
         third = np.full(self.forward.grid.count, 1.0 / 3.0)
         slope = interval.signed_multiply(part.slope, (third, third))
-        value = Value(near_cbrt.cube_root(part.size), slope, part.sign)
-        value.drift = _joined(near_cbrt.ERROR, part.drift)
+        value = Value(cube_root_start.cube_root(part.size), slope, part.sign)
+        value.drift = _joined(cube_root_start.ERROR, part.drift)
         room = (1.0 + part.drift) * UP
         fine = part.size[0][0] >= self.forward.form.least_normal * room
         fine &= part.size[1][0] * room <= self.forward.form.largest

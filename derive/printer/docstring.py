@@ -12,11 +12,11 @@ import numpy as np
 from gainproof.derive.printer.bound import KernelBound, OutputBound
 from gainproof.derive.printer.constant import constant
 from gainproof.derive.printer.double_word.bound import units
-from gainproof.derive.printer.double_word.single import single_units
+from gainproof.derive.printer.double_word.float32_results import single_units
 from gainproof.derive.printer.formats import FLOAT64, Format
 from gainproof.derive.printer.kernel import Input, Kernel, Limit, Output, Requirement
-from gainproof.derive.printer.library import NUMPY, ULP, functions_of
-from gainproof.derive.printer.loss import Loss, loss_text
+from gainproof.derive.printer.library_functions import NUMPY, ULP, functions_of
+from gainproof.derive.printer.lost_digits_text import Loss, loss_text
 from gainproof.derive.printer.signed_inputs import has_signs
 
 WIDTH = 96  # of the text, inside an indentation of four

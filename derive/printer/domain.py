@@ -14,7 +14,7 @@ from gainproof.derive.printer.exact import crossing, is_normal, last_that_holds
 from gainproof.derive.printer.formats import FLOAT32, Format
 from gainproof.derive.printer.forward import Forward
 from gainproof.derive.printer.kernel import Input
-from gainproof.derive.printer.value import Box, Grid, PrintingError, true_size
+from gainproof.derive.printer.step_ranges import Box, Grid, PrintingError, true_size
 
 FINER = 6  # bisections of all boxes before an output is given up as nowhere normal
 

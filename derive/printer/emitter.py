@@ -15,10 +15,10 @@ from gainproof.derive.printer.affine import in_two_parts
 from gainproof.derive.printer.arithmetic import literal
 from gainproof.derive.printer.formats import FLOAT64, Format
 from gainproof.derive.printer.kernel import Kernel, least_admitted
-from gainproof.derive.printer.plain import plain
+from gainproof.derive.printer.printed_program import plain
 from gainproof.derive.printer.program import Program, Step
 from gainproof.derive.printer.register_plan import late
-from gainproof.derive.printer.threshold import threshold
+from gainproof.derive.printer.select_conditions import threshold
 
 SIGN = {"add": "+", "sub": "-", "mul": "*", "div": "/"}
 

@@ -8,12 +8,12 @@ from fractions import Fraction
 
 import flint
 
-from gainproof.derive.printer.enclosed import chain
+from gainproof.derive.printer.fixed_point_enclosure import chain
 from gainproof.derive.printer.formats import Format
-from gainproof.derive.printer.library import ball
+from gainproof.derive.printer.library_functions import ball
 from gainproof.derive.printer.program import FUNCTIONS, Program, Step
-from gainproof.derive.printer.threshold import threshold
-from gainproof.derive.printer.unrolled import Cycle
+from gainproof.derive.printer.select_conditions import threshold
+from gainproof.derive.printer.unrolled_fixed_point import Cycle
 
 GREATEST_PRECISION = 2048
 

@@ -15,15 +15,14 @@ import numpy as np
 
 from gainproof.derive.printer import interval
 from gainproof.derive.printer.affine import affine_sum
+from gainproof.derive.printer.box_operations import product, quotient, root, scaled, with_stray
 from gainproof.derive.printer.cycles import Cycles
 from gainproof.derive.printer.formats import Format
-from gainproof.derive.printer.leaves import affine_value, constant_value, input_value
-from gainproof.derive.printer.operations import product, quotient, root, scaled, with_stray
+from gainproof.derive.printer.initial_values import affine_value, constant_value, input_value
 from gainproof.derive.printer.program import Program, Step
 from gainproof.derive.printer.ratio import ratio
-from gainproof.derive.printer.step_text import formula
-from gainproof.derive.printer.threshold import threshold
-from gainproof.derive.printer.value import (
+from gainproof.derive.printer.select_conditions import threshold
+from gainproof.derive.printer.step_ranges import (
     LEAST_NORMAL,
     MARGIN,
     Grid,
@@ -39,6 +38,7 @@ from gainproof.derive.printer.value import (
     sum_of,
     true_size,
 )
+from gainproof.derive.printer.step_text import formula
 
 GREATEST_DRIFT = 2.0**-8
 

@@ -11,11 +11,11 @@ from dataclasses import dataclass
 
 from gainproof.derive.printer.arithmetic import literal
 from gainproof.derive.printer.bound import KernelBound
+from gainproof.derive.printer.cube_root_start import ERROR
 from gainproof.derive.printer.emitter import Language, emitted
 from gainproof.derive.printer.formats import Format
 from gainproof.derive.printer.kernel import Input, Kernel, Module, least_admitted
-from gainproof.derive.printer.near_cbrt import ERROR
-from gainproof.derive.printer.plain import plain
+from gainproof.derive.printer.printed_program import plain
 from gainproof.derive.printer.program import Program, Step
 from gainproof.derive.printer.register_plan import late
 

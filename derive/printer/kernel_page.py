@@ -18,7 +18,7 @@ from gainproof.derive.printer.docstring import (
 )
 from gainproof.derive.printer.formats import Format
 from gainproof.derive.printer.kernel import Kernel, Output
-from gainproof.derive.printer.loss import loss_text
+from gainproof.derive.printer.lost_digits_text import loss_text
 
 
 def kernel_page(kernel: Kernel, bounds: Sequence[KernelBound]) -> str:

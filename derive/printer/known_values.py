@@ -17,10 +17,10 @@ from gainproof.derive.printer.bound import KernelBound
 from gainproof.derive.printer.exact import Point, enclosures_at
 from gainproof.derive.printer.formats import Format
 from gainproof.derive.printer.kernel import Kernel, Output, Requirement, least_admitted
-from gainproof.derive.printer.points import points
 from gainproof.derive.printer.program import Program
 from gainproof.derive.printer.reference import Reference
 from gainproof.derive.printer.signed_inputs import has_signs, references
+from gainproof.derive.printer.test_points import points
 
 DIGITS = 40
 """Significant decimal digits of a value; it is known to more than these."""

@@ -21,17 +21,18 @@ import numpy as np
 
 from gainproof.derive.printer import boxes as grids
 from gainproof.derive.printer.bound import KernelBound, OutputBound
-from gainproof.derive.printer.cancelling import cancelling
+from gainproof.derive.printer.cancellation import cancelling
 from gainproof.derive.printer.exact import enclosures_at
 from gainproof.derive.printer.formats import Format
 from gainproof.derive.printer.forward import Forward
 from gainproof.derive.printer.kernel import Kernel, Output, explained
 from gainproof.derive.printer.known_values import admitted, scales
-from gainproof.derive.printer.loss import Axis, Loss, Part, least_rate, lost, power
+from gainproof.derive.printer.lost_digits_text import Axis, Loss, Part, least_rate, lost, power
 from gainproof.derive.printer.program import Program
 from gainproof.derive.printer.reference import Reference
 from gainproof.derive.printer.scaling import Group, groups
 from gainproof.derive.printer.signed_inputs import references
+from gainproof.derive.printer.step_ranges import true_size
 from gainproof.derive.printer.taylor import (
     PRECISION,
     Enclosed,
@@ -40,7 +41,6 @@ from gainproof.derive.printer.taylor import (
     evaluated,
     monomials,
 )
-from gainproof.derive.printer.value import true_size
 
 DEGREES = {0: (0,), 1: (4, 16), 2: (3, 8), 3: (2, 5)}
 """Of Taylor polynomials in so many variables, of more 2 and 3; the second where the first says

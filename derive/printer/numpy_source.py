@@ -14,10 +14,10 @@ from gainproof.derive.printer.double_word.refinement import start_is_near
 from gainproof.derive.printer.double_word.source import lines as double_word_lines
 from gainproof.derive.printer.kernel import Kernel, Module
 from gainproof.derive.printer.layout import WIDTH, call, listed, row
+from gainproof.derive.printer.module_bounds import prove_all
 from gainproof.derive.printer.numpy_domains import kernel_domains, module_domains, named_domain
 from gainproof.derive.printer.numpy_results import NAMED, imported_results, result_class
 from gainproof.derive.printer.requirements import Printed, requirements
-from gainproof.derive.printer.together import prove_all
 
 
 def module_source(module: Module) -> str:

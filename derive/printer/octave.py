@@ -7,13 +7,13 @@ from dataclasses import dataclass
 from typing import Any
 
 from gainproof.derive.printer.bound import Bounds, KernelBound
+from gainproof.derive.printer.cube_root_start import added_bits
 from gainproof.derive.printer.docstring import described, wanted_text
 from gainproof.derive.printer.emitter import Language, body, named, required, unlike
 from gainproof.derive.printer.formats import FLOAT64, FORMATS, Format
 from gainproof.derive.printer.kernel import Input, Kernel, Module
-from gainproof.derive.printer.near_cbrt import added_bits
 from gainproof.derive.printer.program import FUNCTIONS
-from gainproof.derive.printer.trial import points
+from gainproof.derive.printer.test_program_points import points
 
 # fmt: off
 TAKEN = frozenset((

@@ -5,7 +5,6 @@ from __future__ import annotations
 import numpy as np
 
 from gainproof.derive.printer import boxes
-from gainproof.derive.printer.behaviour import exclude_nan
 from gainproof.derive.printer.domain import input_range, normal_interval
 from gainproof.derive.printer.formats import Format
 from gainproof.derive.printer.forward import Forward
@@ -13,7 +12,8 @@ from gainproof.derive.printer.interval import Array
 from gainproof.derive.printer.kernel import Kernel
 from gainproof.derive.printer.proof import Proof, Settled
 from gainproof.derive.printer.refinement import Refinement
-from gainproof.derive.printer.value import Grid
+from gainproof.derive.printer.special_values import exclude_nan
+from gainproof.derive.printer.step_ranges import Grid
 
 
 class OneInput(Proof):

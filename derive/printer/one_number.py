@@ -20,7 +20,7 @@ from gainproof.derive.printer.emitter import Body, Language, emitted, named, unl
 from gainproof.derive.printer.formats import FLOAT32, FORMATS, Format
 from gainproof.derive.printer.kernel import Input, Kernel, least_admitted
 from gainproof.derive.printer.layout import WIDTH, listed, row
-from gainproof.derive.printer.plain import plain
+from gainproof.derive.printer.printed_program import plain
 from gainproof.derive.printer.program import FUNCTIONS
 
 FORM = "form"

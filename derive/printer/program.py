@@ -13,10 +13,10 @@ from typing import Any
 
 from gainproof.derive.printer.constant import Constant, constant_of_node, exact_values
 from gainproof.derive.printer.graph import Graph, GraphNode, operands
-from gainproof.derive.printer.unrolled import Cycle, unrolled
+from gainproof.derive.printer.unrolled_fixed_point import Cycle, unrolled
 
 ITERATES = ("start", "iterate", "root")
-FUNCTIONS = ("sin", "cos", "atan2", "hypot", "exp", "expm1", "log1p")  # see `library`
+FUNCTIONS = ("sin", "cos", "atan2", "hypot", "exp", "expm1", "log1p")  # see `library_functions`
 CALLS = ("abs", "select", "near_cbrt", "less", *ITERATES, *FUNCTIONS)
 
 

@@ -9,14 +9,21 @@ import numpy as np
 
 from gainproof.derive.printer import boxes
 from gainproof.derive.printer.adjoint import Adjoint
-from gainproof.derive.printer.behaviour import Behaviour
 from gainproof.derive.printer.domain import greatest_normal
 from gainproof.derive.printer.formats import Format
 from gainproof.derive.printer.forward import Forward
 from gainproof.derive.printer.interval import Array
 from gainproof.derive.printer.kernel import Kernel
-from gainproof.derive.printer.refusal import reason
-from gainproof.derive.printer.value import LEAST_NORMAL, Box, Grid, Mask, PrintingError, true_size
+from gainproof.derive.printer.refusal_text import reason
+from gainproof.derive.printer.special_values import Behaviour
+from gainproof.derive.printer.step_ranges import (
+    LEAST_NORMAL,
+    Box,
+    Grid,
+    Mask,
+    PrintingError,
+    true_size,
+)
 
 
 @dataclass(frozen=True)

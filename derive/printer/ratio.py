@@ -7,7 +7,7 @@ import numpy as np
 from gainproof.derive.printer import interval
 from gainproof.derive.printer.corners import extremes
 from gainproof.derive.printer.interval import Array, Interval
-from gainproof.derive.printer.value import Value, none_as_zero, sum_of
+from gainproof.derive.printer.step_ranges import Value, none_as_zero, sum_of
 
 
 def ratio(a: Value, b: Value, width: Array) -> Interval:

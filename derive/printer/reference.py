@@ -20,7 +20,7 @@ from __future__ import annotations
 from dataclasses import dataclass, replace
 
 from gainproof.derive.printer.formats import Format
-from gainproof.derive.printer.value import PrintingError
+from gainproof.derive.printer.step_ranges import PrintingError
 
 LARGER = 1.0 + 2.0**-40  # than a few roundings of these bounds themselves
 

@@ -7,9 +7,9 @@ from fractions import Fraction
 
 from gainproof.derive.printer.angles import least_cosine, least_sine
 from gainproof.derive.printer.formats import Format
-from gainproof.derive.printer.library import ULP
+from gainproof.derive.printer.library_functions import ULP
 from gainproof.derive.printer.reference import LARGER, Reference
-from gainproof.derive.printer.value import PrintingError
+from gainproof.derive.printer.step_ranges import PrintingError
 
 # 4 ulp are at most 8 u; (1 - u)^n <= 1 - 8 u needs n a little above 8
 CALLED = 2.0 * ULP * (1.0 + 2.0**-18)

@@ -9,12 +9,12 @@ from dataclasses import replace
 from gainproof.derive.printer.affine import affine_sum
 from gainproof.derive.printer.formats import Format
 from gainproof.derive.printer.kernel import Requirement, least_admitted
-from gainproof.derive.printer.library import ULP
+from gainproof.derive.printer.library_functions import ULP
 from gainproof.derive.printer.program import FUNCTIONS, Program, Step
 from gainproof.derive.printer.reference import LARGER, Reference, required, settled
 from gainproof.derive.printer.reference_calls import called, turned
+from gainproof.derive.printer.step_ranges import Box, PrintingError
 from gainproof.derive.printer.step_text import formula, unsure, zeros
-from gainproof.derive.printer.value import Box, PrintingError
 
 ROOM = 2.0  # of `low` and `high` to the ends of the normal numbers
 GREATEST_COUNT = 1000.0  # roundings: (1 - 2^-24)^-1000 is below 1 + 2^-10

@@ -7,7 +7,7 @@ import numpy as np
 from gainproof.derive.printer import boxes
 from gainproof.derive.printer.formats import Format
 from gainproof.derive.printer.interval import Array
-from gainproof.derive.printer.value import Grid, Mask
+from gainproof.derive.printer.step_ranges import Grid, Mask
 
 TOLERANCE = 0.01  # boxes are bisected until the bound is this close to its least possible value
 GREATEST_COUNT = 40_000  # of boxes of one kernel in one format

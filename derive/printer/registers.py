@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from gainproof.derive.printer.outputs_apart import apart
+from gainproof.derive.printer.output_registers import apart
 from gainproof.derive.printer.program import Program
 from gainproof.derive.printer.register_plan import SLOW, Plan, late, lives
 

@@ -4,16 +4,16 @@ from __future__ import annotations
 
 import numpy as np
 
-from gainproof.derive.printer import boxes, frontier
-from gainproof.derive.printer.behaviour import exclude_nan
+from gainproof.derive.printer import box_search, boxes
 from gainproof.derive.printer.domain import product
 from gainproof.derive.printer.formats import Format
 from gainproof.derive.printer.forward import Forward
 from gainproof.derive.printer.interval import Array
 from gainproof.derive.printer.kernel import Kernel
 from gainproof.derive.printer.proof import Proof, Settled
+from gainproof.derive.printer.special_values import exclude_nan
+from gainproof.derive.printer.step_ranges import Grid, PrintingError
 from gainproof.derive.printer.structural import Structural
-from gainproof.derive.printer.value import Grid, PrintingError
 
 WIDE = 2  # inputs: of more the first box is the whole domain, boxes of each would be too many
 MANY = 6  # inputs: of more the bounds are those of the shape, and boxes beyond a few change nothing
@@ -62,16 +62,16 @@ class SeveralInputs(Proof):
     def _refine(self, forward: Forward) -> Settled:
         count, budget = (
             len(self.ends),
-            self.kernel.search * frontier.WORK // len(self.program.steps),
+            self.kernel.search * box_search.WORK // len(self.program.steps),
         )
         if len(self.inputs) > MANY:
             budget //= FEWER
         others = count * len(self.kernel.cancellations)
-        progress = frontier.Frontier(count, others, self.form, self.greatest, budget)
+        progress = box_search.Frontier(count, others, self.form, self.greatest, budget)
         progress.least = self.enough
         while True:
             adjoint = self.bounded(forward)
-            found = frontier.Waiting(forward.grid, adjoint.upper, self.cancellations(adjoint))
+            found = box_search.Waiting(forward.grid, adjoint.upper, self.cancellations(adjoint))
             progress.add(found, adjoint.lower)
             following = progress.finer()
             if following is None:

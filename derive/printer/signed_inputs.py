@@ -14,7 +14,7 @@ from gainproof.derive.printer.program import FUNCTIONS, Program
 from gainproof.derive.printer.proof import Settled
 from gainproof.derive.printer.reference import Reference
 from gainproof.derive.printer.reference_steps import References
-from gainproof.derive.printer.value import PrintingError
+from gainproof.derive.printer.step_ranges import PrintingError
 
 
 def has_signs(kernel: Kernel) -> bool:

@@ -22,7 +22,7 @@ from gainproof.derive.printer.affine import affine_sum
 from gainproof.derive.printer.forward import Forward
 from gainproof.derive.printer.interval import Array, Interval
 from gainproof.derive.printer.program import Program
-from gainproof.derive.printer.value import Mask, Value
+from gainproof.derive.printer.step_ranges import Mask, Value
 
 
 def measured_by_parts(program: Program, output: int, scale: int) -> bool:

@@ -15,7 +15,7 @@ from functools import lru_cache
 
 import flint
 
-from gainproof.derive.printer.library import ball
+from gainproof.derive.printer.library_functions import ball
 from gainproof.derive.printer.program import Program
 
 Jet = list[dict[int, flint.arb]]

@@ -16,8 +16,8 @@ from gainproof.derive.expression import real
 from gainproof.derive.pages.derivation import Given, written
 from gainproof.derive.printer.graph import Graph, symbols_of
 from gainproof.derive.printer.kernel import Input, Kernel, Module, Output, closed
-from gainproof.derive.recursion.triple_kernels import graphs
-from gainproof.derive.recursion.triple_names import (
+from gainproof.derive.recursion.three_state_kernels import graphs
+from gainproof.derive.recursion.three_state_names import (
     FACTORS,
     PARAMETERS,
     PLACES,
@@ -28,8 +28,8 @@ from gainproof.derive.recursion.triple_names import (
     start_names,
     transition,
 )
-from gainproof.derive.recursion.triple_noise import TripleNoise, triple_noises
-from gainproof.derive.recursion.triple_towers import (
+from gainproof.derive.recursion.three_state_noise import TripleNoise, triple_noises
+from gainproof.derive.recursion.three_state_towers import (
     entries_tower,
     intervals_tower,
     pair_tower,

@@ -2,7 +2,7 @@
 
 The derivation is the page `converted-measurements` of `derive/pages`. There the value of a sine,
 cosine or exponential that a kernel calls stands as the quantity that it is, and what an exponential
-is taken of is claimed too (see `algebraic`).
+is taken of is claimed too (see `algebraic_graphs`).
 """
 
 from __future__ import annotations
@@ -10,7 +10,7 @@ from __future__ import annotations
 from gainproof.derive.derivation import Derivation
 from gainproof.derive.pages.derivation import Given, written
 from gainproof.derive.printer.graph import symbols_of
-from gainproof.derive.sensors.algebraic import algebraic
+from gainproof.derive.sensors.algebraic_graphs import algebraic
 from gainproof.derive.sensors.converted_module import graphs, kernel_module
 from gainproof.derive.source import (
     DEBIASED,

@@ -12,12 +12,12 @@ import sympy as sp
 from gainproof.derive.printer.graph import Graph
 from gainproof.derive.printer.kernel import Input
 from gainproof.derive.stable_form.coordinates import Coordinate, coordinates
-from gainproof.derive.stable_form.emission import Order
-from gainproof.derive.stable_form.products import Products, shown
+from gainproof.derive.stable_form.function_rewriting import Rewriting
+from gainproof.derive.stable_form.graph_nodes import Order
 from gainproof.derive.stable_form.ranking import Candidate, Found, bounded, cost, within_range
-from gainproof.derive.stable_form.reading import NoReading, RootOfParameter
-from gainproof.derive.stable_form.rewriting import Rewriting
-from gainproof.derive.stable_form.writing import Text, Writing
+from gainproof.derive.stable_form.root_tower import NoReading, RootOfParameter
+from gainproof.derive.stable_form.signed_products import Products, shown
+from gainproof.derive.stable_form.written_value import Text, Writing
 
 SCALED = Fraction(1, 2**60)  # keeps 1/x from overflowing for the least numbers x
 LONGER = 2  # times as many nodes as the shortest candidate: not worth a proof

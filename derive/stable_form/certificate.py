@@ -2,8 +2,9 @@
 
 Both graphs are programs, and each is claimed to have the value of one and the same element of a
 tower, on the whole domain. A root is the positive one, and every divisor is shown to have a sign.
-Functions of a library are symbols here (see `atoms`); their arguments have proofs of their own. So
-has whatever else must be positive for a rule to hold, and for what was given to be a real number.
+Functions of a library are symbols here (see `function_atoms`); their arguments have proofs of their
+own. So has whatever else must be positive for a rule to hold, and for what was given to be a real
+number.
 """
 
 from __future__ import annotations
@@ -14,12 +15,12 @@ from typing import Any
 
 import sympy as sp
 
-from gainproof.derive.algebra.plain import fraction_data, tower_data
+from gainproof.derive.algebra.plain_data import fraction_data, tower_data
 from gainproof.derive.algebra.tower import Fraction, Tower
 from gainproof.derive.expression import real
 from gainproof.derive.printer.graph import Graph, operands
-from gainproof.derive.stable_form.reading import Reading
-from gainproof.derive.stable_form.shown import Shown, expanded, needed
+from gainproof.derive.stable_form.program_values import Shown, expanded, needed
+from gainproof.derive.stable_form.root_tower import Reading
 from gainproof.derive.subject import FORMAT
 
 Data = dict[str, Any]

@@ -12,7 +12,7 @@ from gainproof.derive.printer.constant import constant
 from gainproof.derive.printer.formats import FLOAT64
 from gainproof.derive.printer.graph import Graph
 from gainproof.derive.printer.kernel import Input, Kernel, Output
-from gainproof.derive.stable_form.writing import SCALE, VALUE, Text, Writing
+from gainproof.derive.stable_form.written_value import SCALE, VALUE, Text, Writing
 
 FIRST = 8  # candidates that are tried for fewer inputs, where none has a bound for all
 SHORTEST = 3  # candidates that are tried where differences are left

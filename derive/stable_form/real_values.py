@@ -13,7 +13,7 @@ from typing import Any
 
 import sympy as sp
 
-from gainproof.derive.stable_form.reading import Reading
+from gainproof.derive.stable_form.root_tower import Reading
 
 _DIVISORS: Mapping[Any, Callable[[sp.Expr], sp.Expr]] = {
     sp.tan: sp.cos,

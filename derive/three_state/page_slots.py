@@ -16,7 +16,12 @@ from gainproof.derive.expression import real
 from gainproof.derive.model import ModelError, ScaledModel
 from gainproof.derive.pages.model_slots import model_slots, plain
 from gainproof.derive.steady_state.spectrum import V
-from gainproof.derive.three_state import bending, covariance_entries, kernel_tower, pole_tower
+from gainproof.derive.three_state import (
+    covariance_entries,
+    kernel_tower,
+    pole_tower,
+    second_derivative_tower,
+)
 from gainproof.derive.three_state.context import Context
 from gainproof.derive.three_state.names import (
     ETA,
@@ -209,7 +214,7 @@ def _bending_ends(c: Context, bent: Tower) -> Slots:
     own = c.spectrum.rational_in_root
     found = _far_rational(bent) if own else _far(c)
     return {
-        "setting_of_ends": bending.NAME if own else kernel_tower.NAME,
+        "setting_of_ends": second_derivative_tower.NAME if own else kernel_tower.NAME,
         **{f"power_of_{_entry(name)}": "" for name in ("alpha", *HIDDEN)},
         **{f"power_of_{_entry(name)}": power for name, (power, _) in found.items()},
         **{f"far_bend_of_{_entry(name)}": value for name, (_, value) in found.items()},

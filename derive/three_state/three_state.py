@@ -24,7 +24,6 @@ from gainproof.derive.three_state.accurate_gains import (
     accurate_roots,
     within_reach,
 )
-from gainproof.derive.three_state.bending import bending_tower
 from gainproof.derive.three_state.context import Context, context
 from gainproof.derive.three_state.kernel_meanings import meant
 from gainproof.derive.three_state.kernel_poles import POLES
@@ -34,6 +33,7 @@ from gainproof.derive.three_state.module import ACCURATE_GAINS, kernel_module
 from gainproof.derive.three_state.names import LATEX, XI
 from gainproof.derive.three_state.pole_places import turning
 from gainproof.derive.three_state.pole_tower import MEAN, MODULUS, REAL, SQUARE
+from gainproof.derive.three_state.second_derivative_tower import bending_tower
 from gainproof.derive.three_state.textbook import textbook_forms
 
 PAGE = "measured-position-three-states"

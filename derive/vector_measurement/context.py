@@ -12,7 +12,7 @@ from gainproof.derive.algebra.tower import Tower
 from gainproof.derive.model import Model, ScaledModel, scale
 from gainproof.derive.vector_measurement.forms import Basis
 from gainproof.derive.vector_measurement.names import LEVEL
-from gainproof.derive.vector_measurement.noise import Noise
+from gainproof.derive.vector_measurement.process_noise import Noise
 from gainproof.derive.vector_measurement.spectrum import Spectrum, closed_loop, factorise
 from gainproof.derive.vector_measurement.towers import main_tower, symbolic_basis
 

@@ -14,7 +14,7 @@ from gainproof.derive.vector_measurement.derivative_kernels import (
     difference,
 )
 from gainproof.derive.vector_measurement.names import in_words
-from gainproof.derive.vector_measurement.noise import Noise
+from gainproof.derive.vector_measurement.process_noise import Noise
 
 LATIN = {BY_INDEX: "Lambda", BY_RATIO: "S"}
 HELD = {BY_INDEX: "S", BY_RATIO: "Lambda"}

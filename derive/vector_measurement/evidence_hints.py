@@ -12,10 +12,11 @@ from gainproof.derive.algebra.limits import End
 from gainproof.derive.algebra.tower import Fraction, Tower
 from gainproof.derive.expression import real
 from gainproof.derive.vector_measurement import forms, poles
-from gainproof.derive.vector_measurement.by_ratio import updated_by_ratio
 from gainproof.derive.vector_measurement.context import Context
-from gainproof.derive.vector_measurement.corners import T, W, fixed_index_ends, narrow_ends
-from gainproof.derive.vector_measurement.ends import (
+from gainproof.derive.vector_measurement.corner_towers import T, W, fixed_index_ends, narrow_ends
+from gainproof.derive.vector_measurement.derivatives_by_noise_ratio import updated_by_ratio
+from gainproof.derive.vector_measurement.first_derivatives import Rates
+from gainproof.derive.vector_measurement.limit_towers import (
     improvement_ends,
     index_ends,
     index_tower,
@@ -28,10 +29,9 @@ from gainproof.derive.vector_measurement.names import (
     ROOT,
     UPDATED,
 )
-from gainproof.derive.vector_measurement.noise import Noise
 from gainproof.derive.vector_measurement.page_slots import end_level, in_tower, start_level
 from gainproof.derive.vector_measurement.pole_kernels import POSITIVE, turning_index
-from gainproof.derive.vector_measurement.rates import Rates
+from gainproof.derive.vector_measurement.process_noise import Noise
 from gainproof.derive.vector_measurement.towers import rational
 
 Hints = dict[str, dict[str, Any]]

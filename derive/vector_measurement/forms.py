@@ -18,7 +18,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Any
 
-from gainproof.derive.vector_measurement.noise import Noise, times, total
+from gainproof.derive.vector_measurement.process_noise import Noise, times, total
 
 
 @dataclass(frozen=True)

@@ -8,7 +8,7 @@ from typing import Any
 from gainproof.derive.printer.graph import Graph, GraphBuilder, Node
 from gainproof.derive.vector_measurement import radicands
 from gainproof.derive.vector_measurement.forms import Basis
-from gainproof.derive.vector_measurement.noise import Noise, times
+from gainproof.derive.vector_measurement.process_noise import Noise, times
 
 FormsOf = Callable[[Basis], Mapping[str, Any]]
 INPUTS = ("tracking_index", "velocity_ratio")

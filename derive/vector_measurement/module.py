@@ -14,9 +14,9 @@ from gainproof.derive.vector_measurement.derivative_kernels import DERIVATIVES, 
 from gainproof.derive.vector_measurement.derivative_module import derivative_kernel, is_derivative
 from gainproof.derive.vector_measurement.kernels import FormsOf, known_graph, steady_graph
 from gainproof.derive.vector_measurement.names import in_words
-from gainproof.derive.vector_measurement.noise import Noise
 from gainproof.derive.vector_measurement.pole_kernels import pole_graphs
 from gainproof.derive.vector_measurement.pole_module import is_of_poles, pole_kernel
+from gainproof.derive.vector_measurement.process_noise import Noise
 
 STEADY_KERNELS: Mapping[str, tuple[FormsOf, ...]] = {
     "gains": (forms.gains,),

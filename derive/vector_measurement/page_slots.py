@@ -11,11 +11,11 @@ from gainproof.derive.expression import real
 from gainproof.derive.model import Model, ScaledModel
 from gainproof.derive.vector_measurement import poles, radicands
 from gainproof.derive.vector_measurement.context import Context
-from gainproof.derive.vector_measurement.ends import FAR, root_of_e
+from gainproof.derive.vector_measurement.limit_towers import FAR, root_of_e
 from gainproof.derive.vector_measurement.names import ETA, INDEX, RATIO, SPEED, Z
-from gainproof.derive.vector_measurement.noise import Noise
 from gainproof.derive.vector_measurement.pole_kernels import turning_index
 from gainproof.derive.vector_measurement.position_equation import VARIANCE, position_equation
+from gainproof.derive.vector_measurement.process_noise import Noise
 from gainproof.derive.vector_measurement.spectrum import spectral_matrix
 from gainproof.derive.vector_measurement.towers import rational, symbolic_noise
 

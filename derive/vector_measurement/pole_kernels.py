@@ -9,7 +9,7 @@ from gainproof.derive.printer.graph import Graph, GraphBuilder, Node
 from gainproof.derive.vector_measurement import poles
 from gainproof.derive.vector_measurement.derivative_kernels import SCALE, difference
 from gainproof.derive.vector_measurement.kernels import graph_basis
-from gainproof.derive.vector_measurement.noise import Noise
+from gainproof.derive.vector_measurement.process_noise import Noise
 
 POLES = "closed_loop_poles"
 REAL = "real_poles"

@@ -11,7 +11,6 @@ from gainproof.derive.vector_measurement import poles
 from gainproof.derive.vector_measurement.context import Context
 from gainproof.derive.vector_measurement.derivative_kernels import SCALE, difference
 from gainproof.derive.vector_measurement.names import in_words
-from gainproof.derive.vector_measurement.noise import Noise
 from gainproof.derive.vector_measurement.pole_kernels import (
     MEAN,
     MODULUS,
@@ -21,6 +20,7 @@ from gainproof.derive.vector_measurement.pole_kernels import (
     REAL,
     SQUARE,
 )
+from gainproof.derive.vector_measurement.process_noise import Noise
 
 SUMMARIES = {
     POLES: "Closed-loop poles: half their sum, their modulus, a quarter of the discriminant.",

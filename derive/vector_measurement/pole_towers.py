@@ -13,8 +13,8 @@ from gainproof.derive.expression import real
 from gainproof.derive.steady_state.towers import surd
 from gainproof.derive.vector_measurement import poles
 from gainproof.derive.vector_measurement.names import ETA, INDEX, LEVEL, RATIO, ROOT, SIGMA
-from gainproof.derive.vector_measurement.noise import Noise
 from gainproof.derive.vector_measurement.pole_kernels import NEGATIVE, POSITIVE
+from gainproof.derive.vector_measurement.process_noise import Noise
 from gainproof.derive.vector_measurement.towers import (
     rational,
     steady_elements,

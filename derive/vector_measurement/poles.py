@@ -19,7 +19,7 @@ from fractions import Fraction
 from typing import Any
 
 from gainproof.derive.vector_measurement.forms import Basis
-from gainproof.derive.vector_measurement.noise import Noise, times, total
+from gainproof.derive.vector_measurement.process_noise import Noise, times, total
 
 Parts = tuple[Any, Any]
 """Two terms: the quantity is the first less the second, or their sum where it is said."""

@@ -23,21 +23,21 @@ from gainproof.derive.relation import Relation
 from gainproof.derive.subject import Program, Subject
 from gainproof.derive.vector_measurement import module, pole_kernels, pole_towers, poles
 from gainproof.derive.vector_measurement.context import Context, context
-from gainproof.derive.vector_measurement.corners import (
+from gainproof.derive.vector_measurement.corner_towers import (
     fixed_index_tower,
     narrow_tower,
     outer_tower,
 )
 from gainproof.derive.vector_measurement.derivative_kernels import DERIVATIVES, SCALE
-from gainproof.derive.vector_measurement.ends import FAR, ends_tower, index_tower
 from gainproof.derive.vector_measurement.evidence_hints import hints, tower_ends
+from gainproof.derive.vector_measurement.first_derivatives import Rates
+from gainproof.derive.vector_measurement.limit_towers import FAR, ends_tower, index_tower
 from gainproof.derive.vector_measurement.module import KNOWN
 from gainproof.derive.vector_measurement.names import DELTA, INDEX, LATEX, RATIO, SIGMA, UPDATED
 from gainproof.derive.vector_measurement.page_slots import page_slots
 from gainproof.derive.vector_measurement.pole_kernels import MEAN, MODULUS, SQUARE
 from gainproof.derive.vector_measurement.pole_module import is_of_poles
 from gainproof.derive.vector_measurement.pole_towers import X
-from gainproof.derive.vector_measurement.rates import Rates
 from gainproof.derive.vector_measurement.textbook import textbook_forms
 from gainproof.derive.vector_measurement.towers import graph_roots, rational
 

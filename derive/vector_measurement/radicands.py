@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from typing import Any
 
-from gainproof.derive.vector_measurement.noise import Noise, times
+from gainproof.derive.vector_measurement.process_noise import Noise, times
 
 
 def level_squared(noise: Noise, index: Any, ratio: Any) -> Any:

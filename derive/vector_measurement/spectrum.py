@@ -15,7 +15,7 @@ import sympy as sp
 from gainproof.derive.model import ModelError, ScaledModel
 from gainproof.derive.steady_state.spectrum import in_v
 from gainproof.derive.vector_measurement.names import INDEX, Z, gain_matrix
-from gainproof.derive.vector_measurement.noise import HALF, Noise
+from gainproof.derive.vector_measurement.process_noise import HALF, Noise
 
 V = sp.Symbol("v", real=True)
 

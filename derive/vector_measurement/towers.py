@@ -24,7 +24,7 @@ from gainproof.derive.vector_measurement.names import (
     SIGMA,
     SPEED,
 )
-from gainproof.derive.vector_measurement.noise import Noise
+from gainproof.derive.vector_measurement.process_noise import Noise
 
 LEVEL_SCALED, ETA_SCALED, DELTA_SCALED = map(real, ("level_scaled", "eta_scaled", "delta_scaled"))
 

@@ -12,7 +12,7 @@ from catalogue_subjects import certificate
 from gainproof.derive.derivation import PageError
 from gainproof.derive.printer.graph import Graph, GraphBuilder, symbols_of
 from gainproof.derive.sensors import converted_module, polar_module, range_doppler_module
-from gainproof.derive.sensors.algebraic import algebraic
+from gainproof.derive.sensors.algebraic_graphs import algebraic
 from gainproof.derive.sensors.kernel_page import kernel_words, page_graphs
 from gainproof.verify.certificate import check_statement
 

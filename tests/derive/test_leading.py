@@ -6,7 +6,7 @@ import mpmath as mp
 import pytest
 import sympy as sp
 
-from gainproof.derive.algebra.leading import NoLeadingTerm, edge, square_root
+from gainproof.derive.algebra.leading_elements import NoLeadingTerm, edge, square_root
 from gainproof.derive.algebra.tower import Generator, Parameter, Tower
 from gainproof.derive.expression import real
 

@@ -10,16 +10,16 @@ import pytest
 import sympy as sp
 
 from gainproof.derive.algebra.evidence import evidence
-from gainproof.derive.algebra.positive import NoPlainSign
+from gainproof.derive.algebra.positive_forms import NoPlainSign
 from gainproof.derive.derivation import Step
 from gainproof.derive.expression import real
-from gainproof.derive.recursion import triple_kernels
+from gainproof.derive.recursion import three_state_kernels
 from gainproof.derive.recursion.noise import NoiseError, T
 from gainproof.derive.recursion.polynomial import SignError, nested
-from gainproof.derive.recursion.triple_names import Q, R, S, filled
-from gainproof.derive.recursion.triple_noise import through, triple_noises
-from gainproof.derive.recursion.triple_start import covariance, newer, older, started, weights
-from gainproof.derive.recursion.triple_towers import samples_tower, values_of
+from gainproof.derive.recursion.three_state_names import Q, R, S, filled
+from gainproof.derive.recursion.three_state_noise import through, triple_noises
+from gainproof.derive.recursion.three_state_start import covariance, newer, older, started, weights
+from gainproof.derive.recursion.three_state_towers import samples_tower, values_of
 from gainproof.derive.relation import positive
 from gainproof.verify.certificate import check
 
@@ -56,7 +56,7 @@ def test_nested_polynomials() -> None:
 
 
 def test_no_kernel_subtracts() -> None:
-    for name, graph in triple_kernels.graphs(triple_noises()).items():
+    for name, graph in three_state_kernels.graphs(triple_noises()).items():
         assert not [node for node in graph["nodes"] if node[0] == "neg"], name
         numbers = [node for node in graph["nodes"] if node[0] == "number"]
         assert not any(str(node[1]).startswith("-") for node in numbers)

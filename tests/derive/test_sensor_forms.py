@@ -16,7 +16,6 @@ import pytest
 import sympy as sp
 
 import gainproof.generated
-from gainproof.derive.own_expressions.as_written import as_written
 from gainproof.derive.own_expressions.expressions import (
     Argument,
     Condition,
@@ -24,6 +23,7 @@ from gainproof.derive.own_expressions.expressions import (
     Result,
 )
 from gainproof.derive.own_expressions.subject import chosen_forms
+from gainproof.derive.own_expressions.written_form import as_written
 from gainproof.derive.printer.bound import prove
 from gainproof.derive.printer.formats import FORMATS
 from gainproof.derive.printer.kernel import Input, Kernel

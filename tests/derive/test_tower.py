@@ -11,7 +11,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from gainproof.derive.algebra.cofactors import NotInIdeal, cofactors
-from gainproof.derive.algebra.positive import NoPlainSign, is_positive_fraction, positive_form
+from gainproof.derive.algebra.positive_forms import NoPlainSign, is_positive_fraction, positive_form
 from gainproof.derive.algebra.tower import Generator, Parameter, Tower, is_manifestly_positive
 from gainproof.derive.expression import real
 

@@ -17,7 +17,7 @@ from gainproof.derive.catalogue import CATALOGUE
 from gainproof.derive.printer.bound import KernelBound, OutputBound
 from gainproof.derive.printer.formats import FORMATS
 from gainproof.derive.printer.kernel import Kernel, Module
-from gainproof.derive.printer.library import functions_of
+from gainproof.derive.printer.library_functions import functions_of
 
 DEFAULT = ("random-acceleration", "filter-step")
 """What takes least time; starts of cube roots and requirements are in a kernel by hand."""

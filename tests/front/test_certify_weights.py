@@ -15,7 +15,7 @@ from gainproof.certify.operations import operations
 from gainproof.certify.rounding_bound import weighed_at
 from gainproof.certify.subjects import chosen
 from gainproof.derive.printer.formats import FLOAT64
-from gainproof.derive.printer.plain import plain
+from gainproof.derive.printer.printed_program import plain
 from gainproof.derive.printer.program import Program, program
 from gainproof.generated import random_acceleration
 

@@ -13,7 +13,7 @@ import sympy as sp
 from one_of_each import cases
 
 from gainproof.bad_input import BadInputError
-from gainproof.derive.definition_text import definition_text
+from gainproof.derive.definition_key import definition_text
 from gainproof.derive.own_expressions.expressions import Result
 from gainproof.derive.quantity import ONE, Quantity
 from gainproof.files import places

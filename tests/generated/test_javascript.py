@@ -13,7 +13,7 @@ import pytest
 from numpy.typing import NDArray
 
 from gainproof import generated
-from gainproof.derive.printer.javascript.played import PLAYED
+from gainproof.derive.printer.javascript.page_kernels import PLAYED
 
 FOLDER = Path(generated.__file__).parent
 SCRIPTS = (FOLDER / "_runtime.js", *(FOLDER / f"{module}.js" for module in PLAYED))

@@ -6,10 +6,10 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
 from gainproof.derive.printer import emitter
-from gainproof.derive.printer.c_language.flavour import DOUBLE, Flavour
+from gainproof.derive.printer.c_language.real_types import DOUBLE, Flavour
+from gainproof.derive.printer.cube_root_start import added_bits
 from gainproof.derive.printer.emitter import Body, Language, named
 from gainproof.derive.printer.kernel import Kernel
-from gainproof.derive.printer.near_cbrt import added_bits
 
 SIXTEENTHS = (4, 8, 16, 32)
 

@@ -6,8 +6,8 @@ from collections.abc import Iterator
 
 from gainproof.derive.printer.bound import KernelBound
 from gainproof.derive.printer.c_language.body import body, required
-from gainproof.derive.printer.c_language.flavour import Flavour
 from gainproof.derive.printer.c_language.names import Names, codes
+from gainproof.derive.printer.c_language.real_types import Flavour
 from gainproof.derive.printer.emitter import Body
 from gainproof.derive.printer.kernel import Input, Kernel
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from gainproof.derive.printer.c_language.body import body, near_cbrt
-from gainproof.derive.printer.c_language.flavour import DOUBLE
+from gainproof.derive.printer.c_language.real_types import DOUBLE
 from gainproof.derive.printer.kernel import Kernel
 
 

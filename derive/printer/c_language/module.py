@@ -7,13 +7,13 @@ from collections.abc import Iterator, Sequence
 
 from gainproof.derive.printer.bound import KernelBound
 from gainproof.derive.printer.c_language.body import near_cbrt
-from gainproof.derive.printer.c_language.flavour import DOUBLE, SINGLE, Flavour, flavours
 from gainproof.derive.printer.c_language.functions import definitions, prototypes
 from gainproof.derive.printer.c_language.names import Names, codes, names_of
+from gainproof.derive.printer.c_language.real_types import DOUBLE, SINGLE, Flavour, flavours
 from gainproof.derive.printer.canonical_json import canonical_json
 from gainproof.derive.printer.docstring import described
 from gainproof.derive.printer.kernel import Kernel, Module
-from gainproof.derive.printer.library import functions_of
+from gainproof.derive.printer.library_functions import functions_of
 
 Bounds = Sequence[Sequence[KernelBound]]
 

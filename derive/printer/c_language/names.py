@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from gainproof.derive.printer.c_language.flavour import Flavour, arguments
+from gainproof.derive.printer.c_language.real_types import Flavour, arguments
 from gainproof.derive.printer.kernel import Kernel
 
 

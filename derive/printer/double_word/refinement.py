@@ -23,7 +23,7 @@ from gainproof.derive.printer.bound import KernelBound
 from gainproof.derive.printer.constant import constant
 from gainproof.derive.printer.formats import FLOAT64
 from gainproof.derive.printer.kernel import Input, Kernel
-from gainproof.derive.printer.value import PrintingError
+from gainproof.derive.printer.step_ranges import PrintingError
 
 NEAR_UNITS = 80
 """x0 has at most so many times 2^-53 as its relative error."""

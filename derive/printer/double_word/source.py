@@ -6,7 +6,7 @@ from collections.abc import Iterator
 from fractions import Fraction
 
 from gainproof.derive.printer.arithmetic import literal
-from gainproof.derive.printer.double_word.single import single_lines
+from gainproof.derive.printer.double_word.float32_results import single_lines
 from gainproof.derive.printer.kernel import Kernel
 from gainproof.derive.printer.layout import row
 from gainproof.derive.printer.program import Step

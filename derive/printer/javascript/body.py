@@ -11,7 +11,7 @@ from dataclasses import dataclass
 
 from gainproof.derive.printer.emitter import Language, emitted
 from gainproof.derive.printer.kernel import Kernel
-from gainproof.derive.printer.plain import plain
+from gainproof.derive.printer.printed_program import plain
 from gainproof.derive.printer.program import Program
 from gainproof.derive.printer.register_plan import late
 

@@ -12,7 +12,7 @@ from gainproof.derive.printer.docstring import wanted_text
 from gainproof.derive.printer.domain import input_range
 from gainproof.derive.printer.formats import FLOAT64
 from gainproof.derive.printer.javascript.body import RUNTIME, body
-from gainproof.derive.printer.javascript.played import PLAYED
+from gainproof.derive.printer.javascript.page_kernels import PLAYED
 from gainproof.derive.printer.kernel import Input, Kernel, Module
 
 RUNTIME_NAME = "_runtime.js"

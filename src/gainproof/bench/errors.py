@@ -13,7 +13,7 @@ from gainproof.bench.accuracy import Ball, ball_outputs, error, log_uniform, sig
 from gainproof.bench.arguments import fitting
 from gainproof.bench.subjects import Measured
 from gainproof.derive.printer.kernel import Output
-from gainproof.derive.printer.value import Box
+from gainproof.derive.printer.step_ranges import Box
 
 POINTS = 400
 Evaluated = tuple[Mapping[str, float], Sequence[float], Mapping[str, Ball]]

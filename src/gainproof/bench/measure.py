@@ -19,7 +19,7 @@ from gainproof.bench.subjects import Measured
 from gainproof.bench.timing import best_times
 from gainproof.derive.printer.c_language.loop import c_loop
 from gainproof.derive.printer.c_language.module import c_function
-from gainproof.derive.printer.library import functions_of
+from gainproof.derive.printer.library_functions import functions_of
 from gainproof.generated._blocks import BLOCK, Parts, cut, rows
 from gainproof.generated._runtime import evaluate, with_arrays
 from gainproof.standalone.in_c._compiled import FLAGS, in_c

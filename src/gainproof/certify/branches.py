@@ -9,7 +9,7 @@ from itertools import pairwise
 
 from gainproof.derive.printer.formats import FLOAT64
 from gainproof.derive.printer.program import Program, Step
-from gainproof.derive.printer.threshold import threshold
+from gainproof.derive.printer.select_conditions import threshold
 
 Domain = tuple[Fraction, Fraction]
 

@@ -21,10 +21,10 @@ from gainproof.certify.gappa import Enclosure
 from gainproof.certify.operations import Operation, operations
 from gainproof.certify.piece import Piece, Section
 from gainproof.certify.sizes import Size, logarithm, sizes
-from gainproof.derive.printer.near_cbrt import ERROR
+from gainproof.derive.printer.cube_root_start import ERROR
 from gainproof.derive.printer.newton import Convergence
 from gainproof.derive.printer.program import Step
-from gainproof.derive.printer.unrolled import Cycle
+from gainproof.derive.printer.unrolled_fixed_point import Cycle
 
 ROUGH = Fraction(1, 2**40)
 """The relative error of one step of Newton's method by roundings, which is to be shown."""

@@ -17,9 +17,9 @@ from gainproof.certify.iterated import iterated
 from gainproof.certify.operations import operations
 from gainproof.certify.piece import Section
 from gainproof.certify.sizes import Size, logarithm, sizes
-from gainproof.derive.printer.plain import plain
+from gainproof.derive.printer.printed_program import plain
 from gainproof.derive.printer.program import Program, program
-from gainproof.derive.printer.unrolled import Cycle
+from gainproof.derive.printer.unrolled_fixed_point import Cycle
 
 LEAST_POSITIVE = Fraction(1, 2**1074)
 

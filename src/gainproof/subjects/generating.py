@@ -7,27 +7,27 @@ from dataclasses import dataclass, replace
 from typing import Any
 
 from gainproof.bad_input import BadInputError
-from gainproof.derive.formulas import formulas_source
-from gainproof.derive.formulas_tried import require_values
+from gainproof.derive.formula_values import require_values
 from gainproof.derive.printer.bound import Bounds, KernelBound
 from gainproof.derive.printer.bound_data import bounds_from, identity, plain
 from gainproof.derive.printer.c_language.module import c_files
-from gainproof.derive.printer.c_language.trial import c_trial
+from gainproof.derive.printer.c_language.test_program import c_trial
 from gainproof.derive.printer.canonical_json import canonical_json
 from gainproof.derive.printer.docstring import losses_of
 from gainproof.derive.printer.fpcore import fpcore
+from gainproof.derive.printer.generated_files import module_files
 from gainproof.derive.printer.javascript.script import scripts
 from gainproof.derive.printer.kernel import Kernel, Module
 from gainproof.derive.printer.known_values import known_values
-from gainproof.derive.printer.loss import loss_text, place_text
 from gainproof.derive.printer.lost_digits import with_losses
+from gainproof.derive.printer.lost_digits_text import loss_text, place_text
+from gainproof.derive.printer.module_bounds import groups
+from gainproof.derive.printer.module_bounds import proved as prove_group
 from gainproof.derive.printer.octave import octave_files
 from gainproof.derive.printer.rust import rust_files
-from gainproof.derive.printer.together import groups
-from gainproof.derive.printer.together import proved as prove_group
-from gainproof.derive.printer.write import module_files
 from gainproof.derive.subject import Subject
 from gainproof.derive.subject_page import subject_page
+from gainproof.derive.textbook_formulas import formulas_source
 from gainproof.jobs.code_digest import of_modules
 from gainproof.jobs.worker_state import WorkerState
 from gainproof.subjects import bounds_ledger
@@ -35,7 +35,7 @@ from gainproof.subjects.chosen_kernels import options
 from gainproof.subjects.deriving import derive, outline, subject_of
 
 BOUNDING = (
-    "gainproof.derive.printer.together",
+    "gainproof.derive.printer.module_bounds",
     "gainproof.derive.printer.lost_digits",
     "gainproof.derive.printer.bound_data",
 )

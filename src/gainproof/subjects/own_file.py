@@ -19,7 +19,7 @@ from pathlib import Path
 from typing import Any
 
 from gainproof.bad_input import BadInputError
-from gainproof.derive.definition_text import definition_text
+from gainproof.derive.definition_key import definition_text
 from gainproof.derive.model import Model, ModelError
 from gainproof.derive.own_expressions.expressions import ExpressionError, ExpressionSet
 from gainproof.derive.own_expressions.subject import derive_expressions

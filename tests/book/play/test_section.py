@@ -9,7 +9,7 @@ from play_page import derived
 
 from gainproof.book.play import section
 from gainproof.book.play.subjects import SUBJECTS
-from gainproof.derive.printer.javascript.played import PLAYED
+from gainproof.derive.printer.javascript.page_kernels import PLAYED
 
 
 def test_a_subject_without_a_play() -> None:

@@ -14,7 +14,7 @@ import sympy as sp
 from own_models import own_model
 
 from gainproof.derive.any_three_state.any_three_state import PAGE, derive_any_three_state
-from gainproof.derive.any_two_state import printed
+from gainproof.derive.any_two_state import proved_module
 from gainproof.derive.derivation import PageError
 from gainproof.derive.pages.derivation import FOLDER
 from gainproof.derive.subject import Subject
@@ -29,7 +29,7 @@ TEXT = (FOLDER / f"{PAGE}.md").read_text(encoding="utf-8")
 def without_bounds() -> Iterator[None]:
     """Only what certificates hold is looked at here: bounds of kernels take their time."""
     with pytest.MonkeyPatch.context() as patch:
-        patch.setattr(printed, "prove", lambda _kernel, _form: None)
+        patch.setattr(proved_module, "prove", lambda _kernel, _form: None)
         yield
 
 

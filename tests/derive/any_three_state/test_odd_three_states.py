@@ -14,7 +14,7 @@ from one_of_each import cases
 from own_models import free_number, own_model
 
 from gainproof.derive.any_three_state.any_three_state import derive_any_three_state
-from gainproof.derive.any_two_state import printed
+from gainproof.derive.any_two_state import proved_module
 from gainproof.derive.expression import real
 from gainproof.derive.model import Model
 from gainproof.subjects.deriving import plain_subject
@@ -57,7 +57,7 @@ LIKE_OTHERS = {"full noise", "all states remember all", "leaving", "position noi
 def without_bounds() -> Iterator[None]:
     """Only what certificates hold is looked at here: bounds of kernels take their time."""
     with pytest.MonkeyPatch.context() as patch:
-        patch.setattr(printed, "prove", lambda _kernel, _form: None)
+        patch.setattr(proved_module, "prove", lambda _kernel, _form: None)
         yield
 
 

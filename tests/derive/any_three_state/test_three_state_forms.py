@@ -9,8 +9,8 @@ from own_models import own_model
 
 from gainproof.derive.algebra.tower import Parameter, Tower, coupled
 from gainproof.derive.any_three_state.context import Context
+from gainproof.derive.any_three_state.model_numbers import shape_of
 from gainproof.derive.any_three_state.names import ROOTS
-from gainproof.derive.any_three_state.shape import shape_of
 from gainproof.derive.any_two_state.scaling import scale_free
 from gainproof.derive.expression import real
 from gainproof.derive.model import ModelError

@@ -16,7 +16,7 @@ import sympy as sp
 from one_of_each import cases
 from own_models import free_number, own_model
 
-from gainproof.derive.any_two_state import printed
+from gainproof.derive.any_two_state import proved_module
 from gainproof.derive.any_two_state.any_two_state import derive_any_two_state
 from gainproof.derive.expression import real
 from gainproof.derive.model import Model
@@ -57,7 +57,7 @@ MODELS: dict[str, Model] = {
 def without_bounds() -> Iterator[None]:
     """Only what certificates hold is looked at here: bounds of kernels take their time."""
     with pytest.MonkeyPatch.context() as patch:
-        patch.setattr(printed, "prove", lambda _kernel, _form: None)
+        patch.setattr(proved_module, "prove", lambda _kernel, _form: None)
         yield
 
 
@@ -162,6 +162,6 @@ def value(text: str, at: dict[str, float]) -> float:
 
 def test_a_sum_is_written_as_one_reads_it() -> None:
     terms = [(0, "a"), (1, "b"), (-1, "c"), (2, "q"), (R + 1, "s"), (-TENTH, "t"), (-TENTH, "")]
-    assert printed.linear(*terms) == "b - c + 2 q + (r + 1) s - (1/10) t - 1/10"
-    assert printed.linear((-1, "c"), (0, "")) == "-c"
-    assert printed.linear((0, "c")) == "0"
+    assert proved_module.linear(*terms) == "b - c + 2 q + (r + 1) s - (1/10) t - 1/10"
+    assert proved_module.linear((-1, "c"), (0, "")) == "-c"
+    assert proved_module.linear((0, "c")) == "0"

@@ -8,7 +8,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from gainproof.derive.any_two_state.signed import Signed, total
+from gainproof.derive.any_two_state.signed_values import Signed, total
 
 PARTS = st.none() | st.fractions(min_value=Fraction(1, 9), max_value=9)
 VALUES = st.builds(Signed, PARTS, PARTS)

@@ -12,6 +12,7 @@ from typing import Any
 import pytest
 import sympy as sp
 
+from gainproof.derive.own_expressions.certificate_programs import held
 from gainproof.derive.own_expressions.dimensions import unit_of
 from gainproof.derive.own_expressions.expressions import (
     Argument,
@@ -21,9 +22,8 @@ from gainproof.derive.own_expressions.expressions import (
     Result,
 )
 from gainproof.derive.own_expressions.graphs import graph_of_outputs
-from gainproof.derive.own_expressions.held import held
-from gainproof.derive.own_expressions.instance import require_instance
 from gainproof.derive.own_expressions.parts import NotReadError, Parts
+from gainproof.derive.own_expressions.program_match import require_instance
 from gainproof.derive.own_expressions.subject import derive_expressions
 from gainproof.derive.printer.graph import Graph, GraphBuilder, Node
 from gainproof.derive.quantity import KILOGRAM, METRE, ONE, SECOND, Quantity, Unit

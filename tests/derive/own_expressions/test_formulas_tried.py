@@ -6,8 +6,8 @@ import pytest
 import sympy as sp
 from mpmath import iv
 
-from gainproof.derive.formulas import _Intervals
-from gainproof.derive.formulas_tried import require_values
+from gainproof.derive.formula_values import require_values
+from gainproof.derive.textbook_formulas import _Intervals
 
 ATAN = _Intervals().doprint(sp.atan(sp.Symbol("x")))  # intervals have atan2 only
 VALUES = {"k": {"points": {"float64": [{"at": [0.75]}, {"at": [3.5]}]}}}

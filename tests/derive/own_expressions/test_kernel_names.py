@@ -14,8 +14,8 @@ from gainproof.derive.own_expressions.expressions import (
     Result,
 )
 from gainproof.derive.own_expressions.kernel_names import ENTRIES, TYPES, require_side_by_side
-from gainproof.derive.printer.c_language.flavour import FLAVOURS
 from gainproof.derive.printer.c_language.names import Names
+from gainproof.derive.printer.c_language.real_types import FLAVOURS
 from gainproof.derive.quantity import ONE, Quantity
 
 X = Quantity("x", "x", "a number", ONE)

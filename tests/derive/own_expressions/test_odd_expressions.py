@@ -18,7 +18,7 @@ from gainproof.derive.own_expressions.expressions import (
 )
 from gainproof.derive.own_expressions.subject import derive_expressions
 from gainproof.derive.printer.lost_digits import with_losses
-from gainproof.derive.printer.together import prove_all
+from gainproof.derive.printer.module_bounds import prove_all
 from gainproof.derive.quantity import ONE, Quantity
 
 

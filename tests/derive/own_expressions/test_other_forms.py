@@ -14,7 +14,6 @@ import sympy as sp
 from graph_kernels import module_of
 
 from gainproof.derive.expression import real
-from gainproof.derive.own_expressions.as_written import difference
 from gainproof.derive.own_expressions.expressions import (
     Argument,
     Condition,
@@ -26,6 +25,7 @@ from gainproof.derive.own_expressions.expressions import (
 from gainproof.derive.own_expressions.other_forms import conjugated
 from gainproof.derive.own_expressions.parts import NotReadError, Parts
 from gainproof.derive.own_expressions.subject import derive_expressions
+from gainproof.derive.own_expressions.written_form import difference
 from gainproof.derive.printer.bound import prove
 from gainproof.derive.printer.formats import FORMATS
 from gainproof.derive.printer.kernel import Kernel

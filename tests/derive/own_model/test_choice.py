@@ -11,7 +11,7 @@ import sympy as sp
 from one_of_each import cases
 from own_models import DEVIATION, SHAKE, T, free_number, own_model
 
-from gainproof.derive.any_two_state import printed
+from gainproof.derive.any_two_state import proved_module
 from gainproof.derive.derivation import PageError
 from gainproof.derive.expression import real
 from gainproof.derive.families.random_acceleration import STRENGTH
@@ -46,7 +46,7 @@ def both_measured(number: sp.Expr | int = 1) -> Model:
 @pytest.fixture
 def quick(monkeypatch: pytest.MonkeyPatch) -> None:
     """Bounds of kernels are not looked at here."""
-    monkeypatch.setattr(printed, "prove", lambda _kernel, _form: None)
+    monkeypatch.setattr(proved_module, "prove", lambda _kernel, _form: None)
 
 
 def test_kinematic_models_keep_poles_and_inverses() -> None:

@@ -17,7 +17,7 @@ from one_of_each import cases
 from own_models import free_number, own_model
 
 from gainproof.derive.algebra.leading_terms import prime_powers
-from gainproof.derive.any_two_state import printed
+from gainproof.derive.any_two_state import proved_module
 from gainproof.derive.own_model.choice import derive_own_model
 from gainproof.derive.steady_state.towers import surd
 from gainproof.derive.subject import Subject
@@ -31,7 +31,7 @@ Rows = list[list[sp.Rational]]
 @pytest.fixture(autouse=True)
 def without_bounds(monkeypatch: pytest.MonkeyPatch) -> None:
     """Bounds of kernels take their time."""
-    monkeypatch.setattr(printed, "prove", lambda *_: None)
+    monkeypatch.setattr(proved_module, "prove", lambda *_: None)
 
 
 def with_decimals(count: int, seed: int) -> Rows:

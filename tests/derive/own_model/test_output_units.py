@@ -13,7 +13,7 @@ from graph_kernels import balls
 from one_of_each import cases
 from own_models import DEVIATION, SHAKE, T, own_model
 
-from gainproof.derive.any_two_state import printed
+from gainproof.derive.any_two_state import proved_module
 from gainproof.derive.model import Model
 from gainproof.derive.own_model.choice import derive_own_model
 from gainproof.derive.quantity import METRE, SECOND, Unit
@@ -27,7 +27,7 @@ EXAMPLE = [["0.318", "0.477"], ["0.477", "0.982"]]
 @pytest.fixture(autouse=True)
 def without_bounds(monkeypatch: pytest.MonkeyPatch) -> None:
     """Bounds of kernels take their time."""
-    monkeypatch.setattr(printed, "prove", lambda *_: None)
+    monkeypatch.setattr(proved_module, "prove", lambda *_: None)
 
 
 def in_units(transition: Sequence[Any], noise: Sequence[Any], *units: Unit) -> Model:

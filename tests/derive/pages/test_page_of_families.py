@@ -13,7 +13,7 @@ import pytest
 import sympy as sp
 from own_models import free_number, own_model
 
-from gainproof.derive.any_two_state import printed
+from gainproof.derive.any_two_state import proved_module
 from gainproof.derive.any_two_state.any_two_state import PAGE as FIRST
 from gainproof.derive.any_two_state.any_two_state import derive_any_two_state
 from gainproof.derive.derivation import PageError
@@ -45,7 +45,7 @@ OTHERS: Mapping[str, Model] = {
 def without_bounds() -> Iterator[None]:
     """Bounds of kernels take their time."""
     with pytest.MonkeyPatch.context() as patch:
-        patch.setattr(printed, "prove", lambda _kernel, _form: None)
+        patch.setattr(proved_module, "prove", lambda _kernel, _form: None)
         yield
 
 

@@ -13,7 +13,7 @@ from gainproof.derive.printer.domain import product
 from gainproof.derive.printer.formats import FLOAT32, FLOAT64
 from gainproof.derive.printer.graph import GraphBuilder
 from gainproof.derive.printer.kernel import Kernel, Output, closed, signed
-from gainproof.derive.printer.value import PrintingError
+from gainproof.derive.printer.step_ranges import PrintingError
 from gainproof.generated import filter_step
 
 SINGLE = ("0", "1e8")

@@ -12,11 +12,11 @@ from one_of_each import cases
 from gainproof.derive.printer.bound import OutputBound
 from gainproof.derive.printer.bound_data import bounds_from, identity, plain
 from gainproof.derive.printer.canonical_json import canonical_json
+from gainproof.derive.printer.generated_files import module_files
 from gainproof.derive.printer.graph import GraphBuilder
 from gainproof.derive.printer.kernel import Input, Kernel, Output, Requirement, closed
 from gainproof.derive.printer.lost_digits import with_losses
-from gainproof.derive.printer.together import groups, prove_all
-from gainproof.derive.printer.write import module_files
+from gainproof.derive.printer.module_bounds import groups, prove_all
 from gainproof.subjects.deriving import build
 
 SUBJECTS = ["random-acceleration", "filter-step", "random-velocity", "polar-coordinates"]

@@ -16,7 +16,7 @@ from gainproof.derive.printer.bound import OutputBound, prove
 from gainproof.derive.printer.formats import FORMATS, Format
 from gainproof.derive.printer.graph import GraphBuilder, Node
 from gainproof.derive.printer.kernel import Kernel
-from gainproof.derive.printer.value import PrintingError
+from gainproof.derive.printer.step_ranges import PrintingError
 
 NUMBERS = ["1", "2", "3", "1/3", "5/7", "16", "1/1024", "1000003", "1/1000003"]
 

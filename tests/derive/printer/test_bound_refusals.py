@@ -11,7 +11,7 @@ from gainproof.derive.printer.bound import KernelBound, prove
 from gainproof.derive.printer.formats import FLOAT32, FLOAT64, FORMATS, Format
 from gainproof.derive.printer.graph import GraphBuilder
 from gainproof.derive.printer.kernel import Kernel
-from gainproof.derive.printer.value import PrintingError
+from gainproof.derive.printer.step_ranges import PrintingError
 
 
 def only(kernel: Kernel, form: Format = FLOAT64) -> Fraction:

@@ -12,16 +12,16 @@ from samples import samples
 
 from gainproof.derive.printer import boxes, corners
 from gainproof.derive.printer.adjoint import Adjoint
-from gainproof.derive.printer.behaviour import Behaviour
+from gainproof.derive.printer.box_search import ENOUGH, Frontier, Waiting
 from gainproof.derive.printer.formats import FLOAT32, FLOAT64
 from gainproof.derive.printer.forward import Forward
-from gainproof.derive.printer.frontier import ENOUGH, Frontier, Waiting
 from gainproof.derive.printer.graph import GraphBuilder, Node
 from gainproof.derive.printer.kernel import Kernel
 from gainproof.derive.printer.program import program
 from gainproof.derive.printer.proof import Proof
 from gainproof.derive.printer.ratio import ratio
-from gainproof.derive.printer.value import Grid, true_size
+from gainproof.derive.printer.special_values import Behaviour
+from gainproof.derive.printer.step_ranges import Grid, true_size
 
 DOMAIN = ((2.0**-20, 3.0), (1.0, 2.0**40))
 

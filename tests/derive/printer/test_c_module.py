@@ -26,7 +26,7 @@ from gainproof.derive.printer.kernel import (
     closed,
     signed,
 )
-from gainproof.derive.printer.together import prove_all
+from gainproof.derive.printer.module_bounds import prove_all
 
 KINDS = pytest.mark.parametrize("kind", [np.float64, np.float32])
 

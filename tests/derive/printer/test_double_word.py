@@ -23,12 +23,12 @@ from gainproof.derive.printer.double_word.bound import (
     errors,
     units,
 )
-from gainproof.derive.printer.double_word.single import single_units
+from gainproof.derive.printer.double_word.float32_results import single_units
 from gainproof.derive.printer.formats import FLOAT32, FLOAT64
 from gainproof.derive.printer.graph import GraphBuilder, Node
 from gainproof.derive.printer.kernel import Kernel, Output, closed
 from gainproof.derive.printer.shipped import _double_word as pair
-from gainproof.derive.printer.value import PrintingError
+from gainproof.derive.printer.step_ranges import PrintingError
 
 
 def drawn(count: int, seed: int) -> Any:

@@ -29,8 +29,8 @@ from gainproof.derive.printer.forward import Forward
 from gainproof.derive.printer.graph import GraphBuilder, Node
 from gainproof.derive.printer.newton import Convergence, slopes
 from gainproof.derive.printer.program import program
-from gainproof.derive.printer.unrolled import unrolled
-from gainproof.derive.printer.value import PrintingError
+from gainproof.derive.printer.step_ranges import PrintingError
+from gainproof.derive.printer.unrolled_fixed_point import unrolled
 from gainproof.verify.oracles.ball import enclose
 from gainproof.verify.oracles.spectrum import spectrum
 from gainproof.verify.oracles.state_space import state_space

@@ -17,7 +17,7 @@ from gainproof.derive.printer.fixed_point import fixed_point, near_cbrt
 from gainproof.derive.printer.fpcore import fpcore
 from gainproof.derive.printer.graph import GraphBuilder
 from gainproof.derive.printer.kernel import Kernel, Module, Output, Requirement, closed, signed
-from gainproof.derive.printer.together import prove_all
+from gainproof.derive.printer.module_bounds import prove_all
 
 Tree = Any
 KINDS = {"binary64": np.float64, "binary32": np.float32}

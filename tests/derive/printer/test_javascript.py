@@ -10,10 +10,10 @@ import numpy as np
 import pytest
 
 from gainproof.derive.printer.graph import GraphBuilder
-from gainproof.derive.printer.javascript.played import PLAYED
+from gainproof.derive.printer.javascript.page_kernels import PLAYED
 from gainproof.derive.printer.javascript.script import RUNTIME_NAME, runtime, script, scripts
 from gainproof.derive.printer.kernel import Input, Kernel, Module, Output, Requirement, signed
-from gainproof.derive.printer.library import ULP
+from gainproof.derive.printer.library_functions import ULP
 
 
 def module(*kernels: Kernel, name: str = "small_things") -> Module:

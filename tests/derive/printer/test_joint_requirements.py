@@ -22,7 +22,7 @@ from gainproof.derive.printer.kernel import (
     signed,
 )
 from gainproof.derive.printer.known_values import known_values
-from gainproof.derive.printer.value import PrintingError
+from gainproof.derive.printer.step_ranges import PrintingError
 
 NAMES = "abcd"
 INPUTS = tuple(signed(name, "a number", "1e-3", "2") for name in NAMES)

@@ -10,7 +10,7 @@ import pytest
 from gainproof.derive.printer.arithmetic import Arithmetic
 from gainproof.derive.printer.graph import GraphBuilder, Node
 from gainproof.derive.printer.kernel import Input, Kernel, Output
-from gainproof.derive.printer.least import is_least
+from gainproof.derive.printer.minimum_choices import is_least
 
 PLACE = Fraction(3, 4)
 

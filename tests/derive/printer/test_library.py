@@ -11,7 +11,7 @@ import numpy as np
 import pytest
 from numpy.typing import NDArray
 
-from gainproof.derive.printer.library import NUMPY, ULP, ball, functions_of
+from gainproof.derive.printer.library_functions import NUMPY, ULP, ball, functions_of
 from gainproof.derive.printer.program import FUNCTIONS, Program, Step
 
 COUNTS = [2_000, pytest.param(20_000, marks=pytest.mark.thorough)]

@@ -17,7 +17,6 @@ from graph_kernels import function_of
 from random_expressions import QUANTITIES, VALUE, W, X, Y, Z, cancelling
 from samples import samples
 
-from gainproof.derive.own_expressions.as_written import as_written
 from gainproof.derive.own_expressions.expressions import (
     Argument,
     ExpressionKernel,
@@ -27,17 +26,18 @@ from gainproof.derive.own_expressions.expressions import (
 from gainproof.derive.own_expressions.graphs import graph_of_outputs
 from gainproof.derive.own_expressions.parts import Parts
 from gainproof.derive.own_expressions.subject import derive_expressions
+from gainproof.derive.own_expressions.written_form import as_written
 from gainproof.derive.printer.bound import KernelBound
-from gainproof.derive.printer.cancelling import cancelling as terms_at
+from gainproof.derive.printer.cancellation import cancelling as terms_at
 from gainproof.derive.printer.formats import FLOAT32, FLOAT64, Format
 from gainproof.derive.printer.graph import GraphBuilder
 from gainproof.derive.printer.kernel import Kernel
-from gainproof.derive.printer.loss import Loss, Part, loss_text, power
 from gainproof.derive.printer.lost_digits import with_losses
+from gainproof.derive.printer.lost_digits_text import Loss, Part, loss_text, power
+from gainproof.derive.printer.module_bounds import prove_all
 from gainproof.derive.printer.program import program
 from gainproof.derive.printer.scaling import Group, groups
 from gainproof.derive.printer.taylor import PRECISION, Enclosed, evaluated, monomials
-from gainproof.derive.printer.together import prove_all
 
 DIGITS = 150
 

@@ -12,14 +12,14 @@ import pytest
 from graph_kernels import KINDS
 from numpy.typing import NDArray
 
-from gainproof.derive.printer import near_cbrt
+from gainproof.derive.printer import cube_root_start
 from gainproof.derive.printer.formats import FLOAT32, FLOAT64, FORMATS, Format
 from gainproof.derive.printer.shipped import _bits
 
 
 def near(form: Format, x: float) -> Fraction:
     """The number itself, from its description."""
-    place = form.ordinal(x) // 3 + near_cbrt.added_bits(form)
+    place = form.ordinal(x) // 3 + cube_root_start.added_bits(form)
     return Fraction(form.from_ordinal(place))
 
 
@@ -32,7 +32,7 @@ def extremes(form: Format) -> Iterator[tuple[Fraction, Fraction]]:
     period = form.ordinal(1.0), form.ordinal(8.0)
     cuts = {*period, form.ordinal(2.0), form.ordinal(4.0)}
     for power in (0.25, 0.5, 1.0, 2.0, 4.0):
-        place = 3 * (form.ordinal(power) - near_cbrt.added_bits(form))
+        place = 3 * (form.ordinal(power) - cube_root_start.added_bits(form))
         cuts |= {place + k for k in (-1, 0) if period[0] <= place + k <= period[1]}
     ordered = sorted(cuts)
     for first, last in pairwise(ordered):
@@ -51,7 +51,7 @@ def extremes(form: Format) -> Iterator[tuple[Fraction, Fraction]]:
 @pytest.mark.parametrize("form", FORMATS, ids=lambda form: form.name)
 def test_the_error_over_a_period(form: Format) -> None:
     ratios = [y**3 / x for x, y in extremes(form)]
-    most = (1 + Fraction(near_cbrt.ERROR)) ** 3
+    most = (1 + Fraction(cube_root_start.ERROR)) ** 3
     assert 1 / most < min(ratios)
     assert max(ratios) < most
     # and the constant is no more than it has to be
@@ -85,7 +85,7 @@ def test_the_run_time_computes_it(form: Format) -> None:
 def ends(x: NDArray[np.float64]) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
     """The enclosure of the cube roots of exact numbers."""
     with np.errstate(all="ignore"):
-        return near_cbrt.cube_root((x, x))
+        return cube_root_start.cube_root((x, x))
 
 
 def test_cube_roots_are_enclosed() -> None:

@@ -11,8 +11,8 @@ from typing import Any
 import pytest
 
 from gainproof.derive.printer.graph import GraphBuilder, Node
-from gainproof.derive.printer.nested import DIVISOR, FACTOR, known_factor, nested_fixed_point
-from gainproof.derive.printer.unrolled import unrolled
+from gainproof.derive.printer.nested_roots import DIVISOR, FACTOR, known_factor, nested_fixed_point
+from gainproof.derive.printer.unrolled_fixed_point import unrolled
 
 
 def graph(first: bool = True, second: bool = True) -> dict[str, Any]:

@@ -20,9 +20,9 @@ from gainproof.derive.printer.fixed_point import fixed_point, near_cbrt
 from gainproof.derive.printer.graph import GraphBuilder
 from gainproof.derive.printer.kernel import Kernel, Module, Output, Requirement, closed, signed
 from gainproof.derive.printer.known_values import known_values
+from gainproof.derive.printer.module_bounds import prove_all
 from gainproof.derive.printer.octave import octave_files
 from gainproof.derive.printer.rust import TYPES, rust_files
-from gainproof.derive.printer.together import prove_all
 
 KINDS = {"float64": ("double", np.uint64), "float32": ("single", np.uint32)}
 

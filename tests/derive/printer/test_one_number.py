@@ -13,10 +13,10 @@ from graph_kernels import module_of, simple
 from gainproof.derive.printer import one_number
 from gainproof.derive.printer.graph import Graph, GraphBuilder
 from gainproof.derive.printer.kernel import Input, Kernel, Module, Output, Requirement, signed
+from gainproof.derive.printer.module_bounds import prove_all
 from gainproof.derive.printer.numpy_source import printed
 from gainproof.derive.printer.package import HERE, PLACE
 from gainproof.derive.printer.shipped._numbers import Double, Single, of_numbers
-from gainproof.derive.printer.together import prove_all
 
 FORMS = [(np.float64, Double), (np.float32, Single)]
 

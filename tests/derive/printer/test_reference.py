@@ -26,7 +26,7 @@ from gainproof.derive.printer.kernel import (
     signed,
 )
 from gainproof.derive.printer.program import program
-from gainproof.derive.printer.value import PrintingError
+from gainproof.derive.printer.step_ranges import PrintingError
 
 Write = Callable[[GraphBuilder, Node, Node], Node]
 WIDE = ("1e-30", "1e30", ("1e-6", "1e6"))

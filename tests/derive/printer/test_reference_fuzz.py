@@ -15,7 +15,7 @@ from gainproof.derive.printer.bound import KernelBound, prove
 from gainproof.derive.printer.formats import FLOAT32, FLOAT64, Format
 from gainproof.derive.printer.graph import Graph, GraphBuilder, Node
 from gainproof.derive.printer.kernel import Kernel, Output, closed, signed
-from gainproof.derive.printer.value import PrintingError
+from gainproof.derive.printer.step_ranges import PrintingError
 
 INPUTS = (
     signed("x", "an argument", "1e-60", "1e60", ("1e-12", "1e9")),

@@ -15,7 +15,7 @@ from gainproof.derive.printer.formats import FLOAT32, FLOAT64
 from gainproof.derive.printer.graph import GraphBuilder
 from gainproof.derive.printer.kernel import Input, Kernel, Output, Refinement, closed
 from gainproof.derive.printer.shipped import _double_word
-from gainproof.derive.printer.value import PrintingError
+from gainproof.derive.printer.step_ranges import PrintingError
 
 U = Fraction(1, 2**53)
 EXACT_IMAGE = 2 * U**2

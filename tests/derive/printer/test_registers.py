@@ -9,7 +9,7 @@ from hypothesis import strategies as st
 from samples import samples
 
 from gainproof.derive.printer.graph import GraphBuilder
-from gainproof.derive.printer.outputs_apart import apart
+from gainproof.derive.printer.output_registers import apart
 from gainproof.derive.printer.program import Program, program
 from gainproof.derive.printer.register_plan import SLOW, Plan
 from gainproof.derive.printer.registers import _Planner, plan

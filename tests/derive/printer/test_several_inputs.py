@@ -15,13 +15,13 @@ from pair_points import outside_bounds
 from positive_graphs import positive_graphs
 from samples import samples
 
-from gainproof.derive.printer import frontier, interval
+from gainproof.derive.printer import box_search, interval
 from gainproof.derive.printer.bound import prove
 from gainproof.derive.printer.formats import FLOAT32, FLOAT64, FORMATS, Format
 from gainproof.derive.printer.graph import GraphBuilder
 from gainproof.derive.printer.interval import Interval
 from gainproof.derive.printer.kernel import Kernel
-from gainproof.derive.printer.value import PrintingError
+from gainproof.derive.printer.step_ranges import PrintingError
 
 
 def only(kernel: Kernel, form: Format = FLOAT64) -> Fraction:
@@ -181,7 +181,7 @@ def test_less_work_gives_a_larger_bound(monkeypatch: pytest.MonkeyPatch) -> None
     kernel = two_inputs(lambda b, x, z: (b.sqrt(x + z) + x) / (b.sqrt(x + z) * z + x * 3))
     found = []
     for work in (0, 1_000, 240_000):
-        monkeypatch.setattr(frontier, "WORK", work)
+        monkeypatch.setattr(box_search, "WORK", work)
         found.append(only(kernel))
     assert found[0] > found[1] >= found[2]
     assert found[0] < 2 * found[2]

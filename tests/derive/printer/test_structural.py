@@ -16,15 +16,15 @@ from pair_points import outside_bounds
 from positive_graphs import positive_graphs
 from samples import samples
 
-from gainproof.derive.printer import frontier, proof
+from gainproof.derive.printer import box_search, proof
 from gainproof.derive.printer.adjoint import Adjoint
 from gainproof.derive.printer.bound import prove
 from gainproof.derive.printer.formats import FLOAT32, FLOAT64, FORMATS, Format
 from gainproof.derive.printer.graph import GraphBuilder, Node
 from gainproof.derive.printer.kernel import Kernel
 from gainproof.derive.printer.program import program
+from gainproof.derive.printer.step_ranges import PrintingError
 from gainproof.derive.printer.structural import Structural, measured_by_parts
-from gainproof.derive.printer.value import PrintingError
 
 SLACK = Fraction(2, 100)
 
@@ -41,7 +41,7 @@ class Blind(Adjoint):
 def alone(monkeypatch: pytest.MonkeyPatch) -> None:
     """Only the shape is looked at, in the first boxes."""
     monkeypatch.setattr(proof, "Adjoint", Blind)
-    monkeypatch.setattr(frontier, "WORK", 0)
+    monkeypatch.setattr(box_search, "WORK", 0)
 
 
 def roundings(kernel: Kernel, form: Format = FLOAT64) -> Fraction:

@@ -14,8 +14,8 @@ from gainproof.derive.printer.fixed_point import fixed_point, near_cbrt
 from gainproof.derive.printer.formats import FORMATS
 from gainproof.derive.printer.graph import Graph, GraphBuilder, Node
 from gainproof.derive.printer.kernel import Kernel, Output
-from gainproof.derive.printer.together import prove_all
-from gainproof.derive.printer.value import PrintingError
+from gainproof.derive.printer.module_bounds import prove_all
+from gainproof.derive.printer.step_ranges import PrintingError
 
 ROUNDED_UP = Fraction(1, 100)
 """Bounds are stated in hundredths."""

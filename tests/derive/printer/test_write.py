@@ -12,10 +12,10 @@ from hypothesis import strategies as st
 from samples import samples
 
 from gainproof.derive.printer.canonical_json import WIDTH, canonical_json
+from gainproof.derive.printer.generated_files import all_files
 from gainproof.derive.printer.graph import GraphBuilder
 from gainproof.derive.printer.kernel import Module
 from gainproof.derive.printer.package import CODE, code_source
-from gainproof.derive.printer.write import all_files
 
 
 def module(name: str) -> Module:

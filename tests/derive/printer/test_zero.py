@@ -16,8 +16,8 @@ from gainproof.derive.printer.bound import prove
 from gainproof.derive.printer.formats import FLOAT64, FORMATS
 from gainproof.derive.printer.graph import GraphBuilder, Node
 from gainproof.derive.printer.kernel import Kernel, Output
-from gainproof.derive.printer.value import PrintingError
-from gainproof.derive.printer.zero import zero_cases
+from gainproof.derive.printer.step_ranges import PrintingError
+from gainproof.derive.printer.zero_inputs import zero_cases
 
 Write = Callable[[GraphBuilder, Node, Node], Node]
 

@@ -21,7 +21,7 @@ from signed_graphs import with_terms
 from gainproof.derive.expression import real
 from gainproof.derive.printer.kernel import Input, Limit, closed
 from gainproof.derive.stable_form import NoReading, StableForm, stable
-from gainproof.derive.stable_form.atoms import RULES
+from gainproof.derive.stable_form.function_atoms import RULES
 from gainproof.verify.certificate import check
 
 A, B, E, X, Z = map(real, "abexz")

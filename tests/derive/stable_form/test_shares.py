@@ -19,7 +19,7 @@ from gainproof.derive.printer.kernel import Kernel, Output, closed
 from gainproof.derive.stable_form import stable
 from gainproof.derive.stable_form.candidates import BY_SHARES, _candidates, _orders
 from gainproof.derive.stable_form.coordinates import coordinates
-from gainproof.derive.stable_form.emission import Emission
+from gainproof.derive.stable_form.graph_nodes import Emission
 from gainproof.verify.certificate import check
 
 X, Y = real("x"), real("y")

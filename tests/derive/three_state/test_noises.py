@@ -9,7 +9,7 @@ from one_of_each import cases
 
 from gainproof.derive.families.kinematic_acceleration import position_velocity_acceleration_model
 from gainproof.derive.model import Model, ModelError
-from gainproof.derive.printer.together import prove_all
+from gainproof.derive.printer.module_bounds import prove_all
 from gainproof.derive.quantity import METRE, SAMPLING_INTERVAL, SECOND, Quantity
 from gainproof.derive.steady_state.spectrum import V
 from gainproof.derive.three_state.context import context

@@ -15,9 +15,9 @@ from samples import samples
 
 from gainproof.derive.vector_measurement import radicands
 from gainproof.derive.vector_measurement.derivative_kernels import BY_INDEX, BY_RATIO, DERIVATIVES
+from gainproof.derive.vector_measurement.first_derivatives import Rates
 from gainproof.derive.vector_measurement.forms import Basis
-from gainproof.derive.vector_measurement.noise import Noise
-from gainproof.derive.vector_measurement.rates import Rates
+from gainproof.derive.vector_measurement.process_noise import Noise
 
 NOISES = {
     "random_velocity": Noise(Fraction(1), Fraction(0)),

@@ -15,7 +15,7 @@ from gainproof.derive.vector_measurement import forms, radicands
 from gainproof.derive.vector_measurement.context import context
 from gainproof.derive.vector_measurement.forms import Basis
 from gainproof.derive.vector_measurement.model import measured_model
-from gainproof.derive.vector_measurement.noise import Noise
+from gainproof.derive.vector_measurement.process_noise import Noise
 from gainproof.verify.oracles import doubling, position_velocity
 from gainproof.verify.oracles.multiprecision import fraction
 

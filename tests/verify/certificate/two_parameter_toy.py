@@ -14,7 +14,7 @@ import sympy as sp
 
 from gainproof.derive.algebra.evidence import evidence
 from gainproof.derive.algebra.limits import End
-from gainproof.derive.algebra.plain import tower_data
+from gainproof.derive.algebra.plain_data import tower_data
 from gainproof.derive.algebra.tower import Generator, Parameter, Tower
 from gainproof.derive.derivation import Step
 from gainproof.derive.expression import graph_of, real

@@ -12,10 +12,10 @@ from gainproof.derive.printer.affine import in_two_parts
 from gainproof.derive.printer.arithmetic import UFUNC
 from gainproof.derive.printer.formats import FLOAT64, FORMATS
 from gainproof.derive.printer.kernel import Kernel
-from gainproof.derive.printer.plain import plain
+from gainproof.derive.printer.printed_program import plain
 from gainproof.derive.printer.program import Program
 from gainproof.derive.printer.register_plan import late
-from gainproof.derive.printer.threshold import threshold
+from gainproof.derive.printer.select_conditions import threshold
 from gainproof.generated._bits import near_cbrt
 
 Doubles = NDArray[np.float64]

@@ -9,10 +9,10 @@ from gainproof.derive.printer.affine import in_two_parts
 from gainproof.derive.printer.constant import Constant
 from gainproof.derive.printer.formats import FLOAT64
 from gainproof.derive.printer.kernel import Kernel
-from gainproof.derive.printer.plain import plain
+from gainproof.derive.printer.printed_program import plain
 from gainproof.derive.printer.program import Program
 from gainproof.derive.printer.registers import plan
-from gainproof.derive.printer.threshold import threshold
+from gainproof.derive.printer.select_conditions import threshold
 
 SIGN = {"add": "+", "sub": "-", "mul": "*", "div": "/"}
 
