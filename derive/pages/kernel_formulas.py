@@ -79,7 +79,6 @@ def read_sections(text: str) -> tuple[Section, ...]:
     return tuple(Section(*each) for each in found)
 
 
-@cache
 def read_page(page: Path) -> tuple[Section, ...]:
     """The sections of a file. Raises PageError, with file and line, for what is no formula."""
     try:
@@ -112,6 +111,12 @@ def _condition(text: str) -> Condition:
     return Condition(read_formula(match[1]), match[2], read_formula(match[3]))
 
 
+@cache
+def page_sections(page: Path) -> tuple[Section, ...]:
+    """What `read_page` reads, of files that do not change while the program runs."""
+    return read_page(page)
+
+
 def formula_of(kernel: str, output: str) -> str:
     """The name of the formula by which a kernel computes an output."""
     if kernel.endswith("_second_derivatives"):
@@ -133,7 +138,7 @@ def formula_graph(
     Raises as `kernel_values` does.
     """
     wanted = [f"{name}{end}" for name in outputs.values() for end in ("", SCALE, TURN)]
-    found = kernel_values(read_page(page), known, wanted)
+    found = kernel_values(page_sections(page), known, wanted)
     made: dict[str, Value] = {}
     turns: dict[str, Node] = {}
     for output, name in outputs.items():

@@ -12,7 +12,7 @@ from gainproof.derive.pages.kernel_formulas import (
     formula_graph,
     formula_of,
     kernel_values,
-    read_page,
+    page_sections,
 )
 from gainproof.derive.printer.graph import Graph, GraphBuilder, Node
 from gainproof.derive.steady_state import gain_kernels, inverses
@@ -85,7 +85,7 @@ def symbolic_forms(
     """Formulas of the page over the named quantities, by name; `more` is known besides."""
     known: dict[str, Any] = {"Lambda": INDEX, "kappa": KAPPA, "rho": RHO, "twice": 2 * RHO}
     known |= {"half_eta": INDEX * KAPPA, "root_3": ROOT_3, "unit": Fraction(1), "e": e, "n": n}
-    return kernel_values(read_page(FORMULAS), {**known, **(more or {})}, names)
+    return kernel_values(page_sections(FORMULAS), {**known, **(more or {})}, names)
 
 
 def _known(
@@ -209,7 +209,7 @@ def pole_graph(e: Fraction, n: Fraction) -> Graph:
 def _poles(known: Mapping[str, Any]) -> tuple[Any, Any, Any]:
     """The mean of the poles, half their distance, and the root of their product."""
     names = ("centre", "half_width", "inverse_sigma")
-    found = kernel_values(read_page(FORMULAS), known, names)
+    found = kernel_values(page_sections(FORMULAS), known, names)
     return found["centre"], found["half_width"], found["inverse_sigma"]
 
 

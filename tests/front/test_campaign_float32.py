@@ -172,16 +172,16 @@ def harmed(kernel: Swept, old: str, new: str) -> str:
 def test_the_digest_is_of_what_is_computed_and_not_of_where() -> None:
     kernel = KERNELS["random_acceleration.gains_with_derivatives"]
     text = inspect.getsource(kernel.signature.block)
-    (last,) = re.findall(r"    multiply\((t16), (t20), (d_beta)\)", text)
+    (last,) = re.findall(r"    multiply\((\w+), (\w+), (d_beta)\)", text)
     one, other, out = last
     place = f"multiply({one}, {other}, {out})"
     assert harmed(kernel, place, f"multiply({one}, {other}, out={out})") == kernel.digest()
-    assert harmed(kernel, "w0, w1 = work", "w1, w0 = work") == kernel.digest()
+    assert harmed(kernel, "w0, w1, w2 = work", "w1, w0, w2 = work") == kernel.digest()
     for other_text in (f"multiply({one}, {one}, {out})", f"add({one}, {other}, {out})"):
         assert harmed(kernel, place, other_text) != kernel.digest()
     # another number, a value that is overwritten before it is read, an output that is not filled
-    assert harmed(kernel, "n1: float = 0.25", "n1: float = 0.5") != kernel.digest()
-    scaled = "t5 = multiply(tracking_index, n1, w1)"
+    assert harmed(kernel, "n2: float = 0.25", "n2: float = 0.75") != kernel.digest()
+    scaled = "t8 = multiply(tracking_index, n2, w1)"
     assert harmed(kernel, scaled, scaled.replace("w1", "w0")) != kernel.digest()
     assert harmed(kernel, f"    {place}\n", "") != kernel.digest()
     # a value may be copied on the way; what is more than functions of one result is refused
