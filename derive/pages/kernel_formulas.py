@@ -135,13 +135,15 @@ def formula_graph(
 ) -> Graph:
     """The graph of outputs, each by the name of its formula; a difference with a scale has a name.
 
-    Raises as `kernel_values` does.
+    Raises as `page_values` does, and PageError for an output without a formula.
     """
     wanted = [f"{name}{end}" for name in outputs.values() for end in ("", SCALE, TURN)]
-    found = kernel_values(page_sections(page), known, wanted)
+    found = page_values(page, known, wanted)
     made: dict[str, Value] = {}
     turns: dict[str, Node] = {}
     for output, name in outputs.items():
+        if name not in found:
+            raise PageError(f"{place_of(page)}: the output {name!r} has no formula")
         made[output] = found[name]
         # a scale of 0 says that nothing cancels
         if found.get(f"{name}{SCALE}", 0) != 0:
@@ -149,6 +151,17 @@ def formula_graph(
             turn = f"{name}{TURN}"
             turns[f"{output}{TURN}"] = found[turn if turn in found else name]
     return builder.graph(made, {**names, **turns})
+
+
+def page_values(page: Path, known: Mapping[str, Value], names: Iterable[str]) -> dict[str, Value]:
+    """What `kernel_values` makes of the formulas of a file.
+
+    Raises PageError, with the file, where that raises FormulaError.
+    """
+    try:
+        return kernel_values(page_sections(page), known, names)
+    except FormulaError as error:
+        raise PageError(f"{place_of(page)}: {error}") from None
 
 
 def kernel_values(

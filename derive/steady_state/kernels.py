@@ -11,8 +11,7 @@ from gainproof.derive.pages.kernel_formulas import (
     FIRST,
     formula_graph,
     formula_of,
-    kernel_values,
-    page_sections,
+    page_values,
 )
 from gainproof.derive.printer.graph import Graph, GraphBuilder, Node
 from gainproof.derive.steady_state import gain_kernels, inverses
@@ -85,7 +84,7 @@ def symbolic_forms(
     """Formulas of the page over the named quantities, by name; `more` is known besides."""
     known: dict[str, Any] = {"Lambda": INDEX, "kappa": KAPPA, "rho": RHO, "twice": 2 * RHO}
     known |= {"half_eta": INDEX * KAPPA, "root_3": ROOT_3, "unit": Fraction(1), "e": e, "n": n}
-    return kernel_values(page_sections(FORMULAS), {**known, **(more or {})}, names)
+    return page_values(FORMULAS, {**known, **(more or {})}, names)
 
 
 def _known(
@@ -209,7 +208,7 @@ def pole_graph(e: Fraction, n: Fraction) -> Graph:
 def _poles(known: Mapping[str, Any]) -> tuple[Any, Any, Any]:
     """The mean of the poles, half their distance, and the root of their product."""
     names = ("centre", "half_width", "inverse_sigma")
-    found = kernel_values(page_sections(FORMULAS), known, names)
+    found = page_values(FORMULAS, known, names)
     return found["centre"], found["half_width"], found["inverse_sigma"]
 
 

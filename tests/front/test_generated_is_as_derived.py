@@ -74,6 +74,20 @@ def test_one_subject_brings_the_code_that_it_shares_and_leaves_the_others(
     assert cli.main(["generate", "least-squares-mean", "--check"]) == 0
 
 
+def test_what_the_checker_rejects_is_not_written(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: Capture
+) -> None:
+    report = {"accepted": False, "given_up": False, "reason": "kernel-gains: another value"}
+    monkeypatch.setattr(places, "generated_folder", lambda: tmp_path)
+    monkeypatch.setattr(derivations, "recheck", lambda pairs, _session: [report for _ in pairs])
+    for options in ([], ["--check"]):
+        assert cli.main(["generate", "least-squares-mean", *options]) == 2
+        said = capsys.readouterr().err
+        assert "least-squares-mean: the checker rejects the derivation, nothing is written" in said
+        assert "kernel-gains: another value" in said
+    assert not list(tmp_path.iterdir())
+
+
 def test_subjects_agree_on_the_files_that_they_share() -> None:
     parts = [{"module": m, "title": m, "files": {"_shared.py": "x", m: m}} for m in ("a", "b")]
     files = generated_files.together(parts)

@@ -91,9 +91,12 @@ def run(options: argparse.Namespace) -> int:
 
 def _own_folder(options: argparse.Namespace, session: Session) -> int:
     from gainproof.files import places
-    from gainproof.subjects import bounds_ledger, drift, generated_files
+    from gainproof.subjects import bounds_ledger, derivations, drift, generated_files
 
     folder = places.generated_folder()
+    derivations.require_names(options.subjects)
+    chosen = options.subjects or derivations.catalogue()
+    derivations.require_accepted(chosen, derivations.derive(chosen, session), session)
     files = generated_files.fresh(options.subjects, session)
     only = bool(options.subjects)
     differences = drift.compare(files, folder, only=only, exactly=not options.check)

@@ -65,16 +65,7 @@ def fresh(
         found = [each for each in found if each["part"]["kernels"]]
     chosen_kernels.require_found(chosen, [each["part"] for each in found], kernels)
     derived = [derived_from(each["derived"]) for each in found]
-    pairs = [(each.certificate, each) for each in derived]
-    for subject, report in zip(chosen, derivations.recheck(pairs, session), strict=True):
-        if not report["accepted"]:
-            said = "the checker rejects the derivation, no kernel is written"
-            if report["given_up"]:
-                said = (
-                    "the derivation is too long for the checker, no kernel is written; write the "
-                    "numbers of the model with fewer digits"
-                )
-            raise BadInputError(f"{subject}: {said}: {report['reason']}")
+    derivations.require_accepted(chosen, derived, session)
     parts = [_aimed(each["part"], targets) for each in found]
     _require_apart(chosen, parts)
     remarks = [Remark(**each) for part in parts for each in part["remarks"]]

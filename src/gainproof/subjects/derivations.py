@@ -172,3 +172,19 @@ def own_report(derived: Derived, session: Session) -> dict[str, Any]:
     """The checker's report on the certificate that the derivation has just written."""
     (report,) = recheck([(derived.certificate, derived)], session)
     return dict(report)
+
+
+def require_accepted(chosen: Sequence[str], derived: Sequence[Derived], session: Session) -> None:
+    """Raises BadInputError, with the name as it was chosen and the checker's reason, for the first
+    derivation whose certificate the checker does not accept.
+    """
+    pairs = [(each.certificate, each) for each in derived]
+    for name, report in zip(chosen, recheck(pairs, session), strict=True):
+        if not report["accepted"]:
+            said = "the checker rejects the derivation, nothing is written"
+            if report["given_up"]:
+                said = (
+                    "the derivation is too long for the checker, nothing is written; write the "
+                    "numbers of the model with fewer digits"
+                )
+            raise BadInputError(f"{name}: {said}: {report['reason']}")
