@@ -91,7 +91,8 @@ def _cell(x: float, digits: int) -> str:
 def _upwards(x: float) -> str:
     """One digit, rounded up."""
     power = floor(log10(x))
-    return f"{ceil(Fraction(x) / Fraction(10) ** power)}e{power:+03d}"
+    digit = ceil(Fraction(x) / Fraction(10) ** power)
+    return f"{digit}e{power:+03d}" if digit < 10 else f"1e{power + 1:+03d}"
 
 
 def _pole(pole: Pole) -> str:

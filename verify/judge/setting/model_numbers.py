@@ -6,6 +6,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from fractions import Fraction
+from math import ceil
 
 import flint
 
@@ -25,6 +26,8 @@ from gainproof.verify.judge.scope import Scope
 from gainproof.verify.judge.setting.environment import algebra
 
 PRECISION = 320
+DIGITS = 70
+"""Of a centre."""
 
 
 class NoNumberError(ValueError):
@@ -81,7 +84,7 @@ class _Reading:
             raise NoNumberError(f"{where}: {error}") from None
         if not ball.is_finite():
             raise NoNumberError(f"{where}: no finite value")
-        return _exact(ball.mid()), _exact(ball.rad())
+        return _rounded(_exact(ball.mid()), _exact(ball.rad()))
 
     def at(self, graph: Graph) -> Expr:
         found = self.scope.expression(graph)
@@ -110,7 +113,7 @@ class _Reading:
 
 
 def _even(box: Box) -> Box:
-    """The box with balls across the diagonal made one where they meet: a covariance is symmetric."""
+    """The box, with balls across the diagonal made one: a covariance is symmetric."""
     c, r = [list(row) for row in box.c], [list(row) for row in box.radius]
     for i in range(len(c)):
         for j in range(i):
@@ -121,6 +124,15 @@ def _even(box: Box) -> Box:
             elif c[i][j] == c[j][i]:
                 r[i][j] = r[j][i] = max(r[i][j], r[j][i])
     return Box(c, r)
+
+
+def _rounded(centre: Fraction, radius: Fraction) -> tuple[Fraction, Fraction]:
+    """To decimals, outwards, so that certificates stay short."""
+    size = max(abs(centre), radius)
+    places = DIGITS - len(str(int(size))) + len(str(int(1 / size)))
+    grid = Fraction(10) ** -places
+    near = round(centre / grid) * grid
+    return near, ceil((radius + abs(centre - near)) / grid) * grid
 
 
 def _exact(x: flint.arb) -> Fraction:
