@@ -30,7 +30,7 @@ def model(f: Any, h: Any, q: Any, r: Any, s: Any = None) -> Model:
         tuple(f"state {i + 1}" for i in range(n)),
         tuple(f"measurement {j + 1}" for j in range(m)),
     )
-    return Model(*(boxed(x) for x in (f, h, q, r, none if s is None else s)), names)
+    return Model(boxed(f), boxed(h), boxed(q), boxed(r), boxed(none if s is None else s), names)
 
 
 def limit(of: Model, steps: int = 3000) -> dict[str, Grid]:

@@ -204,7 +204,8 @@ def _certified(model: Model, known: Relations, asked: int) -> Found:
     loop = (f - _balls(Box(predictor)) * h).mid()
     margin, in_units = _margins(loop, h, p, sigma)
     below = _summed(loop, margin)
-    above = _summed(_rows(loop, free) * b, [margin[i] for i in free]) if free else None
+    if free:
+        above = _summed(_rows(loop, free) * b, [margin[i] for i in free])
     floor = _floor(sigma)
     guard = GUARD + n.bit_length() + 2 * max([0, *(_log2(x) for x in in_units.entries() if x != 0)])
     spread = [_log2(below[i, i]) - _log2(p[i, i]) for i in range(n) if p[i, i] > 0]

@@ -10,6 +10,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
+from typing import Any
 
 import flint
 
@@ -176,7 +177,8 @@ def _placed(factor: flint.fmpz_poly) -> list[tuple[int, flint.acb]]:
     bits = 64
     while bits <= MOST_BITS:
         with flint.ctx.workprec(bits):
-            roots = [z for z, _ in factor.complex_roots()]
+            pairs: Any = factor.complex_roots()
+            roots = [z for z, _ in pairs]
             found: list[tuple[int, flint.acb]] = []
             for z in roots:
                 size = abs(z)

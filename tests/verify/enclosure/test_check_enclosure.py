@@ -36,7 +36,7 @@ def scalar(**changes: str) -> Data:
 
 def test_a_certificate_by_hand_encloses_the_solution_that_is_stable() -> None:
     found = decide(scalar())
-    true = {"predicted": 3, "updated": Fraction(3, 4), "filter": Fraction(3, 4), "predictor": 1.5}
+    true = {"predicted": "3", "updated": "3/4", "filter": "3/4", "predictor": "3/2"}
     for name, value in true.items():
         assert abs(found[name].c[0][0] - Fraction(value)) <= found[name].radius[0][0] < 0.01
 

@@ -9,7 +9,7 @@ from fractions import Fraction
 from itertools import product
 
 import pytest
-from riccati_recursion import Grid, drawn, limit, model
+from riccati_recursion import Grid, boxed, drawn, limit, model
 from samples import samples
 
 from gainproof.verify.check_enclosure import Box
@@ -21,12 +21,6 @@ from gainproof.verify.oracles.state_space import StateSpace
 
 HALF = Fraction(1, 2**54)
 Rows = list[list[int | str]]
-
-
-def values(of: Model) -> dict[str, Grid]:
-    """The centres, whose errors are looked at too."""
-    found = steady(of).enclosures
-    return {name: box.c for name, box in found.items()}
 
 
 def assert_encloses(of: Model, true: dict[str, Grid]) -> None:
@@ -58,16 +52,13 @@ def test_a_measurement_without_noise() -> None:
     solves the equation too, with a pole at -2.
     """
     of = model([[1, 1], [0, 1]], [[1, 0]], [[1, 3], [3, 9]], [[0]])
-    true = (
-        [[4, 6], [6, 12]],
-        [[0, 0], [0, 3]],
-        [[1], [Fraction(3, 2)]],
-        [[Fraction(5, 2)], [Fraction(3, 2)]],
-    )
-    names = ("predicted", "updated", "filter", "predictor")
-    assert_encloses(
-        of, {n: [[Fraction(x) for x in r] for r in g] for n, g in zip(names, true, strict=True)}
-    )
+    true = {
+        "predicted": boxed([[4, 6], [6, 12]]).c,
+        "updated": boxed([[0, 0], [0, 3]]).c,
+        "filter": boxed([[1], ["3/2"]]).c,
+        "predictor": boxed([["5/2"], ["3/2"]]).c,
+    }
+    assert_encloses(of, true)
     found = steady(of).enclosures
     assert found["updated"].radius[0] == [0, 0]
     assert found["updated"].c[0] == [0, 0]
