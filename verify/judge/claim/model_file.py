@@ -63,7 +63,7 @@ def read_model_text(text: str, path: str = "model") -> ModelFile:
     file_text, parsed = toml_of(text, path)
     found = None
     try:
-        found = _model(file_text, Fields(file_text, "model", parsed, TABLES))
+        found = _model(file_text, Fields(file_text, "model", parsed, TABLES, 1))
     except ClaimFileError as error:
         file_text.found.append(error)
     except TooManyError:
@@ -85,7 +85,7 @@ def _model(text: FileText, fields: Fields) -> ModelFile | None:
     fault = shared_fault(table.sound)
     if fault is not None:
         raise text.error(f"symbols.{fault.token}.{fault.field}", f"dimensions: {fault.problem}")
-    symbols = {token: _number(text, token, entry) for token, entry in table.sound.items()}
+    symbols = {token: _number(text, token, entry) for token, entry in table.symbols.items()}
     model = read_own_model(fields, symbols)
     if model is None:
         raise fields.fail(MATRICES[0], "this matrix is missing: a model has four")

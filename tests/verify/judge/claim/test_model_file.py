@@ -174,6 +174,15 @@ def test_entries_that_are_not_rational_come_as_boxes() -> None:
         model_at(read_model_text(SINGER), values | {"n": Fraction(1, 2)})
 
 
+def test_what_is_zero_or_very_large_beside_an_exponential() -> None:
+    values = {"T": Fraction(1), r"\tau": Fraction(3), r"\sigma": Fraction(0), "n": Fraction(4)}
+    assert model_at(read_model_text(SINGER), values).q.c == [[0, 0], [0, 0]]
+    assert model_at(read_model_text(SINGER), values).q.r is None
+    text = SINGER.replace(r"\exp(-T/\tau)", r"\exp(T/\tau)")
+    with pytest.raises(NoNumberError, match="row 1, column 2: a number of about 2\\^"):
+        model_at(read_model_text(text), values | {r"\tau": Fraction(1, 10**4)})
+
+
 def test_a_division_by_zero_is_told_with_its_entry() -> None:
     text = CLOCK.replace("'T > 0'", r"'T \geq 0'").replace('"q_2 T"]', '"q_2 T^2/T"]')
     with pytest.raises(NoNumberError, match="process_noise, row 2, column 2"):
