@@ -99,7 +99,9 @@ def test_all_mistakes_of_a_file_are_told(plane: Path, capsys: pytest.CaptureFixt
     assert cli.main(["steady", str(plane)]) == 2
     told = capsys.readouterr().err
     assert "plane.toml, line 15: symbols.T.unit: " in told
-    assert "plane.toml, line 7, column 19: model.process_noise: the symbol q_3 is not declared" in told
+    assert (
+        "plane.toml, line 7, column 19: model.process_noise: the symbol q_3 is not declared" in told
+    )
 
 
 def test_a_model_in_python_is_not_executed(

@@ -40,6 +40,15 @@ def answered(options: argparse.Namespace) -> int:
     return 0
 
 
+def asked(text: str, at: str) -> dict[str, Any]:
+    """The steady state of the model in a text, as data. Raises BadInputError."""
+    if len(text.encode("utf-8", "replace")) > MOST_BYTES:
+        raise BadInputError(f"the text has more than {MOST_BYTES} bytes")
+    model = read_model(text, "text")
+    values = values_of(model, at)
+    return plain(model, values, at_values(model, values))
+
+
 def read_model(text: str, name: str) -> ModelFile:
     """The model in a text. Raises BadInputError with all that is wrong in it."""
     try:

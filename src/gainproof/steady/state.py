@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 from fractions import Fraction
 from math import inf, nextafter
@@ -57,11 +57,11 @@ class SteadyState:
 
 
 def steady_state(
-    transition: Sequence[Sequence[Any]],
-    measurement: Sequence[Sequence[Any]],
-    process_noise: Sequence[Sequence[Any]],
-    measurement_noise: Sequence[Sequence[Any]],
-    cross_noise: Sequence[Sequence[Any]] | None = None,
+    transition: Iterable[Iterable[Any]],
+    measurement: Iterable[Iterable[Any]],
+    process_noise: Iterable[Iterable[Any]],
+    measurement_noise: Iterable[Iterable[Any]],
+    cross_noise: Iterable[Iterable[Any]] | None = None,
 ) -> SteadyState:
     """See `gainproof.steady_state`."""
     f = _box("F", transition)
