@@ -16,7 +16,7 @@ from scipy.linalg import solve_discrete_are
 
 import gainproof
 from gainproof import cli
-from gainproof.steady.state import Enclosed
+from gainproof.steady.state import Enclosed, first_samples
 from gainproof.verify import check_enclosure
 
 PLANE = """
@@ -71,6 +71,39 @@ def test_a_certificate_for_strangers(plane: Path, tmp_path: Path) -> None:
     done = subprocess.run(command, capture_output=True, text=True, check=True)
     assert "proved" in done.stdout
     assert '"1/3"' in done.stdout
+
+
+def test_the_first_samples(plane: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    """From the variance 1 of a position measured with the variance 1 the gain is 1/2 at first; of
+    the velocity it is 0 then.
+    """
+    said = ["steady", str(plane), "--at", "T=1,q=1,R=1", "--first", "3"]
+    assert cli.main(said) == 2
+    assert "--first needs `start`" in capsys.readouterr().err
+    unit = [[int(i == j) for j in range(4)] for i in range(4)]
+    plane.write_text(PLANE.replace("[symbols]", f"start = {unit}\n\n[symbols]"))
+    assert cli.main(said) == 0
+    page = capsys.readouterr().out
+    assert "x, east" in page
+    assert "  1" in page
+    assert cli.main([*said, "--json"]) == 0
+    found = json.loads(capsys.readouterr().out)["samples"]
+    assert [row[0] for row in found[0]["filter_gain"]["values"]] == [0.5, 0, 0, 0]
+    assert found[2]["filter_gain"]["errors"][0][0] < 1e-16
+    for wrong, words in ((["--first", "0"], "1 to 1000"), (["--first", "x"], "a whole number")):
+        assert cli.main([*said, *wrong]) == 2
+        assert words in capsys.readouterr().err
+    assert cli.main([*said, "--certificate", str(plane.parent / "c")]) == 2
+    assert "belongs to the steady state" in capsys.readouterr().err
+
+
+def test_the_first_samples_from_python() -> None:
+    """Gains 1/2, 1/3, 1/4 of a mean, by hand."""
+    found = first_samples([[1]], [[1]], [[0]], [[1]], [[1]], 3)
+    assert [each.filter_gain.values[0][0] for each in found] == [1 / 2, 1 / 3, 1 / 4]
+    for start, words in (([[1, 0]], "start: wanted 1 by 1"), ([[-1]], "start: row 1, column 1")):
+        with pytest.raises(gainproof.BadInputError, match=words):
+            first_samples([[1]], [[1]], [[0]], [[1]], start, 3)
 
 
 @pytest.mark.parametrize(

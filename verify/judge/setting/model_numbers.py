@@ -36,8 +36,9 @@ class NoNumberError(ValueError):
     """A model has no value at these values; the message says where."""
 
 
-def model_at(file: ModelFile, values: Mapping[str, Fraction]) -> Model:
-    """The model where its free symbols have these values, by token.
+def model_at(file: ModelFile, values: Mapping[str, Fraction]) -> tuple[Model, Box | None]:
+    """The model where its free symbols have these values, by token, and the covariance of its first
+    prediction, if it says one.
 
     Raises NoNumberError where a symbol is missing, unknown or outside of its domain, and where an
     entry has no value.
@@ -49,9 +50,10 @@ def model_at(file: ModelFile, values: Mapping[str, Fraction]) -> Model:
     r = _even(reading.box("measurement_noise", own.measurement_noise))
     none = Box([[Fraction(0)] * m for _ in range(n)])
     s = reading.box("cross_noise", file.cross) if file.cross else none
+    start = _even(reading.box("start", file.start)) if file.start else None
     reading.require_domains()
     names = tuple(c.name for c in file.states), tuple(c.name for c in file.measurements)
-    return Model(f, h, q, r, s, names)
+    return Model(f, h, q, r, s, names), start
 
 
 class _Reading:

@@ -38,7 +38,7 @@ VALUES = {
 
 
 def test_a_clock_in_numbers() -> None:
-    found = model_at(read_model_text(CLOCK), VALUES)
+    found, _ = model_at(read_model_text(CLOCK), VALUES)
     assert found.f.c == [[1, 2], [0, 1]]
     assert found.q.c[0] == [Fraction("2e-22") + Fraction("8e-28"), Fraction("6e-28")]
     assert found.r.c == [[Fraction("1e-18")]]
@@ -71,7 +71,7 @@ measurement_noise = [[1]]
     ],
 )
 def test_numbers_are_taken_as_they_are_printed(text: str, value: str) -> None:
-    found = model_at(read_model_text(PLAIN.format(f=f"[{text}]", q="1")), {})
+    found, _ = model_at(read_model_text(PLAIN.format(f=f"[{text}]", q="1")), {})
     assert found.f.c == [[Fraction(value)]]
 
 
@@ -97,7 +97,8 @@ def test_what_is_no_number_and_no_formula_is_refused(text: str) -> None:
         ('"s", frequency', '"seconds", frequency', "states: phase: 'seconds'"),
         ('{ offset = "s" }', "{}", "measurements: a table of 1 names"),
         ('unit = "s^-1"', 'unit = "ms"', "1/1000 s"),
-        ("measurements =", 'cross_noise = [["0"]]\nmeasurements =', "wanted 2 by 1, states by"),
+        ("measurements =", 'cross_noise = [["0"]]\nmeasurements =', "cross_noise: wanted 2 by 1"),
+        ("measurements =", 'start = [["T"]]\nmeasurements =', "start: wanted 2 by 2"),
         ("'T > 0'", "'S > 0'", "S"),
     ],
 )  # fmt: skip
@@ -155,7 +156,7 @@ states = { position = "m", velocity = "m/s" }
 
 def test_entries_that_are_not_rational_come_as_boxes() -> None:
     values = {"T": Fraction(1), r"\tau": Fraction(3), r"\sigma": Fraction(2), "n": Fraction(4)}
-    found = model_at(read_model_text(SINGER), values)
+    found, _ = model_at(read_model_text(SINGER), values)
     with mpmath.workdps(60):
         e = mpmath.exp(-mpmath.mpf(1) / 3)
         true = {
@@ -176,8 +177,8 @@ def test_entries_that_are_not_rational_come_as_boxes() -> None:
 
 def test_what_is_zero_or_very_large_beside_an_exponential() -> None:
     values = {"T": Fraction(1), r"\tau": Fraction(3), r"\sigma": Fraction(0), "n": Fraction(4)}
-    assert model_at(read_model_text(SINGER), values).q.c == [[0, 0], [0, 0]]
-    assert model_at(read_model_text(SINGER), values).q.r is None
+    assert model_at(read_model_text(SINGER), values)[0].q.c == [[0, 0], [0, 0]]
+    assert model_at(read_model_text(SINGER), values)[0].q.r is None
     text = SINGER.replace(r"\exp(-T/\tau)", r"\exp(T/\tau)")
     with pytest.raises(NoNumberError, match="row 1, column 2: a number of about 2\\^"):
         model_at(read_model_text(text), values | {r"\tau": Fraction(1, 10**4)})
