@@ -120,6 +120,7 @@ def test_a_hypothesis_about_a_letter_counts_more_than_what_it_usually_is(
     assert meaning in ("n x n", "m x m")
     other = judge.ask(f"{letter} >= 0", given=[f"{letter} > 0"], model="matrices")
     assert other.verdict == "proved"
+    assert judge.ask(f"{letter} >= 0", model="matrices").verdict != "proved"  # by a guess
 
 
 def _definite(rng: np.random.Generator, size: int) -> Any:

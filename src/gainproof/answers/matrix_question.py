@@ -174,7 +174,7 @@ def _way(parts: _Parts, filter_: Mapping[str, str]) -> _Way:
         relations = each.formula.readings[0].relations
         return with_sizes(relations_to_latex(relations) if each.plain else each.text)
 
-    signs = _with_a_sign(parts.conditions)
+    signs = _with_a_sign((parts.asked, *parts.conditions))
     entries: dict[str, tuple[str, str, bool]] = {}
     for token, (rows, columns) in shapes.letters.items():
         if NUMBERED.fullmatch(token):
@@ -189,7 +189,7 @@ def _way(parts: _Parts, filter_: Mapping[str, str]) -> _Way:
         is_guess = token not in parts.reader.said
         usual = SYMMETRIC.get(base_letter(token), "") if square and is_guess else ""
         if token in signs:
-            usual = ""  # the hypothesis may be weaker
+            usual = ""  # the hypothesis may be weaker, and the formula is not shown by a guess
         properties = own.properties or ((usual,) if usual else ())
         shape = f"shape = [{quoted(size(rows))}, {quoted(size(columns))}]"
         stated = f", is = [{', '.join(map(quoted, properties))}]" if properties else ""
@@ -215,9 +215,9 @@ def _way(parts: _Parts, filter_: Mapping[str, str]) -> _Way:
     )
 
 
-def _with_a_sign(conditions: Sequence[Typed]) -> set[str]:
-    """Letters that a hypothesis compares with zero."""
-    relations = [r for each in conditions for r in each.formula.readings[0].relations]
+def _with_a_sign(formulas: Sequence[Typed]) -> set[str]:
+    """Letters that formulas compare with zero."""
+    relations = [r for each in formulas for r in each.formula.readings[0].relations]
     sides = [pair for r in relations for pair in ((r.left, r.right), (r.right, r.left))]
     alone = (
         one["nodes"] for one, other in sides if other["nodes"] == ZERO and len(one["nodes"]) == 1
