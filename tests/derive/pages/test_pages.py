@@ -13,6 +13,7 @@ from gainproof.derive.algebra.tower import Parameter, Tower
 from gainproof.derive.catalogue import CATALOGUE
 from gainproof.derive.derivation import PageError, Step
 from gainproof.derive.expression import real
+from gainproof.derive.pages import reflow
 from gainproof.derive.pages.derivation import FOLDER, Given, page_of, written
 from gainproof.derive.pages.page import read_page
 from gainproof.derive.printer.graph import Graph, GraphBuilder
@@ -27,6 +28,30 @@ PAGES = sorted(FOLDER.glob("*.md"))
 def test_a_page_is_printed_back_as_it_is_written(path: Path) -> None:
     text = path.read_text(encoding="utf-8")
     assert str(read_page(text, path.name, frozenset())) == text
+
+
+def test_lines_of_a_page_are_filled_anew(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """A page whose lines end elsewhere; one with a mistake stays, which is told."""
+    right = (FOLDER / "one-state.md").read_text(encoding="utf-8")
+    page, other = tmp_path / "page.md", tmp_path / "other.md"
+    page.write_text(
+        right.replace("One state is", "One state\nis").replace(
+            "s + {near}) (", "s + {near})\n      ("
+        )
+    )
+    other.write_text(right.replace("because Collect", "because `Collect", 1))
+    wrong = other.read_text()
+    assert reflow.main([str(page), str(other), str(tmp_path / "none.md")]) == 2
+    assert page.read_text(encoding="utf-8") == right
+    assert other.read_text() == wrong
+    said = capsys.readouterr()
+    assert said.out == f"{page}: filled anew\n"
+    assert "other.md, line " in said.err
+    assert "none.md: " in said.err
+    assert reflow.main([str(page)]) == 0
+    assert capsys.readouterr().out == f"{page}: as it was\n"
 
 
 WRITTEN = [
