@@ -10,7 +10,10 @@ import mpmath
 import pytest
 
 from gainproof.verify.judge.claim.errors import ClaimFileError
+from gainproof.verify.judge.claim.file import read_claim_text
 from gainproof.verify.judge.claim.model_file import read_model_text
+from gainproof.verify.judge.exact.constant_value import constant_value
+from gainproof.verify.judge.exact.graph import read_graph
 from gainproof.verify.judge.setting.model_numbers import NoNumberError, model_at
 
 CLOCK = r"""
@@ -188,3 +191,39 @@ def test_a_division_by_zero_is_told_with_its_entry() -> None:
     text = CLOCK.replace("'T > 0'", r"'T \geq 0'").replace('"q_2 T"]', '"q_2 T^2/T"]')
     with pytest.raises(NoNumberError, match="process_noise, row 2, column 2"):
         model_at(read_model_text(text), VALUES | {"T": Fraction(0)})
+
+
+CLAIMS = """
+format = "gainproof claims 1"
+[source]
+title = "numbers as they are printed"
+[settings.s]
+title = "one filter"
+kind = "steady_state"
+transition = {f}
+process_noise = [["0.25", "1/2"], ["1/2", "1"]]
+measurement = [["1", "0"]]
+measurement_noise = {r}
+[settings.s.symbols]
+'K_1' = {{ quantity = "filter_gain.1", meaning = "gain of the position" }}
+[[claims]]
+id = "1"
+place = "equation (1)"
+kind = "identity"
+setting = "s"
+latex = 'K_1 = \\frac{{3}}{{4}}'
+"""
+
+
+def test_settings_of_claim_files_take_numbers_too() -> None:
+    texts = (
+        CLAIMS.format(f='[["1", "1"], ["0", "1"]]', r='[["1/10"]]'),
+        CLAIMS.format(f="[[1, 1], [0, 1]]", r="[[0.1]]"),
+        CLAIMS.format(f="[[1.0, 1], [0, 1e0]]", r='[["1e-1"]]'),
+    )
+    for text in texts:
+        own = read_claim_text(text).settings["s"].own_model
+        assert own is not None
+        values = [[constant_value(read_graph(x)) for x in row] for row in own.transition]
+        assert values == [[1, 1], [0, 1]]
+        assert constant_value(read_graph(own.measurement_noise[0][0])) == Fraction(1, 10)
