@@ -206,8 +206,7 @@ def _certified(model: Model, known: Relations, asked: int) -> Found:
         above = _summed(_rows(loop, free) * b, [margin[i] for i in free])
     floor, noiseless = _floor(sigma), _noiseless(model, known)
     guard = GUARD + n.bit_length() + 2 * max([0, *(_log2(x) for x in in_units.entries() if x != 0)])
-    spread = [_log2(below[i, i]) - _log2(p[i, i]) for i in range(n) if p[i, i] > 0]
-    k = asked + 2 + max(spread, default=0)
+    k = asked + 2 + _lost(f, h, gain, loop, p, sigma, below, floor)
     for _ in range(MOST_TRIES):
         small = flint.arb(2) ** -k
         grid = [[(_log2(x) + _log2(y)) / 2 - k - guard for y in margin] for x in margin]
@@ -233,6 +232,24 @@ def _certified(model: Model, known: Relations, asked: int) -> Found:
             return Found(data, found)
         k += lacking + 1
     raise _TooFew
+
+
+def _lost(
+    f: Any, h: Any, gain: Any, loop: Any, p: Any, sigma: Any, below: Any, floor: list[Fraction]
+) -> int:
+    """By how many bits enclosures are wider than what is put between X and Y, about."""
+    n, m = range(p.nrows()), range(sigma.nrows())
+    least = [flint.arb(_fmpq(x)) for x in floor]
+    seen = h * below * h.transpose()
+    share = sum((seen[j, j] / least[j] for j in m), flint.arb(0))
+    share = 4 * share * max(sigma[j, j] / least[j] for j in m)
+    found = [_log2(below[i, i]) - _log2(p[i, i]) for i in n if p[i, i] > 0]
+    unit = flint.arb_mat([[int(i == j) for j in n] for i in n])
+    for keep, size in ((unit - gain * h, p), (loop, f * p * f.transpose())):
+        wide = keep * below * keep.transpose()
+        ratios = [share * wide[i, i] / size[i, i] for i in n if size[i, i] > 0]
+        found += [_log2(x) // 2 for x in ratios if x > 0]
+    return max(found, default=0)
 
 
 def _back(known: Relations, free: Sequence[int]) -> Box:
