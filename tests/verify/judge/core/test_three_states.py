@@ -204,7 +204,7 @@ OF_OWN_MODEL = [
     ("inequality", "a < 1", "proved"),
     ("inequality", r"a < \frac{9}{10}", "conditional"),
 ]
-ONE_OF_A_KIND = [OF_OWN_MODEL[n] for n in (1, 3, 8)]
+ONE_OF_A_KIND = [OF_OWN_MODEL[n] for n in (1, 4, 8)]
 
 
 @pytest.mark.parametrize(
