@@ -16,14 +16,14 @@ def names_in(graph: Graph) -> set[str]:
 
 def graphs_of_claim(claim: Claim) -> Iterator[Graph]:
     """Every graph of a claim: its formula in all readings, domain, hypotheses, other fields."""
-    for formula in (claim.formula, claim.recursion, *claim.given):
+    own = claim.own.values()
+    for formula in (claim.formula, *(f for each in own for f in each.formulas), *claim.given):
         if formula is not None:
             yield from _graphs(formula)
     for relation in claim.domain:
         yield from (relation.left, relation.right)
-    for graph in (claim.subject, claim.polynomial, claim.minimised, *claim.fixed):
-        if graph is not None:
-            yield graph
+    for each in own:
+        yield from each.expressions
 
 
 def _graphs(formula: Formula) -> Iterator[Graph]:
@@ -43,9 +43,10 @@ def reached(claim: Claim, setting: Setting) -> frozenset[str]:
 
 def used(claim: Claim, setting: Setting) -> set[str]:
     """Names that stand in the claim itself, or in the equations of a filter that it names."""
-    texts = {*claim.about, *claim.held, *filter(None, (claim.variable, claim.previous))}
+    own = claim.own.values()
+    texts = {*claim.held, *(token for each in own for token in each.symbols)}
     texts |= {name for graph in graphs_of_claim(claim) for name in names_in(graph)}
-    for name in claim.ascending:
+    for name in (name for each in own for name in each.filters):
         for formula in setting.filters.get(name, ()):
             texts |= {token for graph in _graphs(formula) for token in names_in(graph)}
     return texts

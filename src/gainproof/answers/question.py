@@ -20,11 +20,11 @@ from gainproof.bad_input import BadInputError, unknown_name
 from gainproof.claims.template import FORMAT_LINE
 from gainproof.claims.toml_text import quoted
 from gainproof.verify.judge.claim import letters
-from gainproof.verify.judge.claim.kinds import kind_of
 from gainproof.verify.judge.claim.letters import REAL, Meaning, entry_of
 from gainproof.verify.judge.claim.settings import CONVENTIONS
 from gainproof.verify.judge.claim.units import read_unit
 from gainproof.verify.judge.formula import Formula, Graph
+from gainproof.verify.judge.kinds.catalogue import kind_of
 from gainproof.verify.judge.quantity_names import quantity_names
 
 DEFINITION = "definition"

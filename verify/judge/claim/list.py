@@ -3,29 +3,26 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from dataclasses import replace
 from functools import partial
 
 from gainproof.verify.judge.claim.domains import contradiction, relations_of
 from gainproof.verify.judge.claim.errors import FileText
 from gainproof.verify.judge.claim.fields import Fields, nearest_hint
 from gainproof.verify.judge.claim.formulas import (
+    Symbols,
     conditions_of,
     formula_of,
     plain_formula_of,
     token_in,
 )
-from gainproof.verify.judge.claim.kinds import (
-    OWN_FIELDS,
-    WITHOUT_FORMULA,
-    kind_of,
-    with_own_fields,
-)
 from gainproof.verify.judge.claim.record import Claim, Setting
 from gainproof.verify.judge.claim.settings import ReadSetting
-from gainproof.verify.judge.claim.usual import clash, means, whole_claims
-from gainproof.verify.judge.claim.vocabulary import CLAIM_KINDS, ORIGINS
+from gainproof.verify.judge.claim.usual import ORIGINS, clash, means, whole_claims
 from gainproof.verify.judge.dimensions.declared import domain_fault
-from gainproof.verify.judge.formula import Formula
+from gainproof.verify.judge.formula import Formula, Reading
+from gainproof.verify.judge.kinds.catalogue import KINDS, kind_named, kind_of
+from gainproof.verify.judge.kinds.kind import OwnFields
 from gainproof.verify.judge.matrices import claim_fields
 from gainproof.verify.judge.matrices.letter import MatrixClaim
 from gainproof.verify.judge.reach import used
@@ -36,6 +33,8 @@ MOST_CLAIMS = 2000
 MOST_GIVEN = 20
 MOST_IDENTIFIER = 80
 UNDECIDABLE = "remark"
+KIND_FIELDS = tuple(dict.fromkeys(name for kind in KINDS for name in kind.own))
+"""Fields that only claims of one kind, or two, take."""
 FOR_READERS = ("quoted", "origin")
 FIELDS = (
     "id",
@@ -52,7 +51,7 @@ FIELDS = (
     *FOR_READERS,
     "note",
     *claim_fields.FIELDS,
-    *dict.fromkeys(name for names in OWN_FIELDS.values() for name in names),
+    *KIND_FIELDS,
 )
 """Fields of a claim."""
 
@@ -205,7 +204,8 @@ def _claim(
     identifier = fields.required_text("id")
     written = fields.has("kind") and fields.take("kind") is None
     usual = "identity" if written else None
-    kind = text.attempt(lambda: fields.choice("kind", CLAIM_KINDS, usual), UNDECIDABLE)
+    names = tuple(kind.name for kind in KINDS)
+    kind = text.attempt(lambda: fields.choice("kind", names, usual), UNDECIDABLE)
     place = text.attempt(lambda: fields.required_text("place"), "")
     setting = _setting(fields, settings)
     if setting.matrices is not None:
@@ -213,7 +213,7 @@ def _claim(
     for name in claim_fields.FIELDS:
         if fields.has(name):
             raise fields.fail(name, f"claims of a setting of kind {setting.kind} do not take this")
-    if kind in claim_fields.KINDS:
+    if kind_named(kind).settings == "matrices":
         raise fields.fail("kind", f"only settings of kind matrices have claims of kind {kind}")
     symbols, noted = setting.symbols, text.noted
     domain = fields.text_or_none("domain")
@@ -222,7 +222,7 @@ def _claim(
     none: tuple[str, str | None, Formula | None] = ("", None, None)
     latex, plain, formula = text.attempt(lambda: _formula(fields, kind, setting), none)
     kind = kind_of(formula) if written and formula is not None else kind
-    needs_words = kind in ("determines", UNDECIDABLE) and text.noted == noted
+    needs_words = kind_named(kind).needs_text and text.noted == noted
     if formula is None and words is None and needs_words:
         raise fields.fail("text", "this field is missing: a claim in words is paraphrased here")
     claim = Claim(
@@ -252,7 +252,38 @@ def _claim(
         note=fields.text_or_none("note"),
         line=fields.line or 1,
     )
-    return claim if text.noted > noted else with_own_fields(claim, fields, symbols)
+    return claim if text.noted > noted else _with_own_fields(claim, fields, symbols)
+
+
+def _with_own_fields(claim: Claim, fields: Fields, symbols: Symbols) -> Claim:
+    """The claim with the fields of its kind, whose relations are such as the kind speaks of. Raises
+    ClaimFileError.
+    """
+    kind = kind_named(claim.kind)
+    for name in KIND_FIELDS:
+        if fields.has(name) and name not in kind.own:
+            raise fields.fail(name, f"a claim of kind {kind.name} does not take this field")
+    table = OwnFields(fields, symbols, claim.formula is not None)
+    read = {name: reading(table, name) for name, reading in kind.own.items()}
+    if claim.formula is not None:
+        _check_formula(fields, claim, claim.formula.readings[0])
+    return replace(claim, own={name: own for name, own in read.items() if own is not None})
+
+
+def _check_formula(fields: Fields, claim: Claim, reading: Reading) -> None:
+    field = "latex" if claim.plain is None else "plain"
+    kind = kind_named(claim.kind)
+    for operator in (relation.operator for relation in reading.relations):
+        if kind.operators is not None and operator not in kind.operators:
+            having = [k for k in KINDS if k.operators and operator in k.operators]
+            # those first that want no other field than this one has
+            others = [k.name for k in sorted(having, key=lambda k: bool(k.own))]
+            more = f"; kinds that have it: {', '.join(others)}" if others else ""
+            problem = f"a claim of kind {kind.name} has no relation {operator}{more}"
+            raise fields.fail(field, problem)
+    lacking = kind.two_parts and not reading.conditions
+    if wrong := "has two parts" if lacking else kind.form(reading):
+        raise fields.fail(field, f"a claim of kind {kind.name} {wrong}")
 
 
 def _for_readers(fields: Fields) -> None:
@@ -296,7 +327,9 @@ def _of_matrices(
         text=words,
         note=fields.text_or_none("note"),
         line=fields.line or 1,
-        matrices=claim_fields.read_matrix_claim(fields, identifier, kind, latex, letters, earlier),
+        matrices=claim_fields.read_matrix_claim(
+            fields, identifier, kind_named(kind), latex, letters, earlier
+        ),
     )
 
 
@@ -349,6 +382,6 @@ def _formula(fields: Fields, kind: str, setting: Setting) -> tuple[str, str | No
     if plain is not None:
         formula = plain_formula_of(fields, "plain", plain, setting.symbols)
         return reading_to_latex(formula.readings[0]), plain, formula
-    if kind not in WITHOUT_FORMULA:
+    if kind_named(kind).needs_formula:
         raise fields.fail("latex", f"this field is missing: a claim of kind {kind} is a formula")
     return "", None, None

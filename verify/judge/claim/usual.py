@@ -18,10 +18,23 @@ from gainproof.verify.judge.quantity_names import quantity_names
 from gainproof.verify.judge.reach import closure, named_by, used
 from gainproof.verify.judge.reader.reader import read_formula
 
+ORIGINS = ("printed", "words", "reconstructed", "ours")
+"""Where a claim comes from: what it says is printed in the source as a formula; the source has
+words, which are read as it; the formula of the source is lost or not legible, and this one is made
+in its place; the source does not say it, but other claims rest on it or it goes further.
+"""
 USUAL = "usual"
 """What stands in place of a table of symbols."""
 _PARTS = ("tracking_index", "measurement_noise_deviation", "sampling_interval")
 """What the strength of a process noise is made of."""
+
+
+def usual_origin(claim: Mapping[str, object]) -> str:
+    """The origin of a claim that does not say it, by its fields: one with `text`, or without a
+    formula, is read out of words; one with an excerpt was seen.
+    """
+    has_formula = "latex" in claim or "plain" in claim
+    return "printed" if has_formula and ("text" not in claim or "quoted" in claim) else "words"
 
 
 def usual_entries(

@@ -87,6 +87,12 @@ def refuse_real_powers(expr: Expr, frame: Frame) -> None:
                 raise Undecided("a power with a base that may be negative, exponent not whole")
 
 
+def lacks_arrow(reading: Reading) -> str | None:
+    """What is wrong with a formula that does not say once where its variable goes."""
+    arrows = [relation for relation in reading.conditions if relation.operator == "->"]
+    return None if len(arrows) == 1 else "says once where to, such as (k \\to \\infty)"
+
+
 def arrow_of(reading: Reading) -> tuple[Relation, tuple[Relation, ...]]:
     """The one condition with an arrow, and the others. Raises Undecided."""
     arrows = [r for r in reading.conditions if r.operator == "->"]

@@ -19,6 +19,7 @@ from gainproof.verify.judge.kinds.framing import (
     where_hypotheses_have_values,
 )
 from gainproof.verify.judge.kinds.identity import resolved
+from gainproof.verify.judge.kinds.kind import Kind
 from gainproof.verify.judge.scope import Scope
 from gainproof.verify.judge.verdict import Finding, finding_of, of_parts
 from gainproof.verify.judge.verdict_words import Shown
@@ -91,3 +92,12 @@ def _told(finding: Finding, supposed: str) -> Finding:
     told = replace(witness, note=note, shows=Shown.TRUTH)
     reason = finding.reason.replace(witness.text(), told.text())
     return replace(finding, reason=reason, witness=told)
+
+
+EQUIVALENCE = Kind(
+    "equivalence",
+    "the same in both directions",
+    judge_equivalence,
+    two_parts=True,
+    settings="any",
+)

@@ -27,10 +27,12 @@ from gainproof.verify.judge.kinds.approach import (
     approach_of,
     arrow_of,
     end_of,
+    lacks_arrow,
     refuse_real_powers,
 )
 from gainproof.verify.judge.kinds.framing import Frame, framed
 from gainproof.verify.judge.kinds.identity import resolved
+from gainproof.verify.judge.kinds.kind import Kind
 from gainproof.verify.judge.kinds.near_limit import (
     Coefficients,
     constant_parts,
@@ -286,3 +288,12 @@ def _shown(end: End) -> Enclosure:
         return Enclosure("", "", {"-infinity": "minus infinity"}.get(end, end))
     value = constant_value(end)
     return Enclosure("", "", "finite") if value is None else Enclosure("", "", str(value))
+
+
+LIMIT = Kind(
+    "limit",
+    "the left side tends to the right one where the condition with an arrow says",
+    judge_limit,
+    operators=frozenset(("->", "=")),
+    form=lacks_arrow,
+)

@@ -35,10 +35,10 @@ def judge_by_comparison(claim: Claim, reading: Reading, scope: Scope) -> Finding
     the domain and strictly better than all others. Raises Undecided.
     """
     region = scope.environment.region
-    if region is None or claim.minimised is None or len(region.gains) != 2 or claim.given:
+    if region is None or len(region.gains) != 2 or claim.given:
         raise Undecided("best gains are compared with others for two states only")
-    expr = scope.expression(claim.minimised)
-    fixed = [scope.expression(graph) for graph in claim.fixed]
+    expr = scope.expression(claim.own["minimised"].expression)
+    fixed = [scope.expression(graph) for graph in claim.own["fixed"].expressions]
     stated = resolved(reading.relations, scope)
     frame = strictly(framed(claim, scope))
     held = {shared_gain(part, region.gains, region.relations, frame) for part in fixed}

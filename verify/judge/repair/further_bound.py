@@ -8,6 +8,7 @@ from fractions import Fraction
 from typing import TYPE_CHECKING
 
 from gainproof.verify.judge.attempt import judge_claim
+from gainproof.verify.judge.claim.record import OwnField
 from gainproof.verify.judge.exact.expression import number, symbol, symbols_of
 from gainproof.verify.judge.repair.edit import LARGE
 from gainproof.verify.judge.repair.printed import Link, Printed
@@ -25,14 +26,19 @@ def with_further_bound(search: Search) -> list[Offer]:
     where this bound holds: then no weaker one would do. One offer at most.
     """
     claim = search.claim
-    if claim.kind != "stability" or claim.sense != "sufficient" or search.formula.conditions:
+    if (
+        claim.kind != "stability"
+        or claim.own["sense"].word != "sufficient"
+        or search.formula.conditions
+    ):
         return []
     said = (*claim.domain, *search.reading.relations)
     for bound in _bounds(search):
         formula = reread(bound, search.setting.symbols)
         if formula is None:
             continue
-        exactly = replace(with_formula(claim, formula), sense="exact", domain=said)
+        own = {"sense": OwnField(word="exact")}
+        exactly = replace(with_formula(claim, formula), own=own, domain=said)
         if judge_claim(exactly, search.setting, search.environment).verdict != "proved":
             continue
         found = _offered(search, bound)

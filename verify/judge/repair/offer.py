@@ -8,6 +8,7 @@ from typing import Any
 
 from gainproof.verify.judge.choice import admitted_for
 from gainproof.verify.judge.claim.record import Claim, Setting
+from gainproof.verify.judge.kinds.catalogue import kind_named
 from gainproof.verify.judge.matrices.repair import MatrixRepairTask
 from gainproof.verify.judge.repair.edit import SLIGHT
 from gainproof.verify.judge.repair.task import RepairTask
@@ -17,10 +18,6 @@ from gainproof.verify.judge.verdict import ClaimVerdict
 from gainproof.verify.judge.verdict_words import NO_REPAIR
 
 NOT_TRUE = ("refuted", "conditional")
-WITHOUT_REPAIR = ("definition", "solutions")
-"""Kinds of which the formula alone is no statement that a change makes true."""
-UNCHANGED = ("definition", "dimension", "invertible")
-"""Kinds of claims on matrices that no change of a formula makes true."""
 
 
 def repair_tasks(
@@ -35,9 +32,11 @@ def repair_tasks(
     wrong = {v.id: v for v in verdicts if v.verdict in NOT_TRUE}
     found: list[Task] = []
     for claim in claims:
-        if claim.id in wrong and claim.matrices is not None and claim.kind not in UNCHANGED:
+        if claim.id not in wrong or not kind_named(claim.kind).repaired:
+            continue
+        if claim.matrices is not None:
             found.append(MatrixRepairTask(claim, setting))
-        if claim.id in wrong and claim.formula is not None and claim.kind not in WITHOUT_REPAIR:
+        if claim.formula is not None:
             if wrong[claim.id].only_lacks_values and not _has_conditions(claim):
                 continue
             others = tuple(c for c in claims if c.setting == claim.setting and c.id != claim.id)

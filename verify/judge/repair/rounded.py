@@ -10,6 +10,7 @@ from gainproof.verify.judge.claim.record import Claim
 from gainproof.verify.judge.exact.constant_value import constant_value
 from gainproof.verify.judge.exact.enclosure import is_long
 from gainproof.verify.judge.exact.expression import Expr, number
+from gainproof.verify.judge.kinds.catalogue import kind_named
 from gainproof.verify.judge.repair.construct import opposite
 from gainproof.verify.judge.repair.edit import PLAIN
 from gainproof.verify.judge.repair.printed import Link, Printed
@@ -43,7 +44,7 @@ def rounded(claim: Claim, formula: Printed, judge: Judge) -> Iterator[Change]:
         after = _written(exact, decimals)
         formula = _with_decimals(formula.with_side(side, after), side, decimals)
         steps = (*steps, Step("a printed number", before, after))
-    if steps and claim.kind == "value":
+    if steps and kind_named(claim.kind).rounded:
         yield Change(formula, PLAIN, steps)
 
 

@@ -14,6 +14,7 @@ from gainproof.verify.judge.exact.expression import number, symbols_of
 from gainproof.verify.judge.exact.limits import Malformed, Undecided
 from gainproof.verify.judge.exact.statement import ALLOWED
 from gainproof.verify.judge.formula import Reading
+from gainproof.verify.judge.kinds.catalogue import kind_named
 from gainproof.verify.judge.repair.catalogue import changes, changes_of_bound
 from gainproof.verify.judge.repair.closings import Context, closings
 from gainproof.verify.judge.repair.edit import LARGE, PLAIN, SLIGHT
@@ -22,7 +23,7 @@ from gainproof.verify.judge.repair.further_bound import with_further_bound
 from gainproof.verify.judge.repair.merge import same_equation
 from gainproof.verify.judge.repair.points import generic_points
 from gainproof.verify.judge.repair.printed import MOST_NODES, Printed, printed
-from gainproof.verify.judge.repair.proof import CONNECTING, Offer, is_of_use, reread, with_formula
+from gainproof.verify.judge.repair.proof import Offer, is_of_use, reread, with_formula
 from gainproof.verify.judge.repair.rank import parts_of_source, rank
 from gainproof.verify.judge.repair.rounded import rounded
 from gainproof.verify.judge.repair.senseless import is_more_senseless, lacks_more
@@ -42,8 +43,6 @@ MOST_TRIED = 20_000
 MOST_PROOFS = 30
 MOST_OFFERED = 12
 STAGES = (0, 1, 2)
-BY_VALUES = frozenset(("identity", "inequality", "recursion"))
-"""Kinds of claims that are what their relations say at each point of the domain."""
 STRICT_OR_NOT = {"<": "<=", "<=": "<", ">": ">=", ">=": ">"}
 
 
@@ -68,7 +67,7 @@ class Search:
     tried: int = field(init=False, default=0)
 
     def __post_init__(self) -> None:
-        self.formula = printed(self.reading)
+        self.formula, self.kind = printed(self.reading), kind_named(self.claim.kind)
         plain = Scope(self.setting, self.environment, held=self.claim.held)
         self.scope = plain if self.own_scope is None else self.own_scope
         self.table = table_of(self.setting, self.formula, self.others)
@@ -82,7 +81,7 @@ class Search:
 
     def _by_values(self) -> bool:
         plain = all(link.operator in ALLOWED for link in self.formula.links)
-        return plain and self.claim.kind in BY_VALUES and self.formula.connective == "if"
+        return plain and self.kind.pointwise and self.formula.connective == "if"
 
     @property
     def is_equation(self) -> bool:
@@ -114,7 +113,7 @@ class Search:
         """
         if sum(len(side.parts) + 1 for side in self.formula.sides) > MOST_NODES:
             return []
-        if stage == 0 and self.claim.kind == "value":
+        if stage == 0 and self.kind.rounded:
             # within the digits shown, other edits come out right by chance
             slight = changes(self.formula, self.table, self.numbers, SLIGHT)
             turned = [c for c in slight if all(s.what.startswith("sign of") for s in c.steps)]
@@ -186,7 +185,7 @@ class Search:
             holds = not self.by_values or self.agrees(change.printed)
             if not holds or is_more_senseless(change.printed, self.formula):
                 continue
-            whole = self.partly or self.claim.kind in CONNECTING
+            whole = self.partly or self.kind.two_parts
             if not (whole and lacks_more(change.printed, self.formula)):
                 yield change
 
@@ -198,7 +197,7 @@ class Search:
             if any(same_equation(o.change.printed, change.printed, self.off) for o in found):
                 continue
             weaker = any(is_weaker(change.printed, o.change.printed, self.off) for o in found)
-            if weaker and self.claim.kind in ("inequality", "implication", "stability"):
+            if weaker and self.kind.strongest:
                 continue
             offer = self._offer(change)
             if offer is not None and offer.formula.latex not in {o.formula.latex for o in found}:
