@@ -1,4 +1,4 @@
-"""Two positive numbers that are each the root of a sum in which the other stands.
+"""Coupled roots: two positive numbers, each the root of a sum that contains the other.
 
 A coupled pair is the x, y > 0 with
 

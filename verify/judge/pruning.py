@@ -1,5 +1,5 @@
-"""Claims that are false at once, under a convention or for their dimensions: seen at two generic
-points, shown at a simple one.
+"""Quick refutations under a convention: of a claim whose dimensions disagree, or that fails at two
+generic points, which a simple one then shows.
 """
 
 from __future__ import annotations

@@ -1,4 +1,4 @@
-"""Expressions without what only the arithmetic needed: factors one, terms zero, numbers apart.
+"""Expressions as people write them: without factors one and terms zero, numbers put together.
 
 For people only: a factor zero hides whether the rest has a value, so nothing is decided on this.
 """

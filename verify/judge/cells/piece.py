@@ -1,4 +1,4 @@
-"""Connected sets with the truth on them."""
+"""Connected sets, each with the truth of the statement on it."""
 
 from __future__ import annotations
 

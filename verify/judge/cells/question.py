@@ -1,4 +1,4 @@
-"""The polynomials at which the truth of a statement can change."""
+"""The polynomials at whose zeros the truth of a statement can change."""
 
 from __future__ import annotations
 

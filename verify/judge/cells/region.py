@@ -1,4 +1,4 @@
-"""The set of truth in words: signs of polynomials that tell the cells where a statement holds."""
+"""Where a statement holds, told by signs of polynomials that single out its cells."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Where can an element of the tower vanish? Factors of its norm."""
+"""Factors of the norm of a tower element: only where one of them is zero can the element vanish."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Where no method decides: exact rational points, which can refute and never prove."""
+"""Exact rational points, tried where no method decides: they can refute and never prove."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What rises away from a point where it is not below 0."""
+"""Expressions that increase away from a point at which they are not negative."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The bases of which a product is made."""
+"""Bases of the powers in a product."""
 
 from __future__ import annotations
 

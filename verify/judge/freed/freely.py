@@ -1,4 +1,6 @@
-"""Statements that hold for whatever values their functions take, these being free variables."""
+"""Statements with a free variable in place of each function value: proved so, they hold whatever
+values the functions take.
+"""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Parts that leave an expression without a value where they are 0."""
+"""Parts of an expression at whose zeros it has no value, such as divisors."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Simple points where a formula in one symbol is lowest: what fails between others fails there.
+"""Simple points near the minimum of a formula in one symbol, at which a false inequality fails.
 
 Nothing rests on the search: what it finds is looked at in balls by the caller.
 """

@@ -1,4 +1,4 @@
-"""Implications with functions as other statements, from each of which they follow.
+"""Implications with functions, reduced to statements from each of which they follow.
 
 s = f, A => B follows from A => B with f in the place of s, for whatever values f takes;
 H => C follows from not C => not H, where C has values everywhere. Bounds of a symbol among the

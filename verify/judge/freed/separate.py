@@ -1,4 +1,4 @@
-"""Sums of terms in symbols of their own, each sum a single variable above its least value.
+"""Sums of terms that share no symbol: each sum becomes one variable, at or above its least value.
 
 The least value of f(x) + g(y) is that of f and that of g together. What holds for every u from that
 value on holds for the sum, whatever x and y are; and where each term has its least value the sum

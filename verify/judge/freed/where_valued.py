@@ -1,4 +1,4 @@
-"""What is said of a stated domain in which a side has no value somewhere."""
+"""Verdicts on a stated domain at some points of which a side has no value."""
 
 from __future__ import annotations
 

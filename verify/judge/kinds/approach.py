@@ -1,4 +1,4 @@
-"""Where a limit or an expansion goes: its variable, its point, the sides from which it comes."""
+"""The point of a limit or an expansion: its variable, and the sides from which it comes."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What holds close to a limit, and what its other symbols must be for it to mean something."""
+"""Conditions near the point of a limit, and on other symbols for the limit to have a meaning."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What a proof is asked for, before formulas are multiplied out: definitions and claim as text.
+"""The question of a proof before formulas are multiplied out: definitions and claim as text.
 
 `gainproof.verify.check_matrices` reads it, in the letters of the proof.
 """

@@ -1,4 +1,4 @@
-"""One proof: what is known so far, and what follows from it by a search."""
+"""The equations known so far in a proof, and the search for what follows from them."""
 
 from __future__ import annotations
 

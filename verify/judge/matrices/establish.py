@@ -1,4 +1,4 @@
-"""Every inverse that a proof speaks of exists."""
+"""The existence of every inverse that a proof speaks of."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Proofs that leave definitions closed: what is true of any matrix A needs no word of what A is.
+"""Proofs with few definitions put in: what is true of any matrix A needs no word of what A is.
 
 A letter whose definition stays closed is a free letter of the same shape, without facts, so that
 what is proved then is more than was asked. Premises and what is shown of closed letters (that a

@@ -1,4 +1,4 @@
-"""Formulas with the definitions that they use."""
+"""Formulas, and after them the definitions that they use, directly or through others."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What a proof may begin with: facts of letters, and the hypotheses of a claim."""
+"""The hypotheses of a proof: facts of letters, and what the claim supposes."""
 
 from __future__ import annotations
 

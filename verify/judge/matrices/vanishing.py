@@ -1,4 +1,4 @@
-"""Why a matrix is 0 that equations do not make so by themselves: a square of it is."""
+"""Matrices that are zero since a square of them is, where equations alone do not show it."""
 
 from __future__ import annotations
 

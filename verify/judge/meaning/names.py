@@ -1,4 +1,4 @@
-"""What an evaluation asks of the table of symbols."""
+"""The interface between the evaluation of a formula and the table of symbols."""
 
 from __future__ import annotations
 
