@@ -1,15 +1,22 @@
-"""The kinds of matrix statements, and how each is decided."""
+"""The kinds of matrix statements, and how each is decided.
+
+Traces are words up to rotation and transposition, since tr(A B) = tr(B A) and tr(A') = tr(A).
+What a statement rests upon is found without recursion: a chain of premises may be as long as the
+certificate, and Python's stack is not.
+"""
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import suppress
+from fractions import Fraction
 from types import MappingProxyType
+from typing import Protocol, TypeAlias
 
 from gainproof.verify.certificate import schema
 from gainproof.verify.certificate.plain import Plain
 from gainproof.verify.certificate.rejection import MalformedError, RejectedError
-from gainproof.verify.certificate.words.combination import require_combination
+from gainproof.verify.certificate.words.combination import combination, require_combination
 from gainproof.verify.certificate.words.definite import (
     require_both_orders,
     require_full_rank,
@@ -17,7 +24,7 @@ from gainproof.verify.certificate.words.definite import (
     require_vanishing,
 )
 from gainproof.verify.certificate.words.expression import expand_matrix, expand_pair
-from gainproof.verify.certificate.words.premises import Statement, undecided
+from gainproof.verify.certificate.words.polynomial import Polynomial, Powers, Word
 from gainproof.verify.certificate.words.relations import (
     Conclusion,
     Ground,
@@ -25,7 +32,8 @@ from gainproof.verify.certificate.words.relations import (
     read_hypotheses,
 )
 from gainproof.verify.certificate.words.setting import Setting
-from gainproof.verify.certificate.words.trace import require_traces
+
+Traces: TypeAlias = dict[tuple[Powers, Word, str], Fraction]
 
 
 def prove(setting: Setting, statement: Statement, earlier: Sequence[Statement]) -> Conclusion:
@@ -201,3 +209,87 @@ KINDS: Mapping[str, Callable[[Statement, Ground], Conclusion]] = MappingProxyTyp
         "matrix_trace": _trace,
     }
 )
+
+
+def add_trace(total: Traces, value: Polynomial, sign: int, ground: Ground, place: str) -> None:
+    """Add the trace of a square matrix, or subtract it. That of a unit matrix is its size."""
+    if value.shape is None or value.shape[0] != value.shape[1]:
+        raise RejectedError(f"{place}: a square matrix is wanted")
+    for (powers, word), coefficient in value.terms.items():
+        ground.setting.meter.spend(2 * len(word) ** 2 + 1)
+        key = (powers, _representative(word), "" if word else value.shape[0])
+        rest = total.pop(key, Fraction(0)) + sign * coefficient
+        if rest:
+            total[key] = rest
+
+
+def require_traces(
+    left: Polynomial, right: Polynomial, value: Plain, ground: Ground, place: str
+) -> None:
+    """Reject unless the traces agree after equations are used, each in a square matrix:
+    [{"size", "cofactors"}, ...].
+    """
+    total: Traces = {}
+    add_trace(total, left, 1, ground, place)
+    add_trace(total, right, -1, ground, place)
+    for number, entry in enumerate(schema.items(value, place)):
+        here = f"{place}[{number}]"
+        fields = schema.record(entry, ("size", "cofactors"), here)
+        size = schema.text(fields["size"], here)
+        used = combination(fields["cofactors"], (size, size), ground, here)
+        add_trace(total, used, -1, ground, here)
+    if total:
+        raise RejectedError(f"{place}: {len(total)} terms are left over")
+
+
+def _representative(word: Word) -> Word:
+    """The first of all rotations of the word and of its transpose."""
+    if not word:
+        return word
+    other = tuple(letter ^ 1 for letter in reversed(word))
+    return min(w[i:] + w[:i] for w in (word, other) for i in range(len(word)))
+
+
+class Statement(Protocol):
+    """A statement of a certificate: its id, kind, claim and evidence."""
+
+    @property
+    def id(self) -> str: ...
+    @property
+    def kind(self) -> str: ...
+    @property
+    def claim(self) -> Plain: ...
+    @property
+    def evidence(self) -> Plain: ...
+
+
+def undecided(setting: Setting, statement: Statement, earlier: Sequence[Statement]) -> list[int]:
+    """The numbers, ascending, of the earlier statements that this one rests upon, also through
+    others, and that are still to be decided.
+    """
+    numbers = {other.id: number for number, other in enumerate(earlier)}
+    waiting, found = [statement], set[int]()
+    while waiting:
+        current = waiting.pop()
+        end = numbers.get(current.id, len(earlier))
+        for identifier in _named(current.evidence):
+            number = numbers.get(identifier, end)
+            if number < end and number not in found:
+                known = setting.decided.get(identifier)
+                if known is None or known[0] is not earlier[number]:
+                    found.add(number)
+                    waiting.append(earlier[number])
+    return sorted(found)
+
+
+def _named(evidence: Plain) -> Iterator[str]:
+    """The ids in all that reads ["statement", id] or ["inverse", id, side]."""
+    waiting = [evidence]
+    while waiting:
+        value = waiting.pop()
+        if isinstance(value, dict):
+            waiting += value.values()
+        elif isinstance(value, list):
+            if value[:1] in (["statement"], ["inverse"]):
+                yield from (part for part in value[1:2] if isinstance(part, str))
+            waiting += value

@@ -3,21 +3,20 @@
 from __future__ import annotations
 
 import itertools
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator
 from dataclasses import replace
 from typing import Any
 
 from gainproof.verify.judge.matrices.cases import Case, cases_of, wrong_shape
-from gainproof.verify.judge.matrices.conditions import possible_conditions
 from gainproof.verify.judge.matrices.instance import Instance, NoValueError, Unsupported
 from gainproof.verify.judge.matrices.layers import Proof, Proofs, proof_in
-from gainproof.verify.judge.matrices.letter import MatrixClaim, MatrixSetting
+from gainproof.verify.judge.matrices.letter import UNIT, MatrixClaim, MatrixSetting
 from gainproof.verify.judge.matrices.macaulay import Budget, UnprovedError
-from gainproof.verify.judge.matrices.opened import is_random, within
+from gainproof.verify.judge.matrices.opened import inverted, is_random, within
 from gainproof.verify.judge.matrices.prove import Question
 from gainproof.verify.judge.matrices.sample import holds, instances
 from gainproof.verify.judge.matrices.shapes import ShapeFault, Shapes, UnsaidShapeError
-from gainproof.verify.judge.matrices.tree import REGULAR, Chain
+from gainproof.verify.judge.matrices.tree import REGULAR, Chain, Node
 from gainproof.verify.judge.matrices.witness import witness_of
 from gainproof.verify.judge.verdict import Finding
 
@@ -32,6 +31,7 @@ EMPTY_ONLY = (
     "no exact instance of the hypotheses was found but of matrices without entries, "
     "of which everything is true"
 )
+MOST_CONDITIONS = 12
 
 
 def decide(claim: MatrixClaim, setting: MatrixSetting, proofs: Proofs | None = None) -> Finding:
@@ -222,3 +222,80 @@ def _together(findings: list[Finding]) -> Finding:
     parts = {str(n): dict(f.certificate) for n, f in enumerate(findings, start=1)}
     certificate = parts if len(findings) > 1 else findings[0].certificate
     return replace(findings[0], certificate=certificate)
+
+
+def possible_conditions(
+    question: Question, setting: MatrixSetting, instance: Instance, missing: bool
+) -> Iterator[tuple[str, Question]]:
+    """Each condition in words, and the question with it: that what is inverted has an inverse;
+    else that one matrix that stands in the claim is symmetric, positive definite, has an inverse.
+    """
+    if missing:
+        singular = _singular(question, setting, instance)
+        said = " and ".join(f"{shown(node)} has an inverse" for node in singular)
+        yield said, replace(question, invertible=(*question.invertible, *singular))
+        return
+    count = 0
+    for name in _names(question):
+        rows, columns = setting.letters[name].shape
+        if rows != columns or setting.letters[name].variance is not None:
+            continue
+        node = Node("name", name=name)
+        zero = Node("zero", shape=(rows, columns))
+        symmetric = Chain((node, Node("transpose", (node,))), ("=",))
+        definite = Chain((node, zero), (">",))
+        for said, chain in ((f"{name} is symmetric", symmetric), (f"{name} > 0", definite)):
+            if chain in question.chains:
+                continue
+            count += 1
+            if count <= MOST_CONDITIONS:
+                yield said, replace(question, given=(*question.given, chain))
+
+
+def _names(question: Question) -> list[str]:
+    sides = [side for chain in question.chains for side in chain.sides]
+    nodes = [part for side in (*sides, *question.existing) for part in side.walk()]
+    return list(dict.fromkeys(node.name for node in nodes if node.kind == "name"))
+
+
+def _singular(question: Question, setting: MatrixSetting, instance: Instance) -> list[Node]:
+    """What is inverted in the claim, or in a definition that it uses, and has no inverse there."""
+    sides = [side for chain in question.chains for side in chain.sides]
+    found = list[Node]()
+    for node in inverted(sides, setting):
+        try:
+            if instance.of(node).det() == 0:
+                found.append(node)
+        except NoValueError:
+            continue
+    return found
+
+
+def shown(node: Node) -> str:
+    """A formula as text."""
+    inner = [shown(part) for part in node.parts]
+    match node.kind:
+        case "name":
+            return node.name.partition(UNIT)[0]
+        case "number":
+            return str(node.number)
+        case "unit":
+            return f"I_{{{node.shape[0] if node.shape else ''}}}"
+        case "zero":
+            return "0"
+        case "sum":
+            return " + ".join(inner).replace("+ -", "- ")
+        case "product":
+            parts = zip(node.parts, inner, strict=True)
+            return " ".join(f"({t})" if p.kind in ("sum", "negative") else t for p, t in parts)
+        case "negative":
+            return f"-({inner[0]})" if node.parts[0].kind == "sum" else f"-{inner[0]}"
+        case "transpose" | "inverse":
+            power = "^T" if node.kind == "transpose" else "^{-1}"
+            return (inner[0] if node.parts[0].kind in ("name", "unit") else f"({inner[0]})") + power
+        case "matrix":
+            width = node.size[1]
+            rows = [" & ".join(inner[i : i + width]) for i in range(0, len(inner), width)]
+            return "\\begin{pmatrix} " + " \\\\ ".join(rows) + " \\end{pmatrix}"
+        case _:
+            return f"E[{inner[0]}]"

@@ -8,18 +8,20 @@ as hypotheses; the certificate holds both.
 
 from __future__ import annotations
 
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field, replace
+from itertools import islice
 from typing import Any
 
 from gainproof.verify.judge.matrices.certificate import accepted
-from gainproof.verify.judge.matrices.closing import Closing, closings, with_closed
 from gainproof.verify.judge.matrices.instance import NoValueError, Unsupported
 from gainproof.verify.judge.matrices.letter import MatrixSetting
 from gainproof.verify.judge.matrices.macaulay import MOST_PRODUCTS, Budget, UnprovedError
-from gainproof.verify.judge.matrices.opened import inverted, is_block, names_in, within
+from gainproof.verify.judge.matrices.opened import inverted, is_block, is_random, names_in, within
 from gainproof.verify.judge.matrices.polynomial import TooLongError
-from gainproof.verify.judge.matrices.prove import Question, proof_of
-from gainproof.verify.judge.matrices.supposed import fails, is_given, positive, supposes_no_more
+from gainproof.verify.judge.matrices.prove import Question, links, proof_of
+from gainproof.verify.judge.matrices.sample import holds, instances
+from gainproof.verify.judge.matrices.shapes import Shapes
 from gainproof.verify.judge.matrices.tree import Chain, Node
 
 MOST_DEEP = 3
@@ -27,6 +29,10 @@ MOST_DEEP = 3
 FEW_PRODUCTS = 300
 """Where premises did not suffice, all definitions opened are no likelier to."""
 FAILURES = (UnprovedError, TooLongError, Unsupported, NoValueError)
+FEW_TRIES, FEW_INSTANCES = 9, 2
+"""To see that what is left of a claim, definitions closed, is false."""
+Closing = dict[str, Node | None]
+"""What takes the place of definitions; nothing where a letter is closed."""
 
 
 @dataclass(frozen=True)
@@ -299,3 +305,103 @@ class Layers:
             and letters[name].definition.parts[0].parts[0] == letters[name].definition.parts[2]  # type: ignore[union-attr]
         ]
         return list(dict.fromkeys([*diagonal, *inverted(question.nodes(), setting)]))
+
+
+def supposes_no_more(premise: Question, question: Question) -> bool:
+    """Whether all that one question supposes is supposed by the other."""
+    return set(premise.given) <= set(question.given) and (
+        set(premise.invertible) <= set(question.invertible)
+    )
+
+
+def fails(question: Question, setting: MatrixSetting) -> bool:
+    """Whether a closed question is false at one of few instances: no proof is looked for then."""
+    if any(part.kind == "expectation" for node in question.nodes() for part in node.walk()):
+        return False  # means take longer than the proof
+    tried = instances(setting, question.given, question.invertible, tries=FEW_TRIES)
+    try:
+        for instance in islice(tried, FEW_INSTANCES):
+            if not all(holds(chain, instance) for chain in question.chains):
+                return True
+            if not all(instance.of(node).det() != 0 for node in question.existing):
+                return True
+    except (Unsupported, NoValueError):
+        return False
+    return False
+
+
+def is_given(definite: Chain, given: Sequence[Chain]) -> bool:
+    """Whether X > 0 is among the hypotheses, also as 0 < X."""
+    return definite in given or Chain(definite.sides[::-1], ("<",)) in given
+
+
+def positive(node: Node, setting: MatrixSetting) -> Chain:
+    """The matrix is positive definite."""
+    shape = Shapes(setting.letters, setting.sizes).of(node)
+    return Chain((node, Node("zero", shape=shape)), (">",))
+
+
+def closings(question: Question, setting: MatrixSetting) -> Iterator[Closing]:
+    """What definitions become: with premises a letter what one of them says it is, and all others
+    closed, or all but such as only pick rows; then those of blocks closed; then none.
+    """
+    letters = setting.letters
+    # what depends on a random vector is not any matrix to a mean
+    defined = {
+        name: letter.definition
+        for name, letter in letters.items()
+        if letter.definition is not None and not is_random(name, setting)
+    }
+    picks = {name for name, node in defined.items() if is_block(node)}
+    blocks = {n for n, node in defined.items() if node.kind == "matrix" and not _selects(node)}
+    ways: list[Closing] = [dict.fromkeys(blocks | picks), {}]
+    if question.premises:
+        small = {n for n, node in defined.items() if node.kind == "matrix" and _selects(node)}
+        said = _said(question, setting)
+        every = {**dict.fromkeys(defined), **said}
+        # an equation may follow from others word by word, an order rests on what is picked
+        equations = all(chain.operators == ("=",) for chain in question.chains)
+        ways.insert(0, {name: node for name, node in every.items() if name not in small})
+        if said and equations:
+            ways.insert(0, every)
+    seen: list[Closing] = []
+    for way in ways:
+        reached = set(names_in(question.nodes(), with_closed(setting, way)))
+        used = {name: node for name, node in way.items() if name in reached}
+        if used not in seen:
+            seen.append(used)
+            yield used
+
+
+def _selects(node: Node) -> bool:
+    """Whether a matrix has no blocks but units and zeros."""
+    return all(part.kind in ("unit", "zero") for part in node.parts)
+
+
+def _said(question: Question, setting: MatrixSetting) -> Closing:
+    """Letters with a definition that a premise says to be something made of other letters."""
+    found: Closing = {}
+    for premise in question.premises:
+        for left, operator, right in links(premise.chains):
+            for own, other in ((left, right), (right, left)):
+                if (
+                    operator == "="
+                    and own.kind == "name"
+                    and setting.letters[own.name].definition is not None
+                    and not is_block(setting.letters[own.name].definition)  # type: ignore[arg-type]
+                    and other.kind != "name"
+                    and own.name not in found
+                    and own.name not in names_in((other,), with_closed(setting, found))
+                ):
+                    found[own.name] = other
+                    break
+    return found
+
+
+def with_closed(setting: MatrixSetting, closed: Closing) -> MatrixSetting:
+    """The setting with definitions replaced."""
+    letters = {
+        name: replace(letter, definition=closed[name]) if name in closed else letter
+        for name, letter in setting.letters.items()
+    }
+    return MatrixSetting(setting.sizes, letters)

@@ -9,9 +9,14 @@ from typing import Any
 from gainproof.verify.judge.matrices.book import Book
 from gainproof.verify.judge.matrices.equation import Known
 from gainproof.verify.judge.matrices.gram import decomposed, signed_squares
-from gainproof.verify.judge.matrices.groups import groups_with_sum
 from gainproof.verify.judge.matrices.macaulay import UnprovedError
-from gainproof.verify.judge.matrices.polynomial import Polynomial, TooLongError, reciprocal
+from gainproof.verify.judge.matrices.polynomial import (
+    PRIME,
+    Polynomial,
+    TooLongError,
+    modulo,
+    reciprocal,
+)
 from gainproof.verify.judge.matrices.rank import full_rank
 from gainproof.verify.judge.matrices.size import Shape
 from gainproof.verify.judge.matrices.squares import (
@@ -31,6 +36,7 @@ MOST_PRODUCTS = 500
 """Fewer than for an equation, as there are many attempts."""
 Asked = tuple[Shape, object]
 """A matrix: its shape and the key of its polynomial."""
+SALT = 7919
 
 
 def state_order(
@@ -199,3 +205,40 @@ def _of_bases(
         again = Square(alphabet.reduced(whole @ first), last, terms[1][1])
         yield [Square(first, shown, whole.content), again]
         return
+
+
+def groups_with_sum(value: Polynomial, parts: Sequence[Polynomial]) -> Iterator[tuple[int, ...]]:
+    """Places of one, of two and of three of the parts whose sum is the value.
+
+    A fingerprint is the same sum with numbers in the place of words, so that only groups with that
+    of the value, and by chance very few others, are added up.
+    """
+    prints = [fingerprint(part) for part in parts]
+    places: dict[int, list[int]] = {}
+    for at, own in enumerate(prints):
+        places.setdefault(own, []).append(at)
+    goal = fingerprint(value)
+    for group in _groups(goal, prints, places):
+        total = value
+        for at in group:
+            total = total - parts[at]
+        if not total.terms:
+            yield group
+
+
+def _groups(
+    goal: int, prints: Sequence[int], places: dict[int, list[int]]
+) -> Iterator[tuple[int, ...]]:
+    yield from ((at,) for at in places.get(goal, ()))
+    for one, own in enumerate(prints):
+        rest = (goal - own) % PRIME
+        yield from ((one, at) for at in places.get(rest, ()) if at > one)
+    for one, own in enumerate(prints):
+        for two in range(one + 1, len(prints)):
+            rest = (goal - own - prints[two]) % PRIME
+            yield from ((one, two, at) for at in places.get(rest, ()) if at > two)
+
+
+def fingerprint(value: Polynomial) -> int:
+    """The polynomial with a number for each word, modulo a prime; additive."""
+    return sum(modulo(c) * hash((SALT, *word)) for word, c in value.terms.items()) % PRIME

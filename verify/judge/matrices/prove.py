@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 from dataclasses import dataclass, field, replace
+from itertools import pairwise
 from typing import Any
 
 from gainproof.verify.judge.matrices.alphabet import Alphabet
@@ -11,17 +12,18 @@ from gainproof.verify.judge.matrices.asked import asked
 from gainproof.verify.judge.matrices.book import Book
 from gainproof.verify.judge.matrices.clearing import cleared
 from gainproof.verify.judge.matrices.consequences import draw_consequences
-from gainproof.verify.judge.matrices.cuts import cuts_of, pieces_of
-from gainproof.verify.judge.matrices.definite_letter import definite
 from gainproof.verify.judge.matrices.equation import Known
 from gainproof.verify.judge.matrices.establish import establish
 from gainproof.verify.judge.matrices.expand import Expander
+from gainproof.verify.judge.matrices.instance import Unsupported
 from gainproof.verify.judge.matrices.letter import MatrixSetting
 from gainproof.verify.judge.matrices.macaulay import Budget, UnprovedError
 from gainproof.verify.judge.matrices.opened import opened
-from gainproof.verify.judge.matrices.order import prove_order
+from gainproof.verify.judge.matrices.order import prove_order, state_order, state_shown
 from gainproof.verify.judge.matrices.polynomial import Polynomial, TooLongError
 from gainproof.verify.judge.matrices.products import suppose_product
+from gainproof.verify.judge.matrices.shapes import Shapes
+from gainproof.verify.judge.matrices.size import ZERO, Size
 from gainproof.verify.judge.matrices.suppose import (
     add_equation,
     begun,
@@ -34,6 +36,10 @@ from gainproof.verify.judge.matrices.tree import Chain, Node
 from gainproof.verify.judge.matrices.vanishing import by_definite
 
 MOST_HINTS = 40
+MOST_ATOMS = 12
+MOST_ROUNDS = 50
+Piece = tuple[Size, Size, Size]
+"""A size, the place in it where a block begins, the size of the block."""
 
 
 @dataclass(frozen=True)
@@ -207,3 +213,91 @@ def order(
 
 
 __all__ = ["Question", "UnprovedError", "links", "proof_of"]
+
+
+def definite(book: Book, number: int) -> tuple[object, ...]:
+    """Prove a letter positive definite. Raises UnprovedError."""
+    letter = book.alphabet.letter(number)
+    for known in book.known:
+        if known.strict and known.value.key == letter.key:
+            return known.reference
+    if number not in book.alphabet.symmetric:
+        raise UnprovedError("it is not known to be symmetric")
+    try:
+        evidence = prove_order(book, letter, True)
+    except UnprovedError:
+        if number not in book.invertible:
+            raise
+        # with an inverse by hypothesis it is enough that it is at least 0
+        return state_order(book, letter, strict=False).reference
+    return state_shown(book, letter, True, evidence).reference
+
+
+def pieces_of(nodes: Iterable[Node], setting: MatrixSetting) -> set[Piece]:
+    """The blocks of all matrices in formulas and in the definitions that they use."""
+    shapes = Shapes(setting.letters, setting.sizes)
+    found: set[Piece] = set()
+    for part in opened(nodes, setting.letters, variances=True):
+        if part.kind == "matrix":
+            for sizes in shapes.blocks(part):
+                whole, place = sum(sizes, ZERO), ZERO
+                for size in sizes:
+                    if size not in (whole, ZERO):
+                        found.add((whole, place, size))
+                    place = place + size
+    return found
+
+
+def cuts_of(pieces: Iterable[Piece]) -> dict[Size, list[Size]]:
+    """The sizes of the blocks of each size that is cut, the finest that any matrix wants; a block
+    is not cut again. Raises Unsupported where places cannot be compared for every size.
+    """
+    pieces = sorted(pieces, key=str)
+    places: dict[Size, set[Size]] = {}
+    for whole, start, size in pieces:
+        places.setdefault(whole, set()).update(p for p in (start, start + size) if inside(p, whole))
+    for _ in range(MOST_ROUNDS):
+        before = {size: set(found) for size, found in places.items()}
+        for whole, start, size in pieces:
+            within = {p - start for p in places[whole] if inside(p - start, size)}
+            if within or size in places:
+                places.setdefault(size, set()).update(within)
+                places[whole] |= {start + p for p in places[size]}
+        for whole in list(places):
+            start = ZERO
+            for size in _between(whole, places[whole]):
+                if size != whole:
+                    places[whole] |= {start + p for p in places.get(size, ())}
+                start = start + size
+        if places == before:
+            return {size: _between(size, found) for size, found in places.items() if found}
+    raise Unsupported("blocks are cut again and again")
+
+
+def inside(place: Size, whole: Size) -> bool:
+    """Whether a place lies between 0 and the whole, at neither."""
+    if place in (ZERO, whole):
+        return False
+    if place.is_never_negative and (whole - place).is_never_negative:
+        return True
+    if place.times(-1).is_never_negative or (place - whole).is_never_negative:
+        return False
+    raise Unsupported(f"whether blocks of size {whole} overlap at {place} depends on the sizes")
+
+
+def _between(whole: Size, places: set[Size]) -> list[Size]:
+    """The sizes between neighbouring places."""
+    if len(places) >= MOST_ATOMS:
+        raise Unsupported(f"more than {MOST_ATOMS} blocks")
+    ordered: list[Size] = []
+    for place in sorted(places, key=str):
+        at = 0
+        while at < len(ordered) and not (ordered[at] - place).is_never_negative:
+            if not (place - ordered[at]).is_never_negative:
+                raise Unsupported(
+                    f"which of {place} and {ordered[at]} is larger depends on the sizes"
+                )
+            at += 1
+        ordered.insert(at, place)
+    ends = [ZERO, *ordered, whole]
+    return [after - before for before, after in pairwise(ends)]

@@ -8,7 +8,7 @@ from claim_texts import MODELS, algebra, claim_file, judged
 from gainproof.verify.judge.claim.record import Claim, Setting
 from gainproof.verify.judge.convention import Convention, conventions
 from gainproof.verify.judge.repair import chained, definition
-from gainproof.verify.judge.repair.definition_points import FAR_POINTS, far_points
+from gainproof.verify.judge.repair.definition import FAR_POINTS, far_points
 from gainproof.verify.judge.repair.printed import printed
 from gainproof.verify.judge.repair.proof import standing
 from gainproof.verify.judge.scope import Scope
