@@ -9,6 +9,7 @@ from pathlib import Path
 
 import pytest
 
+from gainproof.verify.judge.claim import claims as claim_list
 from gainproof.verify.judge.claim import (
     declarations,
     models,
@@ -16,9 +17,6 @@ from gainproof.verify.judge.claim import (
 )
 from gainproof.verify.judge.claim import (
     file as claim_file,
-)
-from gainproof.verify.judge.claim import (
-    list as claim_list,
 )
 from gainproof.verify.judge.kinds.catalogue import KINDS
 from gainproof.verify.judge.kinds.kind import Kind

@@ -20,11 +20,11 @@ from gainproof.verify.certificate.graph import (
     Symbol,
 )
 from gainproof.verify.certificate.matrix import Matrix
-from gainproof.verify.certificate.nonzero import Nonzero
+from gainproof.verify.certificate.nonzero_divisors import Nonzero
+from gainproof.verify.certificate.perfect_roots import known_root
 from gainproof.verify.certificate.polynomial import Polynomial
 from gainproof.verify.certificate.ratio import Ratio, number, polynomial
 from gainproof.verify.certificate.rejection import MAXIMUM_ORDER, GivenUpError, RejectedError
-from gainproof.verify.certificate.roots import known_root
 from gainproof.verify.certificate.tower import Tower
 
 Value: TypeAlias = Ratio | Matrix

@@ -6,17 +6,21 @@ from collections.abc import Mapping
 from types import MappingProxyType
 
 from gainproof.verify.certificate import schema
-from gainproof.verify.certificate.case import Case, Program
+from gainproof.verify.certificate.checked_statement import Case, Program
 from gainproof.verify.certificate.expression import Evaluation, Value
 from gainproof.verify.certificate.graph import Call, Graph, Skipped, read_expression
 from gainproof.verify.certificate.matrix import Matrix
-from gainproof.verify.certificate.nonzero import Nonzero
-from gainproof.verify.certificate.plain import Plain
+from gainproof.verify.certificate.nonzero_divisors import Nonzero
+from gainproof.verify.certificate.plain_data import Plain
+from gainproof.verify.certificate.program_fixed_points import (
+    effort,
+    require_one_fixed_point,
+    shown_positive,
+)
 from gainproof.verify.certificate.ratio import Ratio
 from gainproof.verify.certificate.rejection import MalformedError, RejectedError
-from gainproof.verify.certificate.steepness import effort, require_one_fixed_point, shown_positive
 from gainproof.verify.certificate.tower import Tower
-from gainproof.verify.certificate.written import WrittenFraction
+from gainproof.verify.certificate.written_polynomials import WrittenFraction
 
 CHOICES: Mapping[str, tuple[str, ...]] = MappingProxyType(
     {"select": ("then", "else"), "abs": ("positive", "negative")}

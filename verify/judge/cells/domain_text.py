@@ -5,23 +5,23 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import replace
 
-from gainproof.verify.judge.cells.ground import as_expr
-from gainproof.verify.judge.cells.one_sign import keeps_sign
-from gainproof.verify.judge.cells.piece import Part, Piece, all_pieces
-from gainproof.verify.judge.cells.pieces import border_parts, parts
-from gainproof.verify.judge.cells.question import CellQuestion
-from gainproof.verify.judge.cells.region import Literal, alternatives, separating
-from gainproof.verify.judge.cells.task import Budget, Task
+from gainproof.verify.judge.cells.cell_statement import Budget, Task
+from gainproof.verify.judge.cells.cell_truth import Part, Piece, all_pieces
+from gainproof.verify.judge.cells.cells_and_borders import border_parts, parts
+from gainproof.verify.judge.cells.coefficient_signs import keeps_sign
+from gainproof.verify.judge.cells.critical_polynomials import CellQuestion
+from gainproof.verify.judge.cells.parameter_polynomials import as_expr
+from gainproof.verify.judge.cells.sign_conditions import Literal, alternatives, separating
 from gainproof.verify.judge.exact.box import bounds_text
 from gainproof.verify.judge.exact.calculus import substituted
 from gainproof.verify.judge.exact.expression import Expr, number, symbols_of
 from gainproof.verify.judge.exact.expression_text import labelled
-from gainproof.verify.judge.exact.limits import Limits, Undecided
-from gainproof.verify.judge.exact.place import Place
-from gainproof.verify.judge.exact.region import region_text
+from gainproof.verify.judge.exact.places import Place
+from gainproof.verify.judge.exact.region_text import region_text
+from gainproof.verify.judge.exact.simplification import tidied
 from gainproof.verify.judge.exact.statement import Rel
-from gainproof.verify.judge.exact.tidy import tidied
 from gainproof.verify.judge.exact.truth import FALSE, SKIPPED, TRUE
+from gainproof.verify.judge.exact.work_limits import Limits, Undecided
 
 MOST_BORDERS = 60
 WITH_VALUE = "wherever it has a value"

@@ -8,7 +8,7 @@ from fractions import Fraction
 
 from gainproof.verify.judge.claim.errors import ClaimFileError
 from gainproof.verify.judge.formula import Formula, Graph, Reading, Relation
-from gainproof.verify.judge.matrices.letter import MatrixClaim, MatrixSetting
+from gainproof.verify.judge.matrices.letters import MatrixClaim, MatrixSetting
 
 
 @dataclass(frozen=True)

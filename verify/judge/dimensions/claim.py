@@ -10,6 +10,7 @@ from fractions import Fraction
 from operator import methodcaller
 
 from gainproof.verify.judge.claim.record import Claim, Setting
+from gainproof.verify.judge.claim_symbols import reached
 from gainproof.verify.judge.dimensions.formula import (
     fault_of,
     graph_fault,
@@ -19,10 +20,9 @@ from gainproof.verify.judge.dimensions.formula import (
     reading_fault,
     relation_fault,
 )
-from gainproof.verify.judge.dimensions.names import has_degrees
+from gainproof.verify.judge.dimensions.symbol_dimensions import has_degrees
 from gainproof.verify.judge.formula import Formula, Graph, Reading, Relation
 from gainproof.verify.judge.kinds.catalogue import kind_named
-from gainproof.verify.judge.reach import reached
 
 _NO = Fraction(0)
 

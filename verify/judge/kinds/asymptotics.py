@@ -9,10 +9,21 @@ from fractions import Fraction
 from gainproof.verify.judge.claim.record import Claim, OwnField
 from gainproof.verify.judge.exact.calculus import rebuilt
 from gainproof.verify.judge.exact.expression import Expr, mul, neg, number, power, symbol, walk
-from gainproof.verify.judge.exact.limits import Undecided
 from gainproof.verify.judge.exact.statement import Enclosure, Rel, Witness
+from gainproof.verify.judge.exact.work_limits import Undecided
 from gainproof.verify.judge.formula import Reading
-from gainproof.verify.judge.kinds.approach import (
+from gainproof.verify.judge.kinds.claim_domain import framed
+from gainproof.verify.judge.kinds.identity import resolved
+from gainproof.verify.judge.kinds.kind import Kind, OwnFields
+from gainproof.verify.judge.kinds.limit import DEPTHS
+from gainproof.verify.judge.kinds.limit_neighbourhood import (
+    Coefficients,
+    constant_parts,
+    open_sides,
+    others_frame,
+    with_values,
+)
+from gainproof.verify.judge.kinds.limit_point import (
     SMALL,
     Approach,
     approach_of,
@@ -21,20 +32,9 @@ from gainproof.verify.judge.kinds.approach import (
     lacks_arrow,
     refuse_real_powers,
 )
-from gainproof.verify.judge.kinds.framing import framed
-from gainproof.verify.judge.kinds.identity import resolved
-from gainproof.verify.judge.kinds.kind import Kind, OwnFields
-from gainproof.verify.judge.kinds.limit import DEPTHS
-from gainproof.verify.judge.kinds.near_limit import (
-    Coefficients,
-    constant_parts,
-    open_sides,
-    others_frame,
-    with_values,
-)
 from gainproof.verify.judge.meaning.expansion import coefficients
 from gainproof.verify.judge.scope import Scope
-from gainproof.verify.judge.series.of_expression import expanded
+from gainproof.verify.judge.series.expression_series import expanded
 from gainproof.verify.judge.series.series import EXACT, Series, leading
 from gainproof.verify.judge.verdict import Finding, finding_of, of_parts
 

@@ -10,8 +10,8 @@ from gainproof.verify.judge.claim.record import Claim
 from gainproof.verify.judge.claim.symbols import definition_uses
 from gainproof.verify.judge.exact.expression import Expr
 from gainproof.verify.judge.exact.graph_writing import graph_of
-from gainproof.verify.judge.exact.limits import Undecided
-from gainproof.verify.judge.exact.points import with_values
+from gainproof.verify.judge.exact.rational_points import with_values
+from gainproof.verify.judge.exact.work_limits import Undecided
 from gainproof.verify.judge.formula import Formula, Reading
 from gainproof.verify.judge.kinds.asymptotics import ASYMPTOTICS
 from gainproof.verify.judge.kinds.definition import DEFINITION

@@ -7,7 +7,7 @@ from __future__ import annotations
 from gainproof.verify.judge.claim.record import Claim, Setting
 from gainproof.verify.judge.exact.expression import Expr, symbol, symbols_of
 from gainproof.verify.judge.exact.free_names import is_free
-from gainproof.verify.judge.exact.limits import Undecided
+from gainproof.verify.judge.exact.work_limits import Undecided
 from gainproof.verify.judge.formula import Reading
 from gainproof.verify.judge.kinds.identity import judge_identity
 from gainproof.verify.judge.kinds.kind import EQUATION, Kind

@@ -8,10 +8,10 @@ from gainproof.verify.judge.claim.record import Claim, OwnField
 from gainproof.verify.judge.exact.calculus import differentiated
 from gainproof.verify.judge.exact.expression import number
 from gainproof.verify.judge.exact.functions import refuse_jumps
-from gainproof.verify.judge.exact.limits import Undecided
 from gainproof.verify.judge.exact.statement import Rel, Statement
+from gainproof.verify.judge.exact.work_limits import Undecided
 from gainproof.verify.judge.formula import Reading
-from gainproof.verify.judge.kinds.framing import framed
+from gainproof.verify.judge.kinds.claim_domain import framed
 from gainproof.verify.judge.kinds.kind import Kind, OwnFields
 from gainproof.verify.judge.meaning.evaluation import number_of
 from gainproof.verify.judge.scope import Scope

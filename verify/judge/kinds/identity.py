@@ -8,10 +8,10 @@ from fractions import Fraction
 from math import isclose
 
 from gainproof.verify.judge.claim.record import Claim
-from gainproof.verify.judge.exact.enclose import NoValue, Unresolved, enclosed
+from gainproof.verify.judge.exact.balls import NoValue, Unresolved, enclosed
 from gainproof.verify.judge.exact.statement import Rel, Statement, Witness
 from gainproof.verify.judge.formula import Reading, Relation
-from gainproof.verify.judge.kinds.framing import framed, only_plain
+from gainproof.verify.judge.kinds.claim_domain import framed, only_plain
 from gainproof.verify.judge.kinds.kind import EQUATION, Kind
 from gainproof.verify.judge.meaning.value import shape
 from gainproof.verify.judge.scope import Scope

@@ -5,7 +5,7 @@ from __future__ import annotations
 from gainproof.verify.judge.claim.record import Claim
 from gainproof.verify.judge.exact.statement import Statement
 from gainproof.verify.judge.formula import Reading
-from gainproof.verify.judge.kinds.framing import framed, strictly, where_hypotheses_have_values
+from gainproof.verify.judge.kinds.claim_domain import framed, strictly, where_hypotheses_have_values
 from gainproof.verify.judge.kinds.identity import resolved
 from gainproof.verify.judge.kinds.kind import Kind
 from gainproof.verify.judge.scope import Scope

@@ -9,7 +9,7 @@ from typing import Literal
 from gainproof.verify.judge.claim.fields import Fields
 from gainproof.verify.judge.claim.formulas import Symbols, graph_in, token_in
 from gainproof.verify.judge.claim.record import Claim, OwnField
-from gainproof.verify.judge.dimensions.names import Names
+from gainproof.verify.judge.dimensions.symbol_dimensions import Names
 from gainproof.verify.judge.formula import Graph, Reading
 from gainproof.verify.judge.scope import Scope
 from gainproof.verify.judge.verdict import Finding

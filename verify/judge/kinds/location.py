@@ -8,10 +8,10 @@ from gainproof.verify.judge.claim.record import Claim, OwnField
 from gainproof.verify.judge.exact.constant_value import constant_value
 from gainproof.verify.judge.exact.expression import Expr, add, mul, neg, number, power, symbols_of
 from gainproof.verify.judge.exact.free_names import is_free
-from gainproof.verify.judge.exact.limits import Undecided
 from gainproof.verify.judge.exact.statement import Rel, Statement
+from gainproof.verify.judge.exact.work_limits import Undecided
 from gainproof.verify.judge.formula import Graph, Reading
-from gainproof.verify.judge.kinds.framing import framed
+from gainproof.verify.judge.kinds.claim_domain import framed
 from gainproof.verify.judge.kinds.identity import resolved
 from gainproof.verify.judge.kinds.kind import (
     EQUATION,
@@ -24,7 +24,7 @@ from gainproof.verify.judge.kinds.kind import (
 from gainproof.verify.judge.meaning.evaluation import number_of
 from gainproof.verify.judge.meaning.expansion import coefficients
 from gainproof.verify.judge.scope import Scope
-from gainproof.verify.judge.setting.stability import circle_moved, left_half_plane
+from gainproof.verify.judge.setting.stability_conditions import circle_moved, left_half_plane
 from gainproof.verify.judge.verdict import Finding, finding_of
 
 LOCATIONS = ("inside the unit circle", "left half plane", "real", "complex", "equal")

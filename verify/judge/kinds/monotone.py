@@ -8,22 +8,22 @@ from gainproof.verify.judge.claim.record import Claim, OwnField
 from gainproof.verify.judge.exact.box import Box
 from gainproof.verify.judge.exact.calculus import substituted
 from gainproof.verify.judge.exact.expression import Expr, number, symbol, symbols_of, walk
+from gainproof.verify.judge.exact.formula_tree import read_tree
 from gainproof.verify.judge.exact.functions import refuse_jumps
-from gainproof.verify.judge.exact.limits import Undecided
+from gainproof.verify.judge.exact.simplification import tidied
 from gainproof.verify.judge.exact.statement import Rel, Statement
-from gainproof.verify.judge.exact.tidy import tidied
-from gainproof.verify.judge.exact.tree import read_tree
 from gainproof.verify.judge.exact.truth import NO_VALUE
+from gainproof.verify.judge.exact.work_limits import Undecided
 from gainproof.verify.judge.formula import Reading
-from gainproof.verify.judge.freed.monomials import monomials
-from gainproof.verify.judge.kinds.framing import Frame, framed
+from gainproof.verify.judge.kinds.claim_domain import Frame, framed
 from gainproof.verify.judge.kinds.identity import judge_identity, resolved
 from gainproof.verify.judge.kinds.kind import Kind, OwnFields, one_of
-from gainproof.verify.judge.kinds.one_way import is_one_way
+from gainproof.verify.judge.kinds.monotone_quantities import is_one_way
 from gainproof.verify.judge.meaning.evaluation import number_of
 from gainproof.verify.judge.meaning.expansion import coefficients
 from gainproof.verify.judge.scope import Scope
 from gainproof.verify.judge.setting.environment import DEVIATION, SAMPLE
+from gainproof.verify.judge.transcendental.monomials import monomials
 from gainproof.verify.judge.verdict import Finding, finding_of
 from gainproof.verify.judge.verdict_words import Shown
 

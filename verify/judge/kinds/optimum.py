@@ -8,16 +8,15 @@ from fractions import Fraction
 from itertools import pairwise
 
 from gainproof.verify.judge.claim.record import Claim
+from gainproof.verify.judge.exact.ball_text import enclosure
+from gainproof.verify.judge.exact.balls import enclosed
 from gainproof.verify.judge.exact.calculus import substituted
 from gainproof.verify.judge.exact.constant_value import constant_value
-from gainproof.verify.judge.exact.enclose import enclosed
-from gainproof.verify.judge.exact.enclosure import enclosure
 from gainproof.verify.judge.exact.expression import Expr, number
 from gainproof.verify.judge.exact.expression_text import labelled
-from gainproof.verify.judge.exact.limits import Undecided
 from gainproof.verify.judge.exact.statement import Rel, Statement, Witness
-from gainproof.verify.judge.fixed_gain.rational_system import lowest
-from gainproof.verify.judge.fixed_gain.slice import (
+from gainproof.verify.judge.exact.work_limits import Undecided
+from gainproof.verify.judge.fixed_gain.lag_slices import (
     Curve,
     fixes_sum,
     has_roots,
@@ -25,11 +24,12 @@ from gainproof.verify.judge.fixed_gain.slice import (
     stationary,
     without_roots,
 )
+from gainproof.verify.judge.fixed_gain.rational_system import lowest
 from gainproof.verify.judge.formula import Reading
-from gainproof.verify.judge.kinds.framing import Frame, framed, strictly
+from gainproof.verify.judge.kinds.claim_domain import Frame, framed, strictly
 from gainproof.verify.judge.kinds.identity import resolved
 from gainproof.verify.judge.kinds.kind import Kind, expression, fixed
-from gainproof.verify.judge.kinds.optimum_compared import judge_by_comparison
+from gainproof.verify.judge.kinds.optimum_comparison import judge_by_comparison
 from gainproof.verify.judge.scope import Scope
 from gainproof.verify.judge.setting.environment import DEVIATION, INTERVAL, Environment
 from gainproof.verify.judge.setting.stable_region import StableRegion

@@ -22,12 +22,12 @@ from gainproof.verify.judge.exact.expression import (
     walk,
     whole_power,
 )
-from gainproof.verify.judge.exact.limits import Undecided
+from gainproof.verify.judge.exact.simplification import tidied
 from gainproof.verify.judge.exact.statement import Rel, Statement
-from gainproof.verify.judge.exact.tidy import tidied
+from gainproof.verify.judge.exact.work_limits import Undecided
 from gainproof.verify.judge.fixed_gain.shared_gain import shared_gain
 from gainproof.verify.judge.formula import Reading
-from gainproof.verify.judge.kinds.framing import Frame, framed, only_plain, strictly
+from gainproof.verify.judge.kinds.claim_domain import Frame, framed, only_plain, strictly
 from gainproof.verify.judge.kinds.kind import Kind, OwnFields, expression, fixed
 from gainproof.verify.judge.scope import Scope
 from gainproof.verify.judge.verdict import Finding, finding_of, of_parts

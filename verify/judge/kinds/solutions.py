@@ -17,19 +17,29 @@ from typing import Any
 
 import flint
 
-from gainproof.verify.judge.cells.ground import irreducible, leading, over, put_in, value_at
 from gainproof.verify.judge.cells.lifting import cells
+from gainproof.verify.judge.cells.parameter_polynomials import (
+    irreducible,
+    leading,
+    over,
+    put_in,
+    value_at,
+)
 from gainproof.verify.judge.cells.projection import discriminants, projected, resultants
 from gainproof.verify.judge.claim.record import Claim, OwnField
-from gainproof.verify.judge.exact.algebraic import Algebraic, compare, rational_point, real_roots
+from gainproof.verify.judge.exact.algebraic_numbers import (
+    Algebraic,
+    compare,
+    rational_point,
+    real_roots,
+)
 from gainproof.verify.judge.exact.box import Box, bounds_text
 from gainproof.verify.judge.exact.calculus import substituted
 from gainproof.verify.judge.exact.constant_value import constant_value
 from gainproof.verify.judge.exact.expression import Expr, number, symbols_of
 from gainproof.verify.judge.exact.expression_text import labelled
-from gainproof.verify.judge.exact.limits import DEFAULT_LIMITS, Nowhere, Undecided
-from gainproof.verify.judge.exact.place import Place, places
-from gainproof.verify.judge.exact.poly import (
+from gainproof.verify.judge.exact.places import Place, places
+from gainproof.verify.judge.exact.polynomial import (
     Poly,
     coefficients_in,
     degree,
@@ -38,9 +48,10 @@ from gainproof.verify.judge.exact.poly import (
     terms,
     univariate,
 )
-from gainproof.verify.judge.exact.region import region_text
+from gainproof.verify.judge.exact.region_text import region_text
 from gainproof.verify.judge.exact.root_count import Coefficients, Element, NumberField
 from gainproof.verify.judge.exact.simple_points import at_ends, simple_points
+from gainproof.verify.judge.exact.simplification import expression_of
 from gainproof.verify.judge.exact.statement import (
     ALLOWED,
     STRICT,
@@ -49,11 +60,11 @@ from gainproof.verify.judge.exact.statement import (
     Rel,
     Witness,
 )
-from gainproof.verify.judge.exact.tidy import expression_of
-from gainproof.verify.judge.exact.total import divisors
+from gainproof.verify.judge.exact.total_expressions import divisors
+from gainproof.verify.judge.exact.work_limits import DEFAULT_LIMITS, Nowhere, Undecided
 from gainproof.verify.judge.fixed_gain.rational_system import numerator_and_denominator
 from gainproof.verify.judge.formula import Reading
-from gainproof.verify.judge.kinds.framing import Frame, fixed_numbers, framed
+from gainproof.verify.judge.kinds.claim_domain import Frame, fixed_numbers, framed
 from gainproof.verify.judge.kinds.identity import resolved
 from gainproof.verify.judge.kinds.kind import EQUATION, Kind, OwnFields, one_symbol
 from gainproof.verify.judge.meaning.evaluation import number_of

@@ -14,15 +14,15 @@ from gainproof.verify.judge.exact.calculus import substituted
 from gainproof.verify.judge.exact.constant_value import constant_value
 from gainproof.verify.judge.exact.expression import number
 from gainproof.verify.judge.exact.expression_text import labelled
-from gainproof.verify.judge.exact.limits import Undecided
-from gainproof.verify.judge.exact.points import failure_at
-from gainproof.verify.judge.exact.poly import rational
+from gainproof.verify.judge.exact.polynomial import rational
+from gainproof.verify.judge.exact.rational_points import failure_at
 from gainproof.verify.judge.exact.statement import Rel, Statement, Witness
+from gainproof.verify.judge.exact.work_limits import Undecided
 from gainproof.verify.judge.formula import Reading
-from gainproof.verify.judge.kinds.framing import OTHER, Frame, framed, strictly
+from gainproof.verify.judge.kinds.claim_domain import OTHER, Frame, framed, strictly
 from gainproof.verify.judge.kinds.identity import resolved
 from gainproof.verify.judge.kinds.kind import Kind, one_of
-from gainproof.verify.judge.reader.latex import relations_to_latex
+from gainproof.verify.judge.reader.latex_printer import relations_to_latex
 from gainproof.verify.judge.scope import Scope
 from gainproof.verify.judge.verdict import Finding, finding_of
 from gainproof.verify.judge.verdict_words import Shown

@@ -9,14 +9,14 @@ from dataclasses import replace
 from gainproof.verify.judge.claim.formulas import formula_of
 from gainproof.verify.judge.claim.record import Claim, OwnField
 from gainproof.verify.judge.dimensions.dimension import Mismatch, agreed
-from gainproof.verify.judge.dimensions.names import Names
+from gainproof.verify.judge.dimensions.symbol_dimensions import Names
 from gainproof.verify.judge.exact.calculus import differentiated, substituted
 from gainproof.verify.judge.exact.expression import Expr, number, power, symbol
 from gainproof.verify.judge.exact.free_names import free_name
-from gainproof.verify.judge.exact.limits import Undecided
 from gainproof.verify.judge.exact.statement import Rel, Statement
+from gainproof.verify.judge.exact.work_limits import Undecided
 from gainproof.verify.judge.formula import Formula, Reading, Relation
-from gainproof.verify.judge.kinds.framing import Frame, framed
+from gainproof.verify.judge.kinds.claim_domain import Frame, framed
 from gainproof.verify.judge.kinds.identity import resolved
 from gainproof.verify.judge.kinds.kind import EQUATION, Kind, OwnFields, one_symbol
 from gainproof.verify.judge.meaning.evaluation import number_of

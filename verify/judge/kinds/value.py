@@ -15,21 +15,21 @@ from typing import Any
 import flint
 
 from gainproof.verify.judge.claim.record import Claim
+from gainproof.verify.judge.exact.ball_text import enclosure, is_long
+from gainproof.verify.judge.exact.balls import NoValue, Unresolved, enclosed
 from gainproof.verify.judge.exact.calculus import substituted
 from gainproof.verify.judge.exact.certificate import statement_data
 from gainproof.verify.judge.exact.constant_value import constant_value
-from gainproof.verify.judge.exact.enclose import NoValue, Unresolved, enclosed
-from gainproof.verify.judge.exact.enclosure import enclosure, is_long
 from gainproof.verify.judge.exact.expression import Expr, number, symbols_of
-from gainproof.verify.judge.exact.limits import Undecided
-from gainproof.verify.judge.exact.poly import rational
+from gainproof.verify.judge.exact.polynomial import rational
 from gainproof.verify.judge.exact.statement import Enclosure, Rel, Statement, Witness
+from gainproof.verify.judge.exact.work_limits import Undecided
 from gainproof.verify.judge.formula import Reading, Relation
-from gainproof.verify.judge.kinds.approach import approach_of, arrow_of, end_of
-from gainproof.verify.judge.kinds.framing import Frame, fixed_numbers, framed, only_plain
+from gainproof.verify.judge.kinds.claim_domain import Frame, fixed_numbers, framed, only_plain
 from gainproof.verify.judge.kinds.kind import Kind
 from gainproof.verify.judge.kinds.limit import limit_by_expansion
-from gainproof.verify.judge.kinds.near_limit import open_sides, others_frame
+from gainproof.verify.judge.kinds.limit_neighbourhood import open_sides, others_frame
+from gainproof.verify.judge.kinds.limit_point import approach_of, arrow_of, end_of
 from gainproof.verify.judge.meaning.value import shape
 from gainproof.verify.judge.scope import Scope
 from gainproof.verify.judge.verdict import Finding, finding_of, of_parts

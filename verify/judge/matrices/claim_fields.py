@@ -6,7 +6,7 @@ from collections.abc import Mapping
 
 from gainproof.verify.judge.claim.fields import Fields
 from gainproof.verify.judge.kinds.kind import Kind
-from gainproof.verify.judge.matrices.letter import MatrixClaim, MatrixSetting
+from gainproof.verify.judge.matrices.letters import MatrixClaim, MatrixSetting
 from gainproof.verify.judge.matrices.reader import read_matrix, read_statement
 from gainproof.verify.judge.matrices.shapes import ShapeFault, Shapes
 from gainproof.verify.judge.matrices.size import Shape

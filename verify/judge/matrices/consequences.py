@@ -13,21 +13,21 @@ from contextlib import suppress
 from heapq import heappop, heappush
 from typing import Any
 
-from gainproof.verify.judge.matrices.book import Book
 from gainproof.verify.judge.matrices.division import quotient
 from gainproof.verify.judge.matrices.equation import Cofactor, Equation, Known
-from gainproof.verify.judge.matrices.gram import decomposed
+from gainproof.verify.judge.matrices.gram_squares import decomposed
+from gainproof.verify.judge.matrices.hypotheses import add_equation
+from gainproof.verify.judge.matrices.ideal_membership import UnprovedError
 from gainproof.verify.judge.matrices.inverse_facts import known_inverse
-from gainproof.verify.judge.matrices.macaulay import UnprovedError
-from gainproof.verify.judge.matrices.order import state_order
+from gainproof.verify.judge.matrices.known_equations import Book
 from gainproof.verify.judge.matrices.polynomial import (
     Polynomial,
     TooLongError,
     reciprocal,
 )
+from gainproof.verify.judge.matrices.semidefinite_order import state_order
 from gainproof.verify.judge.matrices.squares import units
-from gainproof.verify.judge.matrices.suppose import add_equation
-from gainproof.verify.judge.matrices.vanishing import by_definite
+from gainproof.verify.judge.matrices.zero_matrices import by_definite
 
 FAILURES = (UnprovedError, TooLongError)
 MOST_CANCELLED = 24

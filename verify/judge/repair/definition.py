@@ -13,22 +13,22 @@ from dataclasses import dataclass, replace
 from typing import Any
 
 from gainproof.verify.judge.claim.record import Claim, Setting
+from gainproof.verify.judge.claim_symbols import closure, names_in, reached
 from gainproof.verify.judge.convention import Convention, conventions
 from gainproof.verify.judge.exact.expression import Expr, walk
-from gainproof.verify.judge.exact.limits import Malformed, Undecided
+from gainproof.verify.judge.exact.work_limits import Malformed, Undecided
 from gainproof.verify.judge.formula import Formula, Relation
-from gainproof.verify.judge.reach import closure, names_in, reached
-from gainproof.verify.judge.repair.catalogue import changes
-from gainproof.verify.judge.repair.chained import Chain, printed_bodies
-from gainproof.verify.judge.repair.points import Point, free_points
-from gainproof.verify.judge.repair.printed import Printed, printed
+from gainproof.verify.judge.repair.change_words import in_words
+from gainproof.verify.judge.repair.definition_chains import Chain, printed_bodies
+from gainproof.verify.judge.repair.exchanged_symbols import sample_numbers, table_of
+from gainproof.verify.judge.repair.generic_points import Point, free_points
+from gainproof.verify.judge.repair.printed_formula import Printed, printed
 from gainproof.verify.judge.repair.proof import is_proved, reread, standing
-from gainproof.verify.judge.repair.senseless import is_more_senseless
+from gainproof.verify.judge.repair.senseless_parts import is_more_senseless
+from gainproof.verify.judge.repair.single_changes import changes
 from gainproof.verify.judge.repair.suspects import Suspect, suspects_of
-from gainproof.verify.judge.repair.table import sample_numbers, table_of
 from gainproof.verify.judge.repair.task import OVERTIME, SECONDS
-from gainproof.verify.judge.repair.whole import Change
-from gainproof.verify.judge.repair.words import in_words
+from gainproof.verify.judge.repair.whole_formula import Change
 from gainproof.verify.judge.scope import Scope, UndefinedSymbol
 from gainproof.verify.judge.setting.environment import NotEstablished
 from gainproof.verify.judge.task import Models, Solved

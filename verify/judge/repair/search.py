@@ -9,31 +9,31 @@ from dataclasses import dataclass, field, replace
 from fractions import Fraction
 from functools import cached_property
 
-from gainproof.verify.judge.attempt import judge_claim
 from gainproof.verify.judge.claim.record import Claim, OwnField, Setting
+from gainproof.verify.judge.claim_decision import judge_claim
 from gainproof.verify.judge.dimensions.formula import reading_fault
 from gainproof.verify.judge.exact.expression import Expr, number, symbol, symbols_of, walk
-from gainproof.verify.judge.exact.graph import read_graph
-from gainproof.verify.judge.exact.limits import Malformed, Undecided
+from gainproof.verify.judge.exact.expression_graph import read_graph
 from gainproof.verify.judge.exact.statement import ALLOWED
+from gainproof.verify.judge.exact.work_limits import Malformed, Undecided
 from gainproof.verify.judge.formula import Reading
 from gainproof.verify.judge.kinds.catalogue import kind_named
-from gainproof.verify.judge.repair.catalogue import changes, changes_of_bound
-from gainproof.verify.judge.repair.closings import Context, closings
-from gainproof.verify.judge.repair.construct import places
-from gainproof.verify.judge.repair.edit import LARGE, PLAIN, SLIGHT
-from gainproof.verify.judge.repair.empty import Empty
-from gainproof.verify.judge.repair.merge import same_equation
-from gainproof.verify.judge.repair.points import generic_points
-from gainproof.verify.judge.repair.printed import MOST_NODES, Link, Printed, printed
+from gainproof.verify.judge.repair.edits import LARGE, PLAIN, SLIGHT
+from gainproof.verify.judge.repair.empty_repairs import Empty
+from gainproof.verify.judge.repair.equal_offers import same_equation
+from gainproof.verify.judge.repair.exchanged_symbols import sample_numbers, table_of
+from gainproof.verify.judge.repair.formula_values import Values, truth, values_at
+from gainproof.verify.judge.repair.generic_points import generic_points
+from gainproof.verify.judge.repair.printed_formula import MOST_NODES, Link, Printed, printed
 from gainproof.verify.judge.repair.proof import Offer, is_of_use, is_proved, reread, with_formula
-from gainproof.verify.judge.repair.rounded import rounded
-from gainproof.verify.judge.repair.senseless import is_more_senseless, lacks_more
-from gainproof.verify.judge.repair.sharp import is_sharp, is_weaker
-from gainproof.verify.judge.repair.table import sample_numbers, table_of
-from gainproof.verify.judge.repair.trivial import OffTheModel, sorted_key
-from gainproof.verify.judge.repair.values import Values, truth, values_at
-from gainproof.verify.judge.repair.whole import OF_SIDES, Change, Step
+from gainproof.verify.judge.repair.rounded_numbers import rounded
+from gainproof.verify.judge.repair.senseless_parts import is_more_senseless, lacks_more
+from gainproof.verify.judge.repair.sharp_bounds import is_sharp, is_weaker
+from gainproof.verify.judge.repair.single_changes import changes, changes_of_bound
+from gainproof.verify.judge.repair.solved_changes import Context, closings
+from gainproof.verify.judge.repair.tree_construction import places
+from gainproof.verify.judge.repair.trivial_formulas import OffTheModel, sorted_key
+from gainproof.verify.judge.repair.whole_formula import OF_SIDES, Change, Step
 from gainproof.verify.judge.scope import Scope, UndefinedSymbol
 from gainproof.verify.judge.setting.environment import Environment
 from gainproof.verify.judge.verdict import Finding

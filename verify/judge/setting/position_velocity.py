@@ -16,11 +16,11 @@ from gainproof.verify.judge.exact.expression import (
     symbol,
     walk,
 )
-from gainproof.verify.judge.exact.limits import Undecided
-from gainproof.verify.judge.exact.points import try_points
+from gainproof.verify.judge.exact.rational_points import try_points
+from gainproof.verify.judge.exact.simplification import expression_of
 from gainproof.verify.judge.exact.statement import Outcome, Rel, Statement
-from gainproof.verify.judge.exact.tidy import expression_of
-from gainproof.verify.judge.meaning.square import determinant
+from gainproof.verify.judge.exact.work_limits import Undecided
+from gainproof.verify.judge.meaning.square_matrices import determinant
 from gainproof.verify.judge.setting import plane_chart, quadrant_chart
 from gainproof.verify.judge.setting.chart_decision import Plane
 from gainproof.verify.judge.setting.chart_field import HIGH, LOW, ChartField, SignInside, field_over
@@ -34,10 +34,10 @@ from gainproof.verify.judge.setting.environment import (
     Fact,
     NotEstablished,
 )
-from gainproof.verify.judge.setting.established import UNIQUENESS
-from gainproof.verify.judge.setting.matrix import Exprs, minus, plus, times, transposed
-from gainproof.verify.judge.setting.stability import circle_moved, left_half_plane
-from gainproof.verify.judge.setting.triangle import sign_on_triangle
+from gainproof.verify.judge.setting.matrices import Exprs, minus, plus, times, transposed
+from gainproof.verify.judge.setting.stability_conditions import circle_moved, left_half_plane
+from gainproof.verify.judge.setting.steady_state_conditions import UNIQUENESS
+from gainproof.verify.judge.setting.triangle_signs import sign_on_triangle
 from gainproof.verify.judge.setting.two_measurements import (
     Entries,
     Noise,

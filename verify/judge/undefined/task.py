@@ -11,26 +11,29 @@ from dataclasses import dataclass, replace
 
 import flint
 
-from gainproof.verify.judge.attempt import judge_claim
 from gainproof.verify.judge.claim.record import Claim, Setting
+from gainproof.verify.judge.claim_decision import judge_claim
+from gainproof.verify.judge.claim_symbols import closure, reached
 from gainproof.verify.judge.convention import Convention, conventions
 from gainproof.verify.judge.dimensions.claim import fitting_readings
 from gainproof.verify.judge.exact.calculus import rebuilt, substituted
 from gainproof.verify.judge.exact.expression import Expr, number, symbol, symbols_of
-from gainproof.verify.judge.exact.graph import read_graph
+from gainproof.verify.judge.exact.expression_graph import read_graph
 from gainproof.verify.judge.exact.graph_writing import graph_of
-from gainproof.verify.judge.exact.limits import Malformed, Undecided
-from gainproof.verify.judge.exact.poly import Ball
+from gainproof.verify.judge.exact.polynomial import Ball
+from gainproof.verify.judge.exact.simplification import tidied
 from gainproof.verify.judge.exact.statement import Rel, Statement
-from gainproof.verify.judge.exact.tidy import tidied
+from gainproof.verify.judge.exact.work_limits import Malformed, Undecided
 from gainproof.verify.judge.formula import Formula, Graph, Reading, Relation
-from gainproof.verify.judge.hypothesis import settle
-from gainproof.verify.judge.reach import closure, reached
+from gainproof.verify.judge.hypotheses import settle
 from gainproof.verify.judge.reader.errors import ReaderError
-from gainproof.verify.judge.reader.latex import reading_to_latex
+from gainproof.verify.judge.reader.latex_printer import reading_to_latex
 from gainproof.verify.judge.reader.reader import read_formula
-from gainproof.verify.judge.repair.closings import root
-from gainproof.verify.judge.repair.construct import (
+from gainproof.verify.judge.repair.formula_values import Values
+from gainproof.verify.judge.repair.generic_points import generic_points
+from gainproof.verify.judge.repair.number_recognition import monomial
+from gainproof.verify.judge.repair.solved_changes import root
+from gainproof.verify.judge.repair.tree_construction import (
     Path,
     opposite,
     places,
@@ -40,14 +43,11 @@ from gainproof.verify.judge.repair.construct import (
     total,
     without,
 )
-from gainproof.verify.judge.repair.points import generic_points
-from gainproof.verify.judge.repair.recognise import monomial
-from gainproof.verify.judge.repair.values import Values
 from gainproof.verify.judge.scope import Scope, UndefinedSymbol
 from gainproof.verify.judge.setting.environment import NotEstablished
 from gainproof.verify.judge.task import Models, Solved
 from gainproof.verify.judge.trial import Trial
-from gainproof.verify.judge.undefined.polynomial import as_polynomial
+from gainproof.verify.judge.undefined.recognised_polynomial import as_polynomial
 
 MOST_SECONDS = 20.0
 Change = Callable[[Expr, tuple[Expr, ...]], Expr | None]

@@ -7,11 +7,11 @@ from __future__ import annotations
 import pytest
 from small_claims import HEAD
 
+from gainproof.verify.judge.claim.claims import KIND_FIELDS
 from gainproof.verify.judge.claim.file import read_claim_text
-from gainproof.verify.judge.claim.list import KIND_FIELDS
 from gainproof.verify.judge.claim.record import Claim, Setting
+from gainproof.verify.judge.claim_symbols import used
 from gainproof.verify.judge.dimensions.claim import claim_readings
-from gainproof.verify.judge.reach import used
 
 SETTING = """
 kind = 'fixed_gain'
