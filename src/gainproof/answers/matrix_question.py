@@ -34,11 +34,11 @@ from gainproof.answers.typed import Typed
 from gainproof.bad_input import BadInputError
 from gainproof.claims.template import FORMAT_LINE
 from gainproof.claims.toml_text import quoted
-from gainproof.verify.judge.claim.kinds import kind_of
 from gainproof.verify.judge.formula import Graph
-from gainproof.verify.judge.matrices.symbol import canonical
+from gainproof.verify.judge.kinds.catalogue import kind_of
+from gainproof.verify.judge.matrices.printed_names import canonical
 from gainproof.verify.judge.reader.errors import ReaderError
-from gainproof.verify.judge.reader.latex import graph_to_latex, relations_to_latex
+from gainproof.verify.judge.reader.latex_printer import graph_to_latex, relations_to_latex
 
 MATRICES = "matrices"
 """What `--model` says where a formula without a transpose is about matrices."""

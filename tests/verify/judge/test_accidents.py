@@ -23,7 +23,7 @@ from samples import samples
 import gainproof.verify.judge.worker as worker
 from gainproof.verify.judge.claim.record import ClaimFile
 from gainproof.verify.judge.judge import judge_file
-from gainproof.verify.judge.known import Known, KnownTrials
+from gainproof.verify.judge.known_answers import Known, KnownTrials
 from gainproof.verify.judge.trial import Trial
 from gainproof.verify.judge.verdict import ClaimVerdict
 from gainproof.verify.judge.worker import Workers, tried_apart
