@@ -94,6 +94,7 @@ def judge() -> Iterator[Judge]:
         ("(AB)' = B'A'", {}, "A: n x m"),
         ("(eye(n) - K*H)*P = P - K*H*P", {"model": "matrices"}, "identity matrix"),
         ("(A^T + I_2)^T = A + I_2", {"symbols": {"A": "2 x 2"}}, "identity matrix"),
+        ("A >= 0", {"given": ("A = B^T B",)}, "B: "),  # a hypothesis says what it is about too
         ("A^T B A >= 0", {"given": ("B >= 0",)}, "B: n x n"),  # what has an order is square
         ("2 A > A", {"given": ("A > 0",), "model": "matrices"}, "A: n x n"),
         # its identity matrices have the size that the gain gives them
