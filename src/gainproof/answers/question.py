@@ -72,7 +72,7 @@ def question(formula: str, options: Options, models: Sequence[Mapping[str, objec
     names = {symbol_name(name): text for name, text in options.symbols.items()}
     open_ = not (options.model or options.conventions or options.domain)
     said_so = options.model == MATRICES or any(map(says_matrix, names.values()))
-    if said_so or (open_ and transposes(formula)):
+    if said_so or (open_ and any(map(transposes, (formula, *options.given)))):
         return _about_matrices(formula, names, options)
     read = typed(formula, names)
     said = {token: _meaning_of(token, text, names, read) for token, text in names.items()}
