@@ -31,7 +31,7 @@ PARTS = (
         "Is this formula right?",
         ("ask", "check-a-formula", "claim-files", "reader", "conventions-and-repairs"),
     ),
-    Part("Which gains do I take?", ("design", "position-and-velocity", "time-varying")),
+    Part("Which gains do I take?", ("design", "steady", "position-and-velocity", "time-varying")),
     Part("Where does it come from?", ("follow-a-derivation", "edit-a-page", "lecture-figures")),
     Part("Code for it?", ("generate", "own-models", "stable-forms", "use-kernels")),
     Part("Radar coordinates?", ("coordinates", "converted-measurements")),
