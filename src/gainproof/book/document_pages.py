@@ -38,7 +38,7 @@ PARTS = (
     Part("Where are the targets?", ("locate", "track")),
     Part(
         "Why should I believe it?",
-        ("what-proved-rests-on", "certify", "stability-policy", "history"),
+        ("what-proved-rests-on", "certify", "stability-policy", "moved", "history"),
     ),
 )
 """The pages in the order of a user's questions."""

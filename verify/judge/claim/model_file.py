@@ -17,10 +17,10 @@ from gainproof.verify.judge.claim.models import MATRICES, Rows, read_matrix, rea
 from gainproof.verify.judge.claim.record import OwnModel, Setting, SymbolEntry, Unit
 from gainproof.verify.judge.claim.symbols import complete_symbols
 from gainproof.verify.judge.claim.units import read_unit, unit_text_of
-from gainproof.verify.judge.dimensions.declared import shared_fault
+from gainproof.verify.judge.dimensions.declarations import shared_fault
 from gainproof.verify.judge.dimensions.formula import dimension_of, graph_fault, names_of
 from gainproof.verify.judge.exact.expression import symbols_of
-from gainproof.verify.judge.exact.tree import read_tree
+from gainproof.verify.judge.exact.formula_tree import read_tree
 
 FORMAT = "gainproof model 1"
 MOST_NAME = 40

@@ -14,14 +14,14 @@ from gainproof.verify.check_enclosure import Box
 from gainproof.verify.enclosure.structure import Model, fraction_of
 from gainproof.verify.judge.claim.model_file import ModelFile
 from gainproof.verify.judge.claim.models import Rows
+from gainproof.verify.judge.exact.balls import Balls, NoValue, Unresolved, compared
 from gainproof.verify.judge.exact.calculus import substituted
 from gainproof.verify.judge.exact.constant_value import constant_value
-from gainproof.verify.judge.exact.enclose import Balls, NoValue, Unresolved, compared
 from gainproof.verify.judge.exact.expression import Expr, number
 from gainproof.verify.judge.exact.free_names import free_name
-from gainproof.verify.judge.exact.limits import Malformed, Undecided
+from gainproof.verify.judge.exact.work_limits import Malformed, Undecided
 from gainproof.verify.judge.formula import Graph, Relation
-from gainproof.verify.judge.reader.latex import relations_to_latex
+from gainproof.verify.judge.reader.latex_printer import relations_to_latex
 from gainproof.verify.judge.scope import Scope
 from gainproof.verify.judge.setting.environment import algebra
 
