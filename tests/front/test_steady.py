@@ -73,6 +73,21 @@ def test_a_certificate_for_strangers(plane: Path, tmp_path: Path) -> None:
     assert '"1/3"' in done.stdout
 
 
+def test_a_singular_noise_that_is_not_rational(plane: Path) -> None:
+    """Of rank one, with a strength whose root is no rational number: no rounding of ours is blamed,
+    and what is no covariance is.
+    """
+    text = PLANE.replace(
+        "[symbols]\n", "[symbols]\n's' = { definition = '\\exp(q)', meaning = 'x' }\n"
+    )
+    text = text.replace('unit = "m^2/s^4", domain', 'unit = "1", domain').replace("m/s", "m")
+    text = text.replace("q T", "s T").replace('unit = "s"', 'unit = "1"').replace("m^2", "1")
+    plane.write_text(text.replace('= "m"', '= "1"'))
+    assert cli.main(["steady", str(plane), "--at", "T=1/3,q=1/7,R=1"]) == 0
+    plane.write_text(plane.read_text().replace("s T^4/4", "0.9 s T^4/4"))
+    assert cli.main(["steady", str(plane), "--at", "T=1/3,q=1/7,R=1"]) == 2
+
+
 def test_the_first_samples(plane: Path, capsys: pytest.CaptureFixture[str]) -> None:
     """From the variance 1 of a position measured with the variance 1 the gain is 1/2 at first; of
     the velocity it is 0 then.
@@ -190,6 +205,22 @@ def test_correlated_noises() -> None:
     p = solve_discrete_are(np.array(f).T, np.array(h).T, q, r, s=np.array(s))
     assert within(found.predicted_covariance, p)
     assert within(found.predictor_gain, (0.9 * p + 0.5) / (p + 2))
+
+
+def test_roundings_of_doubles_are_told_from_mistakes() -> None:
+    """g g' in doubles, with one place less than is right, and a product that is not symmetric."""
+    f, h, r = np.array([[1, 0.1], [0, 1]]), [[1, 0]], [[1]]
+    q = np.outer([0.1**2 / 2, 0.1], [0.1**2 / 2, 0.1])
+    q[0, 0] *= 1 - 1e-15
+    with pytest.raises(gainproof.BadInputError, match=r"Q: .* by rounding alone: write its"):
+        gainproof.steady_state(f, h, q, r)
+    gainproof.steady_state(f, h, q + np.diag(1e-12 * np.diag(q)), r)
+    q = np.array([[1, 0.1], [np.nextafter(0.1, 1), 1]])
+    with pytest.raises(gainproof.BadInputError, match=r"by rounding: take \(Q \+ Q\.T\)/2"):
+        gainproof.steady_state(f, h, q, r)
+    gainproof.steady_state(f, h, (q + q.T) / 2, r)
+    with pytest.raises(gainproof.BadInputError, match=r"semidefinite$"):
+        gainproof.steady_state(f, h, [[1, 1.001], [1.001, 1]], r)
 
 
 @pytest.mark.parametrize(

@@ -11,13 +11,15 @@ from operator import index
 from typing import Any
 
 from gainproof.bad_input import BadInputError
-from gainproof.verify.check_enclosure import Box, decide, definite
+from gainproof.verify.check_enclosure import Box, decide, definite, diagonal
 from gainproof.verify.enclosure.poles import Pole, poles
 from gainproof.verify.enclosure.samples import NoGain, samples
 from gainproof.verify.enclosure.steady import steady
 from gainproof.verify.enclosure.structure import Model, NoSteadyState
 
 MOST_SIZE, MOST_SAMPLES = 40, 1000
+ROUNDING = Fraction(1, 1 << 40)
+"""Of entries: less is taken for what computing in doubles does."""
 Matrix = Iterable[Iterable[Any]]
 NUMBER = re.compile(r"[+-]?\d{1,300}(\.\d{1,300})?(/0*[1-9]\d{0,300}|[eE][+-]?\d{1,3})?", re.ASCII)
 MATRICES = ("filter_gain", "predictor_gain", "predicted_covariance", "updated_covariance")
@@ -172,28 +174,44 @@ def _require_covariances(model: Model, start: Box | None = None) -> None:
             for j in range(i):
                 if row[j] != box.c[j][i]:
                     here, there = (_shown(x) for x in (row[j], box.c[j][i]))
+                    near = abs(row[j] - box.c[j][i]) <= ROUNDING * abs(row[j])
+                    hint = f"; by rounding: take ({name} + {name}.T)/2" if near else ""
                     raise BadInputError(
                         f"{name}: row {i + 1}, column {j + 1} is {here}, and row {j + 1}, column "
-                        f"{i + 1} is {there}: a covariance is symmetric"
+                        f"{i + 1} is {there}: a covariance is symmetric{hint}"
                     )
             if row[i] + box.radius[i][i] < 0:
                 raise BadInputError(
                     f"{name}: row {i + 1}, column {i + 1} is {_shown(row[i])}: a variance is not "
                     "negative"
                 )
-        if not box.r and not _semidefinite(box):
-            raise BadInputError(f"{name}: no covariance, as it is not positive semidefinite")
+        if fault := _indefinite(box):
+            raise BadInputError(f"{name}: no covariance, as it is {fault}")
     whole = model.r.over(model.s).turned().over(model.s.turned().over(model.q).turned())
-    if not whole.r and not _semidefinite(whole):
+    if fault := _indefinite(whole):
         raise BadInputError(
-            "S: more than Q and R allow, as the covariance of both noises together is not positive "
-            "semidefinite"
+            f"S: more than Q and R allow, as the covariance of both noises together is {fault}"
         )
+
+
+def _indefinite(box: Box) -> str:
+    """What is wrong with a covariance, or nothing. Singular ones in doubles miss being covariances
+    by their rounding, the centres of boxes by their radius: those are let pass.
+    """
+    more = diagonal([ROUNDING * row[i] for i, row in enumerate(box.c)])
+    if not _semidefinite(box + more):
+        return "not positive semidefinite"
+    if box.r or _semidefinite(box):
+        return ""
+    return (
+        "not positive semidefinite, by rounding alone: write its numbers exactly, as fractions or "
+        "texts ('1/400'), or add 1e-12 of its diagonal"
+    )
 
 
 def _semidefinite(box: Box) -> bool:
     try:
-        definite(box, "")
+        definite(Box(box.c), "")
     except ValueError:
         return False
     return True
