@@ -7,11 +7,13 @@ is taken of is claimed too (see `algebraic_graphs`).
 
 from __future__ import annotations
 
+from pathlib import Path
+
 from gainproof.derive.derivation import Derivation
 from gainproof.derive.pages.derivation import Given, written
-from gainproof.derive.printer.graph import symbols_of
+from gainproof.derive.pages.kernel_page import PLANE, page_graphs, page_module
+from gainproof.derive.printer.graph import Graph, symbols_of
 from gainproof.derive.sensors.algebraic_graphs import algebraic
-from gainproof.derive.sensors.converted_module import graphs, kernel_module
 from gainproof.derive.source import (
     DEBIASED,
     ELEMENTARY,
@@ -23,6 +25,7 @@ from gainproof.derive.source import (
 from gainproof.derive.subject import Program, Subject
 
 NAME = "converted-measurements"
+FORMULAS = Path(__file__).with_name("converted_kernels.md")
 SOURCES = (DEBIASED, UNBIASED, MODIFIED, TRACKER_LIBRARY, PROBABILITY, ELEMENTARY)
 HINTS = {
     "classical-radial": {"form": "(1 - L)/2"},
@@ -64,6 +67,16 @@ LATEX = {
 """Where the names on the page are no letters."""
 
 
+def graphs() -> dict[str, Graph]:
+    """The graph of each kernel by its name: those in the plane, in space, of correlated noises."""
+    found = page_graphs(FORMULAS)
+    return {name: found[name] for name in sorted(found, key=_place)}
+
+
+def _place(kernel: str) -> tuple[bool, bool]:
+    return kernel.startswith("correlated"), not kernel.endswith(PLANE)
+
+
 def build() -> Subject:
     """Derive the moments, the four conversions, what they are exact for, and their growth."""
     made = graphs()
@@ -84,6 +97,6 @@ def build() -> Subject:
             name: Program({entry: entry for entry in symbols_of(graph)}, graph)
             for name, graph in plain.items()
         },
-        module=kernel_module(NAME, page.title, made),
+        module=page_module(FORMULAS, made, NAME, page.title),
         textbook=dict,
     )

@@ -7,15 +7,18 @@ atan2 is taken of is claimed too (see `algebraic_graphs`).
 
 from __future__ import annotations
 
+from pathlib import Path
+
 from gainproof.derive.derivation import Derivation
 from gainproof.derive.pages.derivation import Given, written
-from gainproof.derive.printer.graph import symbols_of
+from gainproof.derive.pages.kernel_page import page_graphs, page_module
+from gainproof.derive.printer.graph import Graph, symbols_of
 from gainproof.derive.sensors.algebraic_graphs import algebraic
-from gainproof.derive.sensors.polar_module import graphs, kernel_module
 from gainproof.derive.source import ELEMENTARY, LECTURE, PROBABILITY
 from gainproof.derive.subject import Program, Subject
 
 NAME = "polar-coordinates"
+FORMULAS = Path(__file__).with_name("polar_kernels.md")
 LATEX = {
     "elevation_loss": r"\ell_E",
     "bearing_loss": r"\ell_B",
@@ -24,6 +27,11 @@ LATEX = {
     "bearing_acceleration": "B''",
 }
 """Where the names on the page are no letters."""
+
+
+def graphs() -> dict[str, Graph]:
+    """The graph of each kernel by its name."""
+    return page_graphs(FORMULAS)
 
 
 def build() -> Subject:
@@ -47,6 +55,6 @@ def build() -> Subject:
             name: Program({entry: entry for entry in symbols_of(graph)}, graph)
             for name, graph in plain.items()
         },
-        module=kernel_module(NAME, page.title, made),
+        module=page_module(FORMULAS, made, NAME, page.title),
         textbook=dict,
     )

@@ -5,13 +5,15 @@ The derivation is the page `range-doppler` of `derive/pages`; here is what it do
 
 from __future__ import annotations
 
+from pathlib import Path
 from typing import Any
 
 from gainproof.derive.derivation import Derivation
 from gainproof.derive.pages.derivation import Given, written
-from gainproof.derive.printer.graph import symbols_of
+from gainproof.derive.pages.kernel_page import PLANE, page_graphs, page_module
+from gainproof.derive.printer.graph import Graph, symbols_of
 from gainproof.derive.sensors.range_doppler_components import component_steps, kernel_steps
-from gainproof.derive.sensors.range_doppler_module import graphs, kernel_module, of_two_stations
+from gainproof.derive.sensors.range_doppler_names import SPACE_AXES, places, velocities
 from gainproof.derive.sensors.range_doppler_pairs import pair_steps, pair_towers
 from gainproof.derive.sensors.range_doppler_textbook import textbook
 from gainproof.derive.sensors.range_doppler_towers import towers
@@ -19,6 +21,14 @@ from gainproof.derive.source import DOPPLER, ELEMENTARY
 from gainproof.derive.subject import Program, Subject
 
 NAME = "range-doppler"
+FORMULAS = Path(__file__).with_name("range_doppler_kernels.md")
+PAIRS = ("bistatic_range_doppler", "range_doppler_difference")
+"""The kernels of two stations."""
+NAMED = (
+    "(other_)?((place|velocity|turning)_[xyz]|range_rate)|(baseline|drift|reach)_[xyz]"
+    "|range_(rate_)?difference(_D_[xyz])?"
+)
+"""What proofs put names for."""
 LATEX = {"q": "f_+", "new_rate": "g_+", "new_unit": "u_+", "new_turning": "h_+"}
 LENGTH, VECTOR = ("unit", "1"), ("unit", "d")
 HINTS: dict[str, dict[str, Any]] = {
@@ -54,6 +64,32 @@ HINTS: dict[str, dict[str, Any]] = {
 """What proofs use besides their conditions: see `pages.matrices`; inner products are numbers."""
 
 
+def graphs() -> dict[str, Graph]:
+    """The graph of each kernel by its name, those of two stations last."""
+    found = page_graphs(FORMULAS, _inputs, NAMED)
+    return {name: found[name] for name in sorted(found, key=of_two_stations)}
+
+
+def of_two_stations(kernel: str) -> bool:
+    """Whether a kernel has a second station."""
+    return kernel.removesuffix(PLANE) in PAIRS
+
+
+def _inputs(kernel: str) -> dict[str, str]:
+    who = {"target": "target", "station": "station"}
+    if of_two_stations(kernel):
+        who |= {"station": "first_station", "other_station": "second_station"}
+    found = {
+        name: argument
+        for called, whose in who.items()
+        for vector in (places, velocities)
+        for name, argument in zip(
+            vector(called, SPACE_AXES), vector(whose, SPACE_AXES), strict=True
+        )
+    }
+    return {**found, "carrier_frequency": "carrier_frequency"}
+
+
 def build() -> Subject:
     """Derive range, range rate, their derivatives and what is left beyond these."""
     made, held = graphs(), towers()
@@ -82,7 +118,7 @@ def build() -> Subject:
             name: Program({entry: entry for entry in symbols_of(graph)}, graph)
             for name, graph in made.items()
         },
-        module=kernel_module(NAME, page.title, made),
+        module=page_module(FORMULAS, made, NAME, page.title),
         textbook=textbook,
         settings=page.settings,
     )

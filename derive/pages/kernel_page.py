@@ -1,0 +1,324 @@
+"""Kernels from a page of text: what they compute, are called and say of themselves.
+
+A page is one of `kernel_formulas` where a line `NAME_kernel = [...]` is a kernel, a row of the
+names of its outputs. In the conditions of headings `plane` is 1 in the plane and 0 in space, and
+`NAME_kernel` is 1 where that is made, else 0. What is a number is neither input nor output.
+
+Below `### NAME` stand what that kernel is and, lines as they are printed, its equations; then what
+is its own in tables, and below other headings what is so of all:
+
+    | input | meaning | domain | in float32 |
+    | output | meaning | error over | since |
+    | required | meaning | at least | in float32 |
+
+A kernel with a table of inputs of its own has these alone. A domain is `[1e-6, 2)`, an end
+`infinity`; `+-` before it is of magnitudes, `0 or` admits 0, `whole` wants whole numbers. The error
+of an output is one over `itself`, its `terms` taken positive or another output; `since` says why it
+is a difference. What a cell of its own leaves empty is as below other headings. Alternatives in
+braces make as many rows: `| {x,y} | along {east,north} |` are two. `{name}` without a comma is a
+slot.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable, Iterable, Iterator, Mapping
+from dataclasses import dataclass, field, replace
+from fractions import Fraction
+from itertools import product
+from pathlib import Path
+
+from gainproof.derive.catalogue_module import catalogue_module
+from gainproof.derive.derivation import PageError
+from gainproof.derive.pages.formula import Formula, FormulaError
+from gainproof.derive.pages.kernel_formulas import (
+    Section,
+    Value,
+    formulas_that_hold,
+    kernel_values,
+    place_of,
+    read_page,
+)
+from gainproof.derive.printer.graph import Graph, GraphBuilder, Node, symbols_of
+from gainproof.derive.printer.kernel import Input, Kernel, Module, Output, Requirement
+
+ROW = "_kernel"
+PLANE = "_in_plane"
+"""The end of the names of kernels in the plane."""
+SCALE = "_scale"
+"""The end of the name of what an output of changing sign is measured by."""
+_GROUP = re.compile(r"\{([^{}]*,[^{}]*)\}")
+_SLOT = re.compile(r"\{(\w+)\}")
+_DOMAIN = re.compile(r"(0 or )?(\+-)?(whole )?([\[(])(\S+), (\S+)([\])])")
+Inputs = Callable[[str], Mapping[str, str]]
+"""The inputs of a kernel by what formulas call them, in the order of arguments."""
+
+
+def page_graphs(page: Path, inputs: Inputs | None = None, named: str = "") -> dict[str, Graph]:
+    """The graph of each kernel of a page by its name; first those in space.
+
+    `inputs`: what a kernel may use, if not all that tables have; what it does not need is left out.
+    `named`: a regular expression of what is named in graphs besides values of functions.
+    Raises PageError for what is no formula, a name without one, and a kernel without outputs.
+    """
+    sections = read_page(page)
+    inputs = inputs or kernel_words(page).inputs
+    rows = dict.fromkeys(
+        row for section in sections for row in section.formulas if row.endswith(ROW)
+    )
+    found: dict[str, Graph] = {}
+    for plane in (0, 1):
+        for row in rows:
+            numbers = {each: Fraction(each == row) for each in rows}
+            numbers["plane"] = Fraction(plane)
+            if row in formulas_that_hold(sections, numbers):
+                kernel = row.removesuffix(ROW)
+                name = f"{kernel}{PLANE * plane}"
+                try:
+                    found[name] = _graph(sections, row, numbers, inputs(kernel), named)
+                except ValueError as error:
+                    raise PageError(f"{place_of(page)}: {name}: {error}") from None
+    return found
+
+
+Rows = Mapping[str, tuple[str, ...]]
+"""Of a table: the cells beside each name."""
+
+
+@dataclass(frozen=True)
+class Told:
+    """What stands below the heading of a kernel; tables by their kind."""
+
+    summary: str = ""
+    equations: tuple[str, ...] = ()
+    tables: Mapping[str, Rows] = field(default_factory=dict)
+
+
+@dataclass(frozen=True)
+class KernelWords:
+    """What a page says: by kernel, and in tables of all."""
+
+    place: str
+    own: Mapping[str, Told]
+    general: Mapping[str, Rows]
+
+    def of(self, kernel: str) -> Told:
+        """What is said of a kernel; in the plane, if nothing is, what is said of that in space.
+
+        Raises PageError where nothing is said.
+        """
+        base = self.own.get(kernel.removesuffix(PLANE))
+        if kernel not in self.own and base is None:
+            raise PageError(
+                f"{self.place}: wanted a heading `### {kernel}`, below it a paragraph that says "
+                "what the kernel is and one with its equations"
+            )
+        if base is None:
+            return self.own[kernel]
+        found = Told(base.summary.replace(".", " in the plane."), base.equations)
+        found = self.own.get(kernel, found)
+        return replace(found, tables={**base.tables, **found.tables})
+
+    def row(self, kernel: str, kind: str, name: str) -> tuple[str, ...]:
+        """The cells beside a name, own ones first. Raises PageError for a name without a row."""
+        own, general = self.of(kernel).tables.get(kind, {}).get(name), self.general.get(kind, {})
+        if own is None and name not in general:
+            raise PageError(f"{self.place}: {kernel}: {kind} {name!r} has no row in a table")
+        pairs = zip(own or general[name], general.get(name, own or ()), strict=True)
+        return tuple(first or second for first, second in pairs)
+
+    def inputs(self, kernel: str) -> Mapping[str, str]:
+        """The names of what may be inputs, in the order of tables."""
+        tables = self.own.get(kernel, Told()).tables
+        return {name: name for name in tables.get("input") or self.general.get("input", {})}
+
+
+def kernel_words(page: Path, slots: Mapping[str, str] | None = None) -> KernelWords:
+    """What a page says of its kernels. Raises PageError for a slot without a value, and for a table
+    of another kind.
+    """
+    place = place_of(page)
+    own: dict[str, Told] = {}
+    rows: dict[str, dict[str, tuple[str, ...]]] = {}
+    for part in re.split(r"^(?=#)", page.read_text(encoding="utf-8"), flags=re.MULTILINE):
+        head, _, body = part.partition("\n")
+        found = [each for each in body.split("\n\n") if each.strip()]
+        tables = [each for each in found if each.lstrip().startswith("|")]
+        kernel = head.removeprefix("### ") if head.startswith("### ") else ""
+        kept = {} if kernel else rows
+        for table in tables:
+            _read_table(place, table, slots or {}, kept)
+        if kernel:
+            words = [_filled(place, each, slots or {}) for each in found if each not in tables]
+            summary, equations = (*words, "", "")[:2]
+            lines = tuple(equations.strip("\n").splitlines())
+            own[kernel] = Told(" ".join(summary.split()), lines, kept)
+    return KernelWords(place, own, rows)
+
+
+def _filled(place: str, text: str, slots: Mapping[str, str]) -> str:
+    for name in _SLOT.findall(text):
+        if name not in slots:
+            raise PageError(f"{place}: {{{name}}} is no slot here")
+    return _SLOT.sub(lambda match: slots[match[1]], text)
+
+
+def _read_table(
+    place: str, table: str, slots: Mapping[str, str], found: dict[str, dict[str, tuple[str, ...]]]
+) -> None:
+    head, _, *lines = table.strip("\n").splitlines()
+    kind, *columns = _cells(head)
+    if (kind, tuple(columns)) not in _TABLES.items():
+        raise PageError(f"{place}: a table with the head {head!r} is none of kernels")
+    for line in lines:
+        for row in _alternatives(line):
+            name, *cells = _cells(_filled(place, row, slots))
+            if len(cells) != len(columns):
+                raise PageError(f"{place}: {len(columns) + 1} cells are wanted in {line!r}")
+            found.setdefault(kind, {})[name] = tuple(cells)
+
+
+_OWN = ("", "itself", "terms")
+_TABLES = {
+    "input": ("meaning", "domain", "in float32"),
+    "output": ("meaning", "error over", "since"),
+    "required": ("meaning", "at least", "in float32"),
+}
+
+
+def _cells(line: str) -> list[str]:
+    return [cell.strip() for cell in line.strip().strip("|").split("|")]
+
+
+def _alternatives(row: str) -> Iterator[str]:
+    """The rows that one stands for; braces with as many alternatives go together."""
+    groups = [match[1].split(",") for match in _GROUP.finditer(row)]
+    counts = list(dict.fromkeys(map(len, groups)))
+    for places in product(*map(range, counts)):
+        chosen = iter([each[places[counts.index(len(each))]] for each in groups])
+        yield _GROUP.sub(lambda _, left=chosen: next(left), row)  # type: ignore[misc]
+
+
+def page_module(
+    page: Path,
+    graphs: Mapping[str, Graph],
+    name: str,
+    title: str,
+    slots: Mapping[str, str] | None = None,
+) -> Module:
+    """The module of the subject `name` with the kernels of graphs as the page tells of them.
+
+    Raises PageError for a kernel, an input or output of which it says nothing.
+    """
+    words = kernel_words(page, slots)
+    kernels = (_kernel(words, kernel, graph, name) for kernel, graph in graphs.items())
+    return catalogue_module(name, title, kernels)
+
+
+def _kernel(words: KernelWords, name: str, graph: Graph, source: str) -> Kernel:
+    said = words.of(name)
+    required = said.tables.get("required") or words.general.get("required", {})
+    shown = [
+        each
+        for each in graph["outputs"]
+        if not each.endswith(SCALE)
+        and (each not in required or each in said.tables.get("output", {}))
+    ]
+    cells = {each: words.row(name, "output", each) for each in shown}
+    named = graph.get("names", {})
+    return Kernel(
+        name=name,
+        result="".join(word.capitalize() for word in name.split("_")),
+        summary=said.summary,
+        equations=said.equations,
+        inputs=tuple(
+            _input(words, each, words.row(name, "input", each)) for each in symbols_of(graph)
+        ),
+        outputs=tuple(
+            Output(each, meaning, None if over in _OWN else over, over == "terms")
+            for each, (meaning, over, _) in cells.items()
+        ),
+        graph=graph,
+        source=f"derivation {source}",
+        cancellations={
+            difference(each): reason
+            for each, (*_, reason) in cells.items()
+            if difference(each) in named
+        },
+        requirements=tuple(
+            Requirement(each, *row) for each, row in required.items() if each in graph["outputs"]
+        ),
+    )
+
+
+def difference(output: str) -> str:
+    """The name of the subtraction of computed values that gives an output."""
+    return f"{output}_difference"
+
+
+def _input(words: KernelWords, name: str, cells: tuple[str, ...]) -> Input:
+    meaning, domain, single = cells
+    ends = _DOMAIN.fullmatch(domain), _DOMAIN.fullmatch(single or domain)
+    if not all(ends):
+        raise PageError(f"{words.place}: input {name!r}: a domain such as [1e-6, 2) is wanted")
+    zero, signed, whole, start, low, high, end = ends[0].groups()
+    return Input(
+        name,
+        meaning,
+        low,
+        None if high == "infinity" else high,
+        start == "(",
+        end == ")",
+        bool(whole),
+        (ends[1][5], ends[1][6]) if single else None,
+        bool(zero or signed),
+        bool(signed),
+    )
+
+
+def _graph(
+    sections: Iterable[Section],
+    row: str,
+    numbers: Mapping[str, Value],
+    inputs: Mapping[str, str],
+    named: str,
+) -> Graph:
+    builder, known = GraphBuilder(), dict(numbers)
+    formulas = formulas_that_hold(sections, known)
+    for name, argument in inputs.items():
+        if name not in formulas or formulas[name].kind != "number":
+            known[name] = builder.symbol(argument)
+    outputs = [part.text for part in formulas[row].parts]
+    needed = _needed(outputs, formulas, known)
+    # in the order of the page, which is that of the printed operations
+    found = kernel_values(sections, known, [name for name in formulas if name in needed])
+    nodes = {name: node for name, node in (known | found).items() if isinstance(node, Node)}
+    names = {
+        name: nodes[name]
+        for name in found
+        if name in nodes and (formulas[name].kind == "call" or re.fullmatch(named, name))
+    }
+    return builder.graph({name: nodes[name] for name in outputs if name in nodes}, names)
+
+
+def _needed(
+    names: Iterable[str], formulas: Mapping[str, Formula], known: Mapping[str, Value]
+) -> set[str]:
+    """The names of formulas that some names need, themselves too; FormulaError for an unknown."""
+    found: set[str] = set()
+    left = list(names)
+    while left:
+        name = left.pop()
+        if name in known or name in found:
+            continue
+        if name not in formulas:
+            raise FormulaError(f"{name!r} has no formula")
+        found.add(name)
+        left += _names_in(formulas[name])
+    return found
+
+
+def _names_in(formula: Formula) -> list[str]:
+    if formula.kind == "name":
+        return [formula.text]
+    return [name for part in formula.parts for name in _names_in(part)]
