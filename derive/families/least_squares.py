@@ -10,8 +10,7 @@ from typing import Any
 
 import sympy as sp
 
-from gainproof.derive.derivation import Derivation, Step
-from gainproof.derive.expression import real
+from gainproof.derive.derivation import Derivation
 from gainproof.derive.growing_memory import module
 from gainproof.derive.growing_memory.fit import (
     GAIN_NAMES,
@@ -22,7 +21,6 @@ from gainproof.derive.growing_memory.fit import (
     recursion_tower,
 )
 from gainproof.derive.pages.derivation import FOLDER, Given, written
-from gainproof.derive.relation import Relation
 from gainproof.derive.source import GAUSS_MARKOV, LECTURE
 from gainproof.derive.subject import Program, Subject
 
@@ -58,32 +56,15 @@ def build(degree: int, folder: Path = FOLDER) -> Subject:
     f = fit(degree)
     graphs = module.kernel_graphs(f)
     name, title = NAMES[degree], TITLES[degree]
-    programs = [
-        Step(
-            f"kernel-{kernel.replace('_', '-')}",
-            f"The kernel {kernel} computes what it says.",
-            Relation(
-                "program",
-                {
-                    "program": kernel,
-                    "outputs": {entry: real(entry) for entry in graph["outputs"]},
-                },
-            ),
-            "Evaluate the kernel's graph as a rational function.",
-            tower="later" if kernel == "predicted_covariance" else "main",
-            hint={"graph": graph},
-            shown=False,
-        )
-        for kernel, graph in graphs.items()
-    ]
-    given = Given((batch_tower(f), recursion_tower(f)), slots={"": _slots(f)})
+    towers = batch_tower(f), recursion_tower(f)
+    given = Given(towers, slots={"": _slots(f)}, programs=graphs)
     page = written(PAGE, given, folder)
     sources = (LECTURE.key, GAUSS_MARKOV.key)
     return Subject(
         name=name,
         title=title,
         model=None,
-        derivation=Derivation(page.opening, (*page.steps, *programs), sources, page.latex),
+        derivation=Derivation(page.opening, page.steps, sources, page.latex),
         towers=page.towers,
         programs={
             kernel: Program({"sample_number": "k"}, graph) for kernel, graph in graphs.items()

@@ -12,7 +12,7 @@ from typing import Any
 import sympy as sp
 
 from gainproof.derive.algebra.tower import Parameter, Tower
-from gainproof.derive.derivation import Derivation, Step
+from gainproof.derive.derivation import Derivation, Step, kernel_step
 from gainproof.derive.expression import real
 from gainproof.derive.filter_step import forms
 from gainproof.derive.filter_step.forms import AXES
@@ -30,7 +30,6 @@ from gainproof.derive.filter_step.names import (
 )
 from gainproof.derive.pages.derivation import FOLDER, Given, written
 from gainproof.derive.printer.graph import Graph
-from gainproof.derive.relation import Relation
 from gainproof.derive.source import LECTURE
 from gainproof.derive.subject import Program, Subject
 
@@ -114,17 +113,9 @@ def _rows(names: Sequence[str]) -> list[list[sp.Symbol]]:
 
 
 def _program(name: str, graph: Graph, meant: Mapping[str, sp.Expr], tower: str) -> Step:
-    place = f" {tower.replace('_', ' ')}" if tower != "main" else ""
     outputs = {f"updated_{output}": value for output, value in meant.items()}
-    return Step(
-        f"kernel-{name.replace('_', '-')}{place.replace(' ', '-')}",
-        f"The kernel {name} computes what it says{place}.",
-        Relation("program", {"program": name, "outputs": outputs}),
-        "Evaluate the kernel's graph as a rational function.",
-        tower=tower,
-        hint={"graph": graph, "roots": {}},
-        shown=False,
-    )
+    step = name if tower == "main" else f"{name}_{tower}"
+    return kernel_step(name, graph, outputs, tower, step)
 
 
 def towers() -> tuple[Tower, ...]:

@@ -7,7 +7,7 @@ from collections.abc import Mapping
 import sympy as sp
 
 from gainproof.derive.catalogue_module import catalogue_module
-from gainproof.derive.derivation import Step
+from gainproof.derive.derivation import Step, kernel_step
 from gainproof.derive.expression import real
 from gainproof.derive.fixed_gain.names import MEANINGS
 from gainproof.derive.fixed_gain.three_kernels import UPDATED, graphs
@@ -25,7 +25,6 @@ from gainproof.derive.fixed_gain.three_towers import ALPHA, BETA, GAMMA, MARGIN
 from gainproof.derive.fixed_gain.two_kernels import SCALE, difference
 from gainproof.derive.printer.graph import Graph, symbols_of
 from gainproof.derive.printer.kernel import Input, Kernel, Module, Output, closed
-from gainproof.derive.relation import Relation
 
 SCALES = {
     "updated_12": "updated_12" + SCALE,
@@ -144,14 +143,12 @@ def kernel_steps(made: Mapping[str, Graph]) -> list[Step]:
         **curve_roots(),
     }
     return [
-        Step(
-            f"kernel-{name.replace('_', '-')}",
-            f"The kernel {name} computes what it says.",
-            Relation("program", {"program": name, "outputs": _meant(name, graph)}),
-            "Evaluate the kernel's graph as a rational function.",
-            tower=TOWERS.get(name, "main"),
-            hint={"graph": graph, "roots": roots.get(name, {})},
-            shown=False,
+        kernel_step(
+            name,
+            graph,
+            _meant(name, graph),
+            TOWERS.get(name, "main"),
+            roots=roots.get(name, {}),
         )
         for name, graph in made.items()
     ]

@@ -6,7 +6,7 @@ from collections.abc import Mapping
 
 import sympy as sp
 
-from gainproof.derive.derivation import Step
+from gainproof.derive.derivation import Step, kernel_step
 from gainproof.derive.expression import real
 from gainproof.derive.fixed_gain import two_kernels as region
 from gainproof.derive.fixed_gain import two_named_kernels as named
@@ -18,7 +18,6 @@ from gainproof.derive.fixed_gain.two_noise_kernels import (
     noise_variances_of_coordinates,
 )
 from gainproof.derive.printer.graph import Graph
-from gainproof.derive.relation import Relation
 
 LOOP, E = Loop(2), real("e")
 ALPHA, BETA = LOOP.gains
@@ -63,14 +62,8 @@ def kernel_steps(made: Mapping[str, Graph]) -> list[Step]:
     """The kernels compute what they say."""
     noises = noise_meanings(LOOP)
     return [
-        Step(
-            f"kernel-{name.replace('_', '-')}",
-            f"The kernel {name} computes what it says.",
-            Relation("program", {"program": name, "outputs": _meant(graph, noises)}),
-            "Evaluate the kernel's graph as a rational function.",
-            tower=TOWERS.get(name, "main"),
-            hint={"graph": graph, "roots": _roots(name)},
-            shown=False,
+        kernel_step(
+            name, graph, _meant(graph, noises), TOWERS.get(name, "main"), roots=_roots(name)
         )
         for name, graph in made.items()
     ]

@@ -12,7 +12,7 @@ import sympy as sp
 
 from gainproof.derive.algebra.limits import End
 from gainproof.derive.algebra.tower import Generator, NoValue, Parameter, Tower
-from gainproof.derive.derivation import Step
+from gainproof.derive.derivation import Step, kernel_step
 from gainproof.derive.expression import real
 from gainproof.derive.pages.evaluation import Definition, Meanings
 from gainproof.derive.pages.formula import NAME, Formula, FormulaError, read_formula
@@ -381,29 +381,25 @@ class _Making:
         if graph is None:
             raise FormulaError(f"no kernel {block.name!r}; known: {', '.join(self.given.programs)}")
         tower = self.towers[self._setting(block.setting)]
-        known, outputs = {*tower.variables, *tower.expressions}, {}
+        known, named = {*tower.variables, *tower.expressions}, graph.get("names", {})
+        outputs: dict[str, Any] = {name: real(name) for name in graph["outputs"]}
+        roots = {key: self._hint(x) for key, x in self.given.roots.items() if key in named}
         for line in block.lines:
             assert isinstance(line.meaning, Formula)
             try:
-                outputs[line.name] = self.meanings.value(line.meaning)
-                self._require_in(known, outputs[line.name], tower.name)
+                if line.name not in (*outputs, *named):
+                    listed = ", ".join([*outputs, *named])
+                    raise FormulaError(f"no output or root {line.name!r}; known: {listed}")
+                said = outputs if line.name in outputs else roots
+                said[line.name] = self.meanings.value(line.meaning)
+                self._require_in(known, said[line.name], tower.name)
             except FormulaError as error:
                 raise line.place.error(str(error)) from None
-        if list(outputs) != list(graph["outputs"]):
-            raise FormulaError(
-                f"the outputs {', '.join(graph['outputs'])} are wanted, in this order"
-            )
-        named = graph.get("names", {})
-        roots = {key: text for key, text in self.given.roots.items() if key in named}
-        return Step(
-            self._id(f"kernel-{block.name.replace('_', '-')}"),
-            f"The kernel {block.name} computes what it says.",
-            Relation("program", {"program": block.name, "outputs": outputs}),
-            "Evaluate the kernel's graph in the tower.",
-            block.setting,
-            {"graph": graph, "roots": {k: self._hint(x) for k, x in roots.items()}},
-            shown=False,
-        )
+        for value in outputs.values():
+            self._require_in(known, value, tower.name)
+        step = kernel_step(block.name, graph, outputs, block.setting, roots=roots)
+        self._id(step.id)
+        return step
 
     def _made(self, name: str) -> tuple[Step, ...]:
         if name not in self.given.steps:

@@ -13,7 +13,7 @@ A blank line stands between blocks; the first line of a block says what it is.
         statement                     indented: what it says, see `statement`
         id (...): statement           more, shown together with the first
     because ...                       why it follows
-    kernel NAME (in NAME)             what the outputs of a kernel are
+    kernel NAME (in NAME)             its outputs that are no quantity of their name, and its roots
     include PART (SLOTS)              the blocks of another file, with values for its slots; which
                                       one a slot may say, {name}, and that it is none
     steps NAME                        steps that the program makes, of that name; indented, in place
@@ -429,7 +429,7 @@ class _Reading:
             wanted = f"{kind}{' NAME' * named}{' (in NAME)' * placed}"
             self._at_error(number, f"{wanted} is wanted, {first!r} came")
         lines = self._lines(beneath)
-        if not lines and kind != "setting":
+        if not lines and kind not in ("setting", "kernel"):
             self._at_error(number, f"indented lines are wanted beneath {first!r}")
         inputs = kind == "setting" and lines and " = " not in lines[0][1]
         parameters = self._parameters(lines.pop(0)) if inputs else ()

@@ -11,7 +11,7 @@ from typing import Any
 import sympy as sp
 
 from gainproof.derive.catalogue_module import catalogue_module
-from gainproof.derive.derivation import Derivation, Step
+from gainproof.derive.derivation import Derivation, Step, kernel_step
 from gainproof.derive.expression import real
 from gainproof.derive.pages.derivation import Given, written
 from gainproof.derive.printer.graph import Graph, symbols_of
@@ -38,7 +38,6 @@ from gainproof.derive.recursion.three_state_towers import (
     start_tower,
     update_tower,
 )
-from gainproof.derive.relation import Relation
 from gainproof.derive.source import GAUSS_MARKOV, SPECTRAL
 from gainproof.derive.subject import Program, Subject
 
@@ -163,15 +162,8 @@ def _program(name: str, graph: Graph, known: tuple[TripleNoise, ...]) -> Step:
     elif name == "update":
         names = {output: f"updated_{output}" for output in FACTORS}
     outputs = {output: real(meant) for output, meant in names.items()}
-    return Step(
-        f"kernel-{name.replace('_', '-')}",
-        f"The kernel {name} computes what it says.",
-        Relation("program", {"program": name, "outputs": outputs}),
-        "Evaluate the kernel's graph as a rational function.",
-        tower="main" if noise is None else "start" if starts else noise.name,
-        hint={"graph": graph},
-        shown=False,
-    )
+    tower = "main" if noise is None else "start" if starts else noise.name
+    return kernel_step(name, graph, outputs, tower)
 
 
 def kernel_module(

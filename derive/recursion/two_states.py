@@ -13,7 +13,7 @@ import sympy as sp
 from gainproof.derive.algebra.tower import Parameter, Tower
 from gainproof.derive.algebra.variables import above_zero, from_zero
 from gainproof.derive.catalogue_module import catalogue_module
-from gainproof.derive.derivation import Derivation, Step
+from gainproof.derive.derivation import Derivation, Step, kernel_step
 from gainproof.derive.expression import real
 from gainproof.derive.pages.derivation import Given, written
 from gainproof.derive.printer.graph import Graph, symbols_of
@@ -38,7 +38,6 @@ from gainproof.derive.recursion.names import (
     step_names,
 )
 from gainproof.derive.recursion.noise import Noise, noises
-from gainproof.derive.relation import Relation
 from gainproof.derive.source import GAUSS_MARKOV, SPECTRAL
 from gainproof.derive.subject import Program, Subject
 
@@ -117,15 +116,8 @@ def _slots(noise: Noise) -> dict[str, Any]:
 
 
 def _program(name: str, graph: Graph, known: tuple[Noise, ...]) -> Step:
-    return Step(
-        f"kernel-{name.replace('_', '-')}",
-        f"The kernel {name} computes what it says.",
-        Relation("program", {"program": name, "outputs": _meant(name, graph, known)}),
-        "Evaluate the kernel's graph as a rational function.",
-        tower={"hand": "samples", "start": "start"}.get(name.split("_")[0], "main"),
-        hint={"graph": graph, "roots": {"root": real("root")}},
-        shown=False,
-    )
+    tower = {"hand": "samples", "start": "start"}.get(name.split("_")[0], "main")
+    return kernel_step(name, graph, _meant(name, graph, known), tower, roots={"root": real("root")})
 
 
 def _meant(name: str, graph: Graph, known: tuple[Noise, ...]) -> dict[str, object]:

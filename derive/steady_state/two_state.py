@@ -4,17 +4,15 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
 from pathlib import Path
-from typing import Any
 
 import sympy as sp
 
-from gainproof.derive.derivation import Derivation, Step
+from gainproof.derive.derivation import Derivation, Step, kernel_step
 from gainproof.derive.expression import real
 from gainproof.derive.model import Model
 from gainproof.derive.pages.derivation import FOLDER, Given, written
 from gainproof.derive.pages.kernel_formulas import FIRST, SECOND, formula_of
 from gainproof.derive.printer.graph import Graph
-from gainproof.derive.relation import Relation
 from gainproof.derive.steady_state.context import Context, context
 from gainproof.derive.steady_state.curvature_module import SCALE
 from gainproof.derive.steady_state.gain_towers import (
@@ -141,32 +139,12 @@ def _kernel_steps(
         outputs = {output: _meant(name, output) for output in graph["outputs"]}
         if name in ON_TWO_SIDES and gain_sides:
             for side in gain_sides:
-                said = f"what it says, {side.tower.name.replace('_', ' ')}"
-                hint = {"roots": side.roots, "branches": side.branches, "gaps": side.gaps}
-                program = (name, graph, outputs)
-                yield _kernel(f"{name}_{side.tower.name}", said, program, side.tower.name, hint)
+                tower, hint = side.tower.name, {"branches": side.branches, "gaps": side.gaps}
+                yield kernel_step(
+                    name, graph, outputs, tower, f"{name}_{tower}", roots=side.roots, **hint
+                )
         elif name != POLES:
-            program, tower = (name, graph, outputs), towers.get(name, "main")
-            yield _kernel(name, "what it says", program, tower, {"roots": roots})
-
-
-def _kernel(
-    name: str,
-    said: str,
-    program: tuple[str, Graph, Mapping[str, sp.Expr]],
-    tower: str,
-    hint: Mapping[str, Any],
-) -> Step:
-    kernel, graph, outputs = program
-    return Step(
-        f"kernel-{name.replace('_', '-')}",
-        f"The kernel {kernel} computes {said}.",
-        Relation("program", {"program": kernel, "outputs": outputs}),
-        "Evaluate the kernel's graph in the tower.",
-        tower=tower,
-        hint={"graph": graph, **hint},
-        shown=False,
-    )
+            yield kernel_step(name, graph, outputs, towers.get(name, "main"), roots=roots)
 
 
 def _meant(kernel: str, output: str) -> sp.Expr:
@@ -191,38 +169,33 @@ def _pole_steps(c: Context, graph: Graph) -> Iterator[Step]:
     roots, limit = graph_roots(c.e), pole_limit(c.e)
     if limit is None:
         found = _pair(1 - (ALPHA + BETA) / 2, half_width(c.e, c.n))
-        yield _kernel("poles", "them", (POLES, graph, found), "main", {"roots": roots})
+        yield kernel_step(POLES, graph, found, name="poles", roots=roots)
         return
     roots |= {"turning_root": turning_root(c.e), "below": BELOW, "above": ABOVE}
     choices, gap = [f"choice_{number}" for number in range(1, 7)], limit / SIDE
-    yield _kernel(
+    negative = {"distance": "negative", "middle_size": "negative"}
+    yield kernel_step(
+        POLES,
+        graph,
+        _pair(real("pole_real"), real("pole_imaginary")),
         "complex_poles",
-        "the complex poles below the turning index",
-        (POLES, graph, _pair(real("pole_real"), real("pole_imaginary"))),
         "complex_poles",
-        {
-            "roots": roots,
-            "branches": {**dict.fromkeys(choices, "then"), "distance": "positive"},
-            "gaps": {**dict.fromkeys(choices, gap), "distance": gap / 4},
-        },
+        roots=roots,
+        branches={**dict.fromkeys(choices, "then"), "distance": "positive"},
+        gaps={**dict.fromkeys(choices, gap), "distance": gap / 4},
     )
-    yield _kernel(
+    yield kernel_step(
+        POLES,
+        graph,
+        _real_poles(),
         "real_poles",
-        "the real poles above the turning index",
-        (POLES, graph, _real_poles()),
         "real_poles",
-        {
-            "roots": roots,
-            "branches": {
-                **dict.fromkeys(choices, "else"),
-                "distance": "negative",
-                "middle_size": "negative",
-            },
-            "gaps": {
-                **dict.fromkeys(choices, G**2),
-                "distance": G**2 / 4,
-                "middle_size": middle_size(c.e),
-            },
+        roots=roots,
+        branches={**dict.fromkeys(choices, "else"), **negative},
+        gaps={
+            **dict.fromkeys(choices, G**2),
+            "distance": G**2 / 4,
+            "middle_size": middle_size(c.e),
         },
     )
 

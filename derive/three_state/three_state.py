@@ -8,12 +8,11 @@ from pathlib import Path
 import sympy as sp
 
 from gainproof.derive.algebra.tower import Tower
-from gainproof.derive.derivation import Derivation, Step
+from gainproof.derive.derivation import Derivation, Step, kernel_step
 from gainproof.derive.expression import real
 from gainproof.derive.model import Model, scale
 from gainproof.derive.pages.derivation import FOLDER, Given, written
 from gainproof.derive.printer.graph import Graph
-from gainproof.derive.relation import Relation
 from gainproof.derive.source import ALGEBRA
 from gainproof.derive.subject import Program, Subject
 from gainproof.derive.three_state import page_hints, page_slots, pole_tower
@@ -118,15 +117,7 @@ def _tower(name: str) -> str:
 def _program_steps(c: Context, graphs: Mapping[str, Graph]) -> list[Step]:
     """Every kernel computes what its outputs are called."""
     return [
-        Step(
-            f"kernel-{name.replace('_', '-')}",
-            f"The kernel {name} computes what it says.",
-            Relation("program", {"program": name, "outputs": _meanings(c, name, graph)}),
-            "Evaluate the kernel's graph in the tower.",
-            tower=_tower(name),
-            hint={"graph": graph, "roots": _roots(c, name)},
-            shown=False,
-        )
+        kernel_step(name, graph, _meanings(c, name, graph), _tower(name), roots=_roots(c, name))
         for name, graph in graphs.items()
     ]
 
