@@ -6,20 +6,28 @@ what the kernels compute, is made in `derive/fixed_gain`.
 
 from __future__ import annotations
 
+from pathlib import Path
 from typing import Any
 
-from gainproof.derive.derivation import Derivation
-from gainproof.derive.fixed_gain.loop import Loop
+import sympy as sp
+
+import gainproof.derive.fixed_gain
+from gainproof.derive.derivation import Derivation, kernel_step
+from gainproof.derive.fixed_gain.loop import Loop, pairs
 from gainproof.derive.fixed_gain.names import LATEX
 from gainproof.derive.fixed_gain.page_slots import page_slots
-from gainproof.derive.fixed_gain.two_module import kernel_module
-from gainproof.derive.fixed_gain.two_programs import SYMBOLS, graphs, kernel_steps
+from gainproof.derive.fixed_gain.process_noise import noise_shares
 from gainproof.derive.pages.derivation import Given, written
+from gainproof.derive.pages.kernel_page import SCALE, page_graphs, page_module
+from gainproof.derive.printer.graph import Graph, symbols_of
 from gainproof.derive.source import LECTURE
 from gainproof.derive.subject import Program, Subject
 
 NAME = "alpha-beta"
 LOOP = Loop(2)
+FORMULAS = Path(gainproof.derive.fixed_gain.__path__[0]) / "two_kernels.md"
+SYMBOLS = {"linear_coefficient": "x", "quadratic_coefficient": "y"}
+NOISE = "process_noise_variances"
 HINTS: dict[str, dict[str, Any]] = {
     "random-velocity-stable": {"form": "4 (x + root_two)/(x (x + 2))"},
     "random-velocity-stable-alpha": {"form": "2 root_two (root_two - 1)/(x + 2)"},
@@ -36,15 +44,46 @@ HINTS: dict[str, dict[str, Any]] = {
 """Without the differences that hide a sign."""
 
 
+def graphs() -> dict[str, Graph]:
+    """The graph of each kernel by its name."""
+    return page_graphs(FORMULAS)
+
+
+def noise_meanings() -> dict[str, sp.Expr]:
+    """What each entry of a process noise adds to each variance, over the gains: the solved
+    equation's coefficients.
+    """
+    shares = noise_shares(LOOP)
+    alpha, beta = LOOP.gains
+    below = alpha * beta * (4 - 2 * alpha - beta)
+    return {
+        f"updated_12_by_q_22{SCALE}": (1 - alpha) * (alpha * (2 - alpha) + beta) / below,
+        **{
+            f"{kind}_{ij}_by_q_{kl}": shares[kind][ij, kl]
+            for kind in shares
+            for ij in pairs(2)
+            for kl in pairs(2)
+        },
+    }
+
+
 def build() -> Subject:
     """Derive the alpha-beta filter with fixed gains."""
-    made = graphs()
+    made, meant = graphs(), noise_meanings()
     alpha, beta = LOOP.gains
     lecture = (2 * alpha**2 + 2 * beta + alpha * beta) / (alpha * (4 - 2 * alpha - beta))
     given = Given(
         models={"fixed_gains": LOOP.model},
         hints=HINTS,
         slots={"": page_slots(LOOP, lecture)},
+        programs=made,
+        roots={"modulus": "rho"},
+        steps={
+            "kernels-of-noise": [
+                kernel_step(name, made[name], {x: meant[x] for x in made[name]["outputs"]})
+                for name in (NOISE, f"{NOISE}_of_coordinates")
+            ]
+        },
     )
     page = written(NAME, given)
     return Subject(
@@ -53,22 +92,15 @@ def build() -> Subject:
         model=None,
         derivation=Derivation(
             page.opening,
-            (*page.steps, *kernel_steps(made)),
+            page.steps,
             (LECTURE.key,),
             {**page.latex, **LATEX},
         ),
         towers=page.towers,
         programs={
-            name: Program(
-                {
-                    str(node[1]): SYMBOLS.get(str(node[1]), str(node[1]))
-                    for node in graph["nodes"]
-                    if node[0] == "symbol"
-                },
-                graph,
-            )
+            name: Program({x: SYMBOLS.get(x, x) for x in symbols_of(graph)}, graph)
             for name, graph in made.items()
         },
-        module=kernel_module(NAME, page.title, made),
+        module=page_module(FORMULAS, made, NAME, page.title),
         textbook=dict,
     )

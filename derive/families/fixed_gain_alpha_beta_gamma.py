@@ -6,57 +6,87 @@ what the kernels compute, is made in `derive/fixed_gain`.
 
 from __future__ import annotations
 
+from pathlib import Path
+
 import sympy as sp
 
-from gainproof.derive.derivation import Derivation
+import gainproof.derive.fixed_gain
+from gainproof.derive.catalogue_module import catalogue_module
+from gainproof.derive.derivation import Derivation, kernel_step
 from gainproof.derive.expression import real
 from gainproof.derive.fixed_gain.names import LATEX
 from gainproof.derive.fixed_gain.page_slots import page_slots
-from gainproof.derive.fixed_gain.three_kernels import graphs
-from gainproof.derive.fixed_gain.three_module import SYMBOLS, kernel_module, kernel_steps
-from gainproof.derive.fixed_gain.three_noises import noise_tower, noise_variances
-from gainproof.derive.fixed_gain.three_random_jerk_tower import curve_towers
+from gainproof.derive.fixed_gain.three_noise_kernels import noise_graphs
+from gainproof.derive.fixed_gain.three_noises import (
+    TOWER,
+    noise_meanings,
+    noise_tower,
+    noise_variances,
+)
+from gainproof.derive.fixed_gain.three_random_jerk_tower import curve_roots, curve_towers
 from gainproof.derive.fixed_gain.three_towers import LOOP, D, M, X, lecture_variance, main_tower
 from gainproof.derive.pages.derivation import Given, written
+from gainproof.derive.pages.kernel_page import page_graphs, page_kernels
+from gainproof.derive.printer.graph import Graph, symbols_of
 from gainproof.derive.source import LECTURE
 from gainproof.derive.subject import Program, Subject
 
 NAME = "alpha-beta-gamma"
+FOLDER = Path(gainproof.derive.fixed_gain.__path__[0])
+FORMULAS, NOISE = FOLDER / "three_kernels.md", FOLDER / "three_noise_kernels.md"
+LAST_OF_FIRST = "updated_variances_of_coordinates"
+"""The kernel before those of noise."""
+SYMBOLS = {"linear_coefficient": "x", "cubic_coefficient": "d", "hurwitz_determinant": "m"}
+
+
+def graphs() -> dict[str, Graph]:
+    """The graph of each kernel by its name."""
+    found: dict[str, Graph] = {}
+    for name, graph in page_graphs(FORMULAS).items():
+        found |= {name: graph} | (noise_graphs() if name == LAST_OF_FIRST else {})
+    return found
 
 
 def build() -> Subject:
     """Derive the alpha-beta-gamma filter with fixed gains."""
-    made = graphs()
+    made, noise = graphs(), noise_graphs()
     given = Given(
         towers=(main_tower(), noise_tower(), *curve_towers()),
         models={"fixed_gains": LOOP.model},
         slots={"": {**page_slots(LOOP, lecture_variance()), "noise_variances": noise_variances()}},
         hints={"predicted-definite": {"minors": _minors()}},
+        programs=made,
+        roots=curve_roots(),
+        steps={
+            "kernels-of-noise": [
+                kernel_step(name, graph, noise_meanings(name, graph), TOWER)
+                for name, graph in noise.items()
+            ]
+        },
     )
     page = written(NAME, given)
+    others = {name: graph for name, graph in made.items() if name not in noise}
+    kernels = {
+        kernel.name: kernel
+        for formulas, graphs in ((FORMULAS, others), (NOISE, noise))
+        for kernel in page_kernels(formulas, graphs, NAME)
+    }
     return Subject(
         name=NAME,
         title=page.title,
         model=None,
         derivation=Derivation(
             page.opening,
-            (*page.steps, *kernel_steps(made)),
+            page.steps,
             (LECTURE.key,),
             {**page.latex, **LATEX},
         ),
         towers=page.towers,
         programs={
-            name: Program(
-                {
-                    str(node[1]): SYMBOLS.get(str(node[1]), str(node[1]))
-                    for node in graph["nodes"]
-                    if node[0] == "symbol"
-                },
-                graph,
-            )
+            name: Program({x: SYMBOLS.get(x, x) for x in symbols_of(graph)}, graph)
             for name, graph in made.items()
         },
-        module=kernel_module(NAME, page.title, made),
+        module=catalogue_module(NAME, page.title, (kernels[name] for name in made)),
         textbook=dict,
     )
 

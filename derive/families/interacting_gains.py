@@ -5,17 +5,20 @@ The derivation is the page `interacting-gains` of `derive/pages`.
 
 from __future__ import annotations
 
+from pathlib import Path
 from typing import Any
 
 import sympy as sp
 
+import gainproof.derive.fixed_gain
 from gainproof.derive.derivation import Derivation
-from gainproof.derive.fixed_gain.interacting_module import KERNEL, graph, kernel_module
 from gainproof.derive.pages.derivation import Given, written
+from gainproof.derive.pages.kernel_page import page_graphs, page_module
 from gainproof.derive.source import LECTURE, MATRICES
 from gainproof.derive.subject import Program, Subject
 
 NAME = "interacting-gains"
+FORMULAS = Path(gainproof.derive.fixed_gain.__path__[0]) / "interacting_kernels.md"
 MODEL = {
     "name": "two-coordinates",
     "title": "Two coordinates at constant velocity",
@@ -97,7 +100,7 @@ HINTS: dict[str, dict[str, Any]] = {
 
 def build() -> Subject:
     """Derive filters with matrix gains."""
-    made = {KERNEL: graph()}
+    made = page_graphs(FORMULAS)
     given = Given(
         models={"two_coordinates": MODEL},
         slots={"": SLOTS},
@@ -112,7 +115,7 @@ def build() -> Subject:
         derivation=Derivation(page.opening, page.steps, (LECTURE.key, MATRICES.key), page.latex),
         towers=page.towers,
         programs={name: Program({"variance_ratio": "variance_ratio"}, made[name]) for name in made},
-        module=kernel_module(NAME, page.title, made),
+        module=page_module(FORMULAS, made, NAME, f"{page.title}: the gain of one coordinate"),
         textbook=dict,
         settings=page.settings,
     )

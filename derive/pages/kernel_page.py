@@ -32,6 +32,8 @@ from gainproof.derive.catalogue_module import catalogue_module
 from gainproof.derive.derivation import PageError
 from gainproof.derive.pages.formula import Formula, FormulaError
 from gainproof.derive.pages.kernel_formulas import (
+    PLANE,
+    ROW,
     Section,
     Value,
     formulas_that_hold,
@@ -42,9 +44,6 @@ from gainproof.derive.pages.kernel_formulas import (
 from gainproof.derive.printer.graph import Graph, GraphBuilder, Node, symbols_of
 from gainproof.derive.printer.kernel import Input, Kernel, Module, Output, Requirement
 
-ROW = "_kernel"
-PLANE = "_in_plane"
-"""The end of the names of kernels in the plane."""
 SCALE = "_scale"
 """The end of the name of what an output of changing sign is measured by."""
 _GROUP = re.compile(r"\{([^{}]*,[^{}]*)\}")
@@ -61,13 +60,13 @@ def page_graphs(page: Path, inputs: Inputs | None = None, named: str = "") -> di
     `named`: a regular expression of what is named in graphs besides values of functions.
     Raises PageError for what is no formula, a name without one, and a kernel without outputs.
     """
-    sections = read_page(page)
-    inputs = inputs or kernel_words(page).inputs
+    sections, words = read_page(page), kernel_words(page)
     rows = dict.fromkeys(
         row for section in sections for row in section.formulas if row.endswith(ROW)
     )
     found: dict[str, Graph] = {}
-    for plane in (0, 1):
+    conditions = [str(each) for section in sections for each in section.conditions]
+    for plane in (0, 1) if any("plane" in each for each in conditions) else (0,):
         for row in rows:
             numbers = {each: Fraction(each == row) for each in rows}
             numbers["plane"] = Fraction(plane)
@@ -75,7 +74,9 @@ def page_graphs(page: Path, inputs: Inputs | None = None, named: str = "") -> di
                 kernel = row.removesuffix(ROW)
                 name = f"{kernel}{PLANE * plane}"
                 try:
-                    found[name] = _graph(sections, row, numbers, inputs(kernel), named)
+                    given = inputs(kernel) if inputs else words.inputs(name)
+                    graph = _graph(sections, row, numbers, given, named)
+                    found[name] = _with_differences(graph, words.differences(name))
                 except ValueError as error:
                     raise PageError(f"{place_of(page)}: {name}: {error}") from None
     return found
@@ -107,30 +108,39 @@ class KernelWords:
 
         Raises PageError where nothing is said.
         """
-        base = self.own.get(kernel.removesuffix(PLANE))
-        if kernel not in self.own and base is None:
+        own, base = (self.own.get(name) for name in (kernel, kernel.removesuffix(PLANE)))
+        if own is None and base is not None:
+            own = replace(base, summary=base.summary.replace(".", " in the plane."))
+        if own is None:
             raise PageError(
                 f"{self.place}: wanted a heading `### {kernel}`, below it a paragraph that says "
                 "what the kernel is and one with its equations"
             )
-        if base is None:
-            return self.own[kernel]
-        found = Told(base.summary.replace(".", " in the plane."), base.equations)
-        found = self.own.get(kernel, found)
-        return replace(found, tables={**base.tables, **found.tables})
+        return replace(own, tables=self.tables(kernel))
+
+    def tables(self, kernel: str) -> Mapping[str, Rows]:
+        """The tables of a kernel's own; of one in the plane those in space where it has none."""
+        names = kernel.removesuffix(PLANE), kernel
+        return {k: rows for x in names for k, rows in self.own.get(x, Told()).tables.items()}
 
     def row(self, kernel: str, kind: str, name: str) -> tuple[str, ...]:
         """The cells beside a name, own ones first. Raises PageError for a name without a row."""
-        own, general = self.of(kernel).tables.get(kind, {}).get(name), self.general.get(kind, {})
+        own, general = self.tables(kernel).get(kind, {}).get(name), self.general.get(kind, {})
         if own is None and name not in general:
             raise PageError(f"{self.place}: {kernel}: {kind} {name!r} has no row in a table")
         pairs = zip(own or general[name], general.get(name, own or ()), strict=True)
         return tuple(first or second for first, second in pairs)
 
+    def differences(self, kernel: str) -> list[str]:
+        """Outputs that are said to be differences."""
+        rows = {**self.general.get("output", {}), **self.tables(kernel).get("output", {})}
+        return [name for name in rows if self.row(kernel, "output", name)[-1]]
+
     def inputs(self, kernel: str) -> Mapping[str, str]:
         """The names of what may be inputs, in the order of tables."""
-        tables = self.own.get(kernel, Told()).tables
-        return {name: name for name in tables.get("input") or self.general.get("input", {})}
+        return {
+            name: name for name in self.tables(kernel).get("input") or self.general.get("input", {})
+        }
 
 
 def kernel_words(page: Path, slots: Mapping[str, str] | None = None) -> KernelWords:
@@ -210,9 +220,15 @@ def page_module(
 
     Raises PageError for a kernel, an input or output of which it says nothing.
     """
+    return catalogue_module(name, title, page_kernels(page, graphs, name, slots))
+
+
+def page_kernels(
+    page: Path, graphs: Mapping[str, Graph], subject: str, slots: Mapping[str, str] | None = None
+) -> list[Kernel]:
+    """The kernels of graphs as the page tells of them. Raises PageError as `page_module` does."""
     words = kernel_words(page, slots)
-    kernels = (_kernel(words, kernel, graph, name) for kernel, graph in graphs.items())
-    return catalogue_module(name, title, kernels)
+    return [_kernel(words, kernel, graph, subject) for kernel, graph in graphs.items()]
 
 
 def _kernel(words: KernelWords, name: str, graph: Graph, source: str) -> Kernel:
@@ -276,6 +292,16 @@ def _input(words: KernelWords, name: str, cells: tuple[str, ...]) -> Input:
     )
 
 
+def _with_differences(graph: Graph, names: Iterable[str]) -> Graph:
+    """With the names of outputs that are sums of a node and another's negative."""
+    nodes, found = graph["nodes"], dict(graph.get("names", {}))
+    for name in names:
+        end = graph["outputs"].get(name)
+        if end is not None and nodes[end][0] == "add" and nodes[int(nodes[end][2])][0] == "neg":
+            found[difference(name)] = end
+    return {**graph, "names": found} if found else graph
+
+
 def _graph(
     sections: Iterable[Section],
     row: str,
@@ -296,7 +322,11 @@ def _graph(
     names = {
         name: nodes[name]
         for name in found
-        if name in nodes and (formulas[name].kind == "call" or re.fullmatch(named, name))
+        if name in nodes
+        and (
+            (formulas[name].kind == "call" and formulas[name].text != "unknown")
+            or re.fullmatch(named, name)
+        )
     }
     return builder.graph({name: nodes[name] for name in outputs if name in nodes}, names)
 
