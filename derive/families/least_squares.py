@@ -10,6 +10,7 @@ from typing import Any
 
 import sympy as sp
 
+import gainproof.derive.growing_memory
 from gainproof.derive.derivation import Derivation
 from gainproof.derive.growing_memory import module
 from gainproof.derive.growing_memory.fit import (
@@ -21,6 +22,7 @@ from gainproof.derive.growing_memory.fit import (
     recursion_tower,
 )
 from gainproof.derive.pages.derivation import FOLDER, Given, written
+from gainproof.derive.pages.kernel_page import page_module
 from gainproof.derive.source import GAUSS_MARKOV, LECTURE
 from gainproof.derive.subject import Program, Subject
 
@@ -31,6 +33,7 @@ TITLES = (
     "Least-squares parabola (growing memory)",
 )
 PAGE = "least-squares"
+WORDS = Path(gainproof.derive.growing_memory.__path__[0]) / "kernels.md"
 
 
 def mean() -> Subject:
@@ -69,9 +72,16 @@ def build(degree: int, folder: Path = FOLDER) -> Subject:
         programs={
             kernel: Program({"sample_number": "k"}, graph) for kernel, graph in graphs.items()
         },
-        module=module.kernel_module(f, name, title, graphs),
+        module=page_module(WORDS, graphs, name, f"{title}: gains by sample number", _words(f)),
         textbook=lambda: module.textbook_forms(f),
     )
+
+
+def _words(f: Fit) -> dict[str, str]:
+    """What the words of kernels leave open."""
+    pairs = zip(GAIN_NAMES, f.gain, strict=False)
+    gains = "\n".join(f"{name} = {value}" for name, value in pairs)
+    return {"first": str(f.degree), "next": str(f.degree + 1), "gains": gains}
 
 
 def _slots(f: Fit) -> dict[str, Any]:

@@ -17,7 +17,6 @@ from gainproof.derive.expression import real
 from gainproof.derive.filter_step import forms
 from gainproof.derive.filter_step.forms import AXES
 from gainproof.derive.filter_step.kernels import graphs, inputs
-from gainproof.derive.filter_step.module import kernel_module
 from gainproof.derive.filter_step.names import (
     BY_AXIS,
     GAINS,
@@ -29,11 +28,13 @@ from gainproof.derive.filter_step.names import (
     root_of,
 )
 from gainproof.derive.pages.derivation import FOLDER, Given, written
+from gainproof.derive.pages.kernel_page import page_module
 from gainproof.derive.printer.graph import Graph
 from gainproof.derive.source import LECTURE
 from gainproof.derive.subject import Program, Subject
 
 NAME = "filter-step"
+WORDS = Path(__file__).with_name("kernels.md")
 SYMBOLS = {"interval": "t"}
 
 
@@ -55,7 +56,7 @@ def build(folder: Path = FOLDER) -> Subject:
             name: Program({entry: SYMBOLS.get(entry, entry) for entry in inputs(name)}, graph)
             for name, graph in made.items()
         },
-        module=kernel_module(NAME, page.title, made),
+        module=page_module(WORDS, made, NAME, page.title),
         textbook=dict,
     )
 

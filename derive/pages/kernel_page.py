@@ -241,15 +241,15 @@ def _kernel(words: KernelWords, name: str, graph: Graph, source: str) -> Kernel:
         and (each not in required or each in said.tables.get("output", {}))
     ]
     cells = {each: words.row(name, "output", each) for each in shown}
+    given = {each: words.row(name, "input", each) for each in symbols_of(graph)}
+    given = {each: given[each] for each in words.inputs(name) if each in given}
     named = graph.get("names", {})
     return Kernel(
         name=name,
         result="".join(word.capitalize() for word in name.split("_")),
         summary=said.summary,
         equations=said.equations,
-        inputs=tuple(
-            _input(words, each, words.row(name, "input", each)) for each in symbols_of(graph)
-        ),
+        inputs=tuple(_input(words, each, cells) for each, cells in given.items()),
         outputs=tuple(
             Output(each, meaning, None if over in _OWN else over, over == "terms")
             for each, (meaning, over, _) in cells.items()
