@@ -77,7 +77,7 @@ def read_sections(text: str) -> tuple[Section, ...]:
     for number, line in _joined(text):
         try:
             if line.startswith(OF_KERNEL):
-                kernel = line.removeprefix(OF_KERNEL).removesuffix(PLANE)
+                kernel = line.removeprefix(OF_KERNEL).split(" ")[0].removesuffix(PLANE)
                 given = (*outside.conditions, _condition(f"{kernel}{ROW} = 1"))
                 found.append(formulas := Section(given, {}, of_kernel=True))
             elif line.startswith(WHERE):

@@ -4,8 +4,9 @@ A page is one of `kernel_formulas` where a line `NAME_kernel = [...]` is a kerne
 names of its outputs. In the conditions of headings `plane` is 1 in the plane and 0 in space, and
 `NAME_kernel` is 1 where that is made, else 0. What is a number is neither input nor output.
 
-Below `### NAME` stand what that kernel is and, lines as they are printed, its equations; then what
-is its own in tables, and below other headings what is so of all:
+Below `### NAME`, or `### NAME (CLASS)` with the class of its result, stand what that kernel is and,
+lines as they are printed, its equations; then what is its own in tables, and below other headings
+what is so of all:
 
     | input | meaning | domain | in float32 |
     | output | meaning | error over | since |
@@ -90,6 +91,7 @@ Rows = Mapping[str, tuple[str, ...]]
 class Told:
     """What stands below the heading of a kernel; tables by their kind."""
 
+    result: str = ""
     summary: str = ""
     equations: tuple[str, ...] = ()
     tables: Mapping[str, Rows] = field(default_factory=dict)
@@ -154,7 +156,8 @@ def kernel_words(page: Path, slots: Mapping[str, str] | None = None) -> KernelWo
         head, _, body = part.partition("\n")
         found = [each for each in body.split("\n\n") if each.strip()]
         tables = [each for each in found if each.lstrip().startswith("|")]
-        kernel = head.removeprefix("### ") if head.startswith("### ") else ""
+        match = re.fullmatch(r"### (\w+)(?: \((\w+)\))?", head)
+        kernel, result = match.groups("") if match else ("", "")
         kept = {} if kernel else rows
         for table in tables:
             _read_table(place, table, slots or {}, kept)
@@ -162,7 +165,7 @@ def kernel_words(page: Path, slots: Mapping[str, str] | None = None) -> KernelWo
             words = [_filled(place, each, slots or {}) for each in found if each not in tables]
             summary, equations = (*words, "", "")[:2]
             lines = tuple(equations.strip("\n").splitlines())
-            own[kernel] = Told(" ".join(summary.split()), lines, kept)
+            own[kernel] = Told(result, " ".join(summary.split()), lines, kept)
     return KernelWords(place, own, rows)
 
 
@@ -246,7 +249,7 @@ def _kernel(words: KernelWords, name: str, graph: Graph, source: str) -> Kernel:
     named = graph.get("names", {})
     return Kernel(
         name=name,
-        result="".join(word.capitalize() for word in name.split("_")),
+        result=said.result or "".join(word.capitalize() for word in name.split("_")),
         summary=said.summary,
         equations=said.equations,
         inputs=tuple(_input(words, each, cells) for each, cells in given.items()),
