@@ -14,10 +14,10 @@ what is so of all:
 
 A kernel with a table of inputs of its own has these alone. A domain is `[1e-6, 2)`, an end
 `infinity`; `+-` before it is of magnitudes, `0 or` admits 0, `whole` wants whole numbers. The error
-of an output is one over `itself`, its `terms` taken positive or another output; `since` says why it
-is a difference. What a cell of its own leaves empty is as below other headings. Alternatives in
-braces make as many rows: `| {x,y} | along {east,north} |` are two. `{name}` without a comma is a
-slot.
+of an output is one over itself, its `terms` taken positive or another output that is there; `since`
+says why it is a difference. What a cell of its own leaves empty is as below other headings.
+Alternatives in braces make as many rows: `| {x,y} | along {east,north} |` are two. `{name}` without
+a comma is a slot.
 """
 
 from __future__ import annotations
@@ -191,7 +191,6 @@ def _read_table(
             found.setdefault(kind, {})[name] = tuple(cells)
 
 
-_OWN = ("", "itself", "terms")
 _TABLES = {
     "input": ("meaning", "domain", "in float32"),
     "output": ("meaning", "error over", "since"),
@@ -254,7 +253,7 @@ def _kernel(words: KernelWords, name: str, graph: Graph, source: str) -> Kernel:
         equations=said.equations,
         inputs=tuple(_input(words, each, cells) for each, cells in given.items()),
         outputs=tuple(
-            Output(each, meaning, None if over in _OWN else over, over == "terms")
+            Output(each, meaning, over if over in graph["outputs"] else None, over == "terms")
             for each, (meaning, over, _) in cells.items()
         ),
         graph=graph,

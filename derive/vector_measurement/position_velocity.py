@@ -34,7 +34,6 @@ from gainproof.derive.vector_measurement.module import KNOWN
 from gainproof.derive.vector_measurement.names import DELTA, INDEX, LATEX, RATIO, SIGMA, UPDATED
 from gainproof.derive.vector_measurement.page_slots import page_slots
 from gainproof.derive.vector_measurement.pole_kernels import MEAN, MODULUS, SQUARE
-from gainproof.derive.vector_measurement.pole_module import is_of_poles
 from gainproof.derive.vector_measurement.pole_towers import X
 from gainproof.derive.vector_measurement.textbook import textbook_forms
 from gainproof.derive.vector_measurement.towers import graph_roots, rational
@@ -147,7 +146,7 @@ def kernel_steps(c: Context, graphs: Mapping[str, Graph]) -> list[Step]:
             name, graph, _meant(c, name, graph), known if name == KNOWN else "main", roots=roots
         )
         for name, graph in graphs.items()
-        if not is_of_poles(name)
+        if name not in (pole_kernels.POLES, pole_kernels.REAL)
     ]
     return steps + _pole_steps(c, graphs)
 
