@@ -79,7 +79,7 @@ def read_sections(text: str) -> tuple[Section, ...]:
             if line.startswith(OF_KERNEL):
                 kernel = line.removeprefix(OF_KERNEL).split(" ")[0].removesuffix(PLANE)
                 given = (*outside.conditions, _condition(f"{kernel}{ROW} = 1"))
-                found.append(formulas := Section(given, {}, of_kernel=True))
+                formulas = Section(given, {}, of_kernel=True)
             elif line.startswith(WHERE):
                 given = tuple(map(_condition, line[len(WHERE) :].split(" and ")))
                 outside = formulas = Section(given, {})
@@ -93,6 +93,8 @@ def read_sections(text: str) -> tuple[Section, ...]:
                 if match[1] in formulas.formulas:
                     raise FormulaError(f"{match[1]} has a formula here already")
                 formulas.formulas[match[1]] = read_formula(match[2])
+                if formulas is not found[-1] and formulas.of_kernel:
+                    found.append(formulas)
         except FormulaError as error:
             raise FormulaError(f"line {number}: {error}") from error
     return tuple(found)

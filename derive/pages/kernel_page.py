@@ -13,11 +13,12 @@ what is so of all:
     | required | meaning | at least | in float32 |
 
 A kernel with a table of inputs of its own has these alone. A domain is `[1e-6, 2)`, an end
-`infinity`; `+-` before it is of magnitudes, `0 or` admits 0, `whole` wants whole numbers. The error
-of an output is one over itself, its `terms` taken positive or another output that is there; `since`
-says why it is a difference. What a cell of its own leaves empty is as below other headings.
-Alternatives in braces make as many rows: `| {x,y} | along {east,north} |` are two. `{name}` without
-a comma is a slot.
+`infinity` or `2^-40`; `+-` before it is of magnitudes, `0 or` admits 0, `whole` wants whole
+numbers. The error of an output is one over itself, its `terms` taken positive or another output
+that is there; `since` says why it is a difference. An output of which nothing is said, but that
+others are measured by, is no result. What a cell of its own leaves empty is as below other
+headings; a row `| * | slope of the * |` says it of all outputs. Alternatives in braces make as many
+rows: `| {x,y} | along {east,north} |` are two. `{name}` without a comma is a slot.
 """
 
 from __future__ import annotations
@@ -35,6 +36,8 @@ from gainproof.derive.pages.formula import Formula, FormulaError
 from gainproof.derive.pages.kernel_formulas import (
     PLANE,
     ROW,
+    SCALE,
+    TURN,
     Section,
     Value,
     formulas_that_hold,
@@ -43,10 +46,8 @@ from gainproof.derive.pages.kernel_formulas import (
     read_page,
 )
 from gainproof.derive.printer.graph import Graph, GraphBuilder, Node, symbols_of
-from gainproof.derive.printer.kernel import Input, Kernel, Module, Output, Requirement
+from gainproof.derive.printer.kernel import Input, Kernel, Limit, Module, Output, Requirement
 
-SCALE = "_scale"
-"""The end of the name of what an output of changing sign is measured by."""
 _GROUP = re.compile(r"\{([^{}]*,[^{}]*)\}")
 _SLOT = re.compile(r"\{(\w+)\}")
 _DOMAIN = re.compile(r"(0 or )?(\+-)?(whole )?([\[(])(\S+), (\S+)([\])])")
@@ -131,7 +132,11 @@ class KernelWords:
         if own is None and name not in general:
             raise PageError(f"{self.place}: {kernel}: {kind} {name!r} has no row in a table")
         pairs = zip(own or general[name], general.get(name, own or ()), strict=True)
-        return tuple(first or second for first, second in pairs)
+        meaning, *others = (first or second for first, second in pairs)
+        whole = self.tables(kernel).get(kind, {}).get("*")
+        if whole and not (own and own[0]):
+            meaning = whole[0].replace("*", meaning)
+        return (meaning, *others)
 
     def differences(self, kernel: str) -> list[str]:
         """Outputs that are said to be differences."""
@@ -236,11 +241,13 @@ def page_kernels(
 def _kernel(words: KernelWords, name: str, graph: Graph, source: str) -> Kernel:
     said = words.of(name)
     required = said.tables.get("required") or words.general.get("required", {})
+    own = said.tables.get("output", {})
+    rows = {**words.general.get("output", {}), **own}
+    scales = {over for _, over, _ in rows.values()} - {*rows}
     shown = [
         each
         for each in graph["outputs"]
-        if not each.endswith(SCALE)
-        and (each not in required or each in said.tables.get("output", {}))
+        if not (each.endswith(SCALE) or each in scales or (each in required and each not in own))
     ]
     cells = {each: words.row(name, "output", each) for each in shown}
     given = {each: words.row(name, "input", each) for each in symbols_of(graph)}
@@ -259,9 +266,10 @@ def _kernel(words: KernelWords, name: str, graph: Graph, source: str) -> Kernel:
         graph=graph,
         source=f"derivation {source}",
         cancellations={
-            difference(each): reason
+            name: reason
             for each, (*_, reason) in cells.items()
-            if difference(each) in named
+            for name in (difference(each), f"{each}{TURN}")
+            if name in named
         },
         requirements=tuple(
             Requirement(each, *row) for each, row in required.items() if each in graph["outputs"]
@@ -283,15 +291,23 @@ def _input(words: KernelWords, name: str, cells: tuple[str, ...]) -> Input:
     return Input(
         name,
         meaning,
-        low,
-        None if high == "infinity" else high,
+        _limit(low),
+        None if high == "infinity" else _limit(high),
         start == "(",
         end == ")",
         bool(whole),
-        (ends[1][5], ends[1][6]) if single else None,
+        (_limit(ends[1][5]), _limit(ends[1][6])) if single else None,
         bool(zero or signed),
         bool(signed),
     )
+
+
+def _limit(text: str) -> Limit:
+    """A number of a domain, a power of 2 as one."""
+    match = re.fullmatch(r"2\^(-?)(\d+)", text)
+    if match is None:
+        return text
+    return Fraction(1, 2 ** int(match[2])) if match[1] else 2 ** int(match[2])
 
 
 def _with_differences(graph: Graph, names: Iterable[str]) -> Graph:

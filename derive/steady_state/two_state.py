@@ -14,7 +14,6 @@ from gainproof.derive.pages.derivation import FOLDER, Given, written
 from gainproof.derive.pages.kernel_formulas import FIRST, SECOND, formula_of
 from gainproof.derive.printer.graph import Graph
 from gainproof.derive.steady_state.context import Context, context
-from gainproof.derive.steady_state.curvature_module import SCALE
 from gainproof.derive.steady_state.gain_towers import (
     Side,
     last_roots,
@@ -56,6 +55,8 @@ from gainproof.derive.steady_state.textbook import textbook_forms
 from gainproof.derive.steady_state.towers import at_once_roots, graph_roots
 from gainproof.derive.subject import Program, Subject
 
+SCALE = "predicted_11_scale"
+"""What the second derivative of M11 is measured by for e > 0: its terms, added."""
 ON_TWO_SIDES = ("gains", "predictor_gains")
 PAGE = "measured-position-two-states"
 POLES = "closed_loop_poles"
