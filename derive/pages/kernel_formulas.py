@@ -209,6 +209,8 @@ def formulas_that_hold(
     formulas: dict[str, Formula] = {}
     given = _Values(known, {})
     for section in sections:
+        if section.of_kernel and str(section.conditions[-1].left) not in known:
+            continue
         if all(
             _RELATIONS[each.relation](_value(each.left, given), _value(each.right, given))
             for each in section.conditions
@@ -266,9 +268,9 @@ def _call(function: str, values: Sequence[Value], known: Mapping[str, Value]) ->
     """A function of nodes, or the root of a number."""
     if len(values) != CALLS[function]:
         raise FormulaError(f"{function} has {CALLS[function]} arguments, {len(values)} came")
-    if function == "sqrt":
-        builders = (node.builder for node in (*values, *known.values()) if isinstance(node, Node))
-        return next(builders).sqrt(values[0])
+    nodes = [node for node in (*values, *known.values()) if isinstance(node, Node)]
+    if function == "sqrt" and nodes:
+        return nodes[0].builder.sqrt(values[0])
     if function == "fixed_point":
         values = (*values, values[-1])
     if not all(isinstance(value, Node) for value in values[: 1 if function == "unknown" else None]):

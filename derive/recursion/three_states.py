@@ -41,7 +41,7 @@ from gainproof.derive.source import GAUSS_MARKOV, SPECTRAL
 from gainproof.derive.subject import Program, Subject
 
 NAME = "recursion-three-states"
-WORDS = Path(__file__).with_suffix(".md")
+WORDS = Path(__file__).with_name("three_states.md")
 SHAPES = {
     "acceleration_increments": (sp.Integer(0), sp.Integer(0), sp.Integer(1)),
     "wiener_acceleration": (T**2 / 2, T, sp.Integer(1)),

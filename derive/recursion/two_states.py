@@ -41,7 +41,7 @@ from gainproof.derive.source import GAUSS_MARKOV, SPECTRAL
 from gainproof.derive.subject import Program, Subject
 
 NAME = "recursion-two-states"
-WORDS = Path(__file__).with_suffix(".md")
+WORDS = Path(__file__).with_name("two_states.md")
 Elements = dict[str, sp.Expr]
 
 
