@@ -10,7 +10,6 @@ from pathlib import Path
 import sympy as sp
 
 from gainproof.derive.derivation import Derivation
-from gainproof.derive.estimation.multipath_hints import HINTS
 from gainproof.derive.pages.derivation import FOLDER, Given, written
 from gainproof.derive.pages.kernel_page import page_graphs, page_module
 from gainproof.derive.source import DOPPLER, MATRICES
@@ -33,7 +32,7 @@ def build(folder: Path = FOLDER) -> Subject:
         "above_1035": _difference(LAST, sp.Rational(1035, 10000) ** 2),
         "below_1045": _difference(sp.Rational(1045, 10000) ** 2, LAST),
     }
-    given = Given(slots={"": differences}, hints=HINTS, programs=made, roots={"root": "sigma_b"})
+    given = Given(slots={"": differences}, programs=made, roots={"root": "sigma_b"})
     page = written(NAME, given, folder)
     latex = {**page.latex, **LATEX}
     return Subject(

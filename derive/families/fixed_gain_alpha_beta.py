@@ -7,7 +7,6 @@ what the kernels compute, is made in `derive/fixed_gain`.
 from __future__ import annotations
 
 from pathlib import Path
-from typing import Any
 
 import sympy as sp
 
@@ -28,20 +27,6 @@ LOOP = Loop(2)
 FORMULAS = Path(gainproof.derive.fixed_gain.__path__[0]) / "two_kernels.md"
 SYMBOLS = {"linear_coefficient": "x", "quadratic_coefficient": "y"}
 NOISE = "process_noise_variances"
-HINTS: dict[str, dict[str, Any]] = {
-    "random-velocity-stable": {"form": "4 (x + root_two)/(x (x + 2))"},
-    "random-velocity-stable-alpha": {"form": "2 root_two (root_two - 1)/(x + 2)"},
-    "order-at-equal-lag": {
-        "form": "((1 + y + g) (1/(g + 1 + r))/(g y second remainder)) "
-        "(((2 + y + 2 g)^2 - (2 + 2 y + 2 g))/(2 + y + 2 g + r) + second/(g + 1 + r))"
-    },
-    "order-at-equal-lag-best": {
-        "form": "(1 + y + g) (((1 + y + g)/(r + n))/third)^2/(second remainder)"
-    },
-    "order-at-equal-smaller-alpha": {"form": "(1 + x)^3 2 (1 + w)/(x^2 w (1 + x + w)^2)"},
-    "predicted-definite": {"minors": ()},
-}
-"""Without the differences that hide a sign."""
 
 
 def graphs() -> dict[str, Graph]:
@@ -74,7 +59,7 @@ def build() -> Subject:
     lecture = (2 * alpha**2 + 2 * beta + alpha * beta) / (alpha * (4 - 2 * alpha - beta))
     given = Given(
         models={"fixed_gains": LOOP.model},
-        hints=HINTS,
+        hints={"predicted-definite": {"minors": ()}},
         slots={"": page_slots(LOOP, lecture)},
         programs=made,
         roots={"modulus": "rho"},

@@ -27,19 +27,6 @@ from gainproof.derive.subject import Program, Subject
 NAME = "converted-measurements"
 FORMULAS = Path(__file__).with_name("converted_kernels.md")
 SOURCES = (DEBIASED, UNBIASED, MODIFIED, TRACKER_LIBRARY, PROBABILITY, ELEMENTARY)
-HINTS = {
-    "classical-radial": {"form": "(1 - L)/2"},
-    "estimate-limit": {"form": "1/(2 L^2)"},
-    "estimate-limit-across": {"form": "(1 - L) (1 + L) (r_m + sigma_r)/(2 L^2)"},
-    "crossing": {"form": "L"},
-    "crossing-classical": {"form": "r_m sigma_theta + sigma_r"},
-    "crossing-debiased": {"form": "L^3"},
-    "crossing-unbiased": {"form": "1/L"},
-    "space-definite-minor": {
-        "form": "L along(r_m, L_eta) crosswise(r_m, L_eta) + (1 - L)^2 whole C_1 W_uu/2"
-    },
-}
-"""Without the differences that hide a sign."""
 LATEX = {
     "azimuth": r"\theta",
     "measured_azimuth": r"\theta_m",
@@ -81,7 +68,7 @@ def build() -> Subject:
     """Derive the moments, the four conversions, what they are exact for, and their growth."""
     made = graphs()
     plain = {name: algebraic(graph) for name, graph in made.items()}
-    page = written(NAME, Given(hints=HINTS, programs=plain))
+    page = written(NAME, Given(programs=plain))
     return Subject(
         name=NAME,
         title=page.title,

@@ -6,7 +6,6 @@ The derivation is the page `range-doppler` of `derive/pages`; here is what it do
 from __future__ import annotations
 
 from pathlib import Path
-from typing import Any
 
 from gainproof.derive.derivation import Derivation
 from gainproof.derive.pages.derivation import Given, written
@@ -30,38 +29,6 @@ NAMED = (
 )
 """What proofs put names for."""
 LATEX = {"q": "f_+", "new_rate": "g_+", "new_unit": "u_+", "new_turning": "h_+"}
-LENGTH, VECTOR = ("unit", "1"), ("unit", "d")
-HINTS: dict[str, dict[str, Any]] = {
-    "parts-of-velocity": {"numbers": ["r' w"]},
-    "turning-size": {"numbers": ["r' w"], "squares": [("g I_1", LENGTH, {"weight": "1/f^2"})]},
-    "rate-size": {"numbers": ["r' w"], "squares": [("h", VECTOR, {"weight": "f^2"})]},
-    "range-convex": {
-        "numbers": ["r' a"],
-        "squares": [("u_new - u", VECTOR, {"weight": "f_new/2"})],
-    },
-    "range-remainder": {
-        "numbers": ["r' a"],
-        "squares": [("(f_new - f) I_1", LENGTH, {"weight": "1/(2 f)"})],
-    },
-    "range-remainder-across": {"numbers": ["r' a"]},
-    "range-change": {
-        "numbers": ["r' a"],
-        "squares": [("I_1", "range-convex", {"weight": "2 f"})],
-    },
-    "rate-remainder": {"numbers": ["a' w"]},
-    "inner-product-size": {"numbers": ["r' a"], "squares": [("P a", VECTOR)]},
-    "hessian-semidefinite": {"squares": [("P", VECTOR, {"weight": "1/f"})]},
-    "hessian-largest": {"squares": [("u'", LENGTH, {"weight": "1/f"})]},
-    "bend-along": {"numbers": ["r' w"]},
-    "course": {"heavy": ["a"], "numbers": ["r' w"]},
-    "range-acceleration": {"numbers": ["r' w"]},
-    "acceleration-across": {"numbers": ["r' w"]},
-    "acceleration-positive": {"numbers": ["r' w"], "squares": [("h", VECTOR, {"weight": "f"})]},
-    "bistatic-least": {"squares": [("u + u_2", VECTOR, {"weight": "f f_2"})]},
-    "difference-most": {"squares": [("u - u_2", VECTOR, {"weight": "f f_2"})]},
-    "range-difference": {"numbers": ["r' r_2"]},
-}
-"""What proofs use besides their conditions: see `pages.matrices`; inner products are numbers."""
 
 
 def graphs() -> dict[str, Graph]:
@@ -99,7 +66,6 @@ def build() -> Subject:
     )
     given = Given(
         towers=(*held, *pair_towers()),
-        hints=HINTS,
         steps={
             "one-station": [*component_steps(held), *kernel_steps(single)],
             "two-stations": pair_steps(pairs),

@@ -41,11 +41,6 @@ BOUNDS = {
         boundary={"s": real("root_5"), "u": sp.Integer(2), "v": real("root_5")},
     ),
 }
-HINTS = {
-    "alpha-bound-other": {"form": "(4 n^2 + 10 n + 1)/(s + n) + 1"},
-    "alpha-bound-small": {"limit_form": "((1 + (5 n + 10)/(s + 1))/2)^2 2 (1 + n)/(s + n + 1)"},
-}
-"""Without the differences that hide a sign or a limit."""
 
 
 def graphs() -> dict[str, Graph]:
@@ -61,7 +56,6 @@ def build(folder: Path = FOLDER) -> Subject:
     made, scaled = graphs(), scale(model())
     given = Given(
         models={"random_acceleration": scaled.data()},
-        hints=HINTS,
         ends={"bounds": BOUNDS},
         programs=made,
         roots=ROOTS,
