@@ -17,7 +17,8 @@ from gainproof.derive.fixed_gain.names import LATEX
 from gainproof.derive.fixed_gain.page_slots import page_slots
 from gainproof.derive.fixed_gain.process_noise import noise_shares
 from gainproof.derive.pages.derivation import Given, written
-from gainproof.derive.pages.kernel_page import SCALE, page_graphs, page_module
+from gainproof.derive.pages.kernel_formulas import SCALE
+from gainproof.derive.pages.kernel_page import page_graphs, page_module
 from gainproof.derive.printer.graph import Graph, symbols_of
 from gainproof.derive.source import LECTURE
 from gainproof.derive.subject import Program, Subject

@@ -11,7 +11,7 @@ from gainproof.derive.fixed_gain.loop import pairs, row, symmetric
 from gainproof.derive.fixed_gain.three_noise_forms import ONE, After, Place
 from gainproof.derive.fixed_gain.three_noise_kernels import NOISES, kernel_of
 from gainproof.derive.fixed_gain.three_towers import LOOP, D, M, X, gain_elements
-from gainproof.derive.pages.kernel_page import SCALE
+from gainproof.derive.pages.kernel_formulas import SCALE
 from gainproof.derive.printer.graph import Graph
 
 TOWER = "noise"

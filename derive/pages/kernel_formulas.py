@@ -275,7 +275,8 @@ def _call(function: str, values: Sequence[Value], known: Mapping[str, Value]) ->
         values = (*values, values[-1])
     if not all(isinstance(value, Node) for value in values[: 1 if function == "unknown" else None]):
         raise FormulaError(f"{function} of a number: write its value")
-    return values[0].builder.call(function, *values)
+    found: Node = values[0].builder.call(function, *values)
+    return found
 
 
 def _sum(one: Value, other: Value) -> Value:

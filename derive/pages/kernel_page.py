@@ -284,10 +284,10 @@ def difference(output: str) -> str:
 
 def _input(words: KernelWords, name: str, cells: tuple[str, ...]) -> Input:
     meaning, domain, single = cells
-    ends = _DOMAIN.fullmatch(domain), _DOMAIN.fullmatch(single or domain)
-    if not all(ends):
+    ends, others = _DOMAIN.fullmatch(domain), _DOMAIN.fullmatch(single or domain)
+    if ends is None or others is None:
         raise PageError(f"{words.place}: input {name!r}: a domain such as [1e-6, 2) is wanted")
-    zero, signed, whole, start, low, high, end = ends[0].groups()
+    zero, signed, whole, start, low, high, end = ends.groups()
     return Input(
         name,
         meaning,
@@ -296,7 +296,7 @@ def _input(words: KernelWords, name: str, cells: tuple[str, ...]) -> Input:
         start == "(",
         end == ")",
         bool(whole),
-        (_limit(ends[1][5]), _limit(ends[1][6])) if single else None,
+        (_limit(others[5]), _limit(others[6])) if single else None,
         bool(zero or signed),
         bool(signed),
     )

@@ -11,7 +11,8 @@ from pathlib import Path
 
 from gainproof.derive.derivation import Derivation
 from gainproof.derive.pages.derivation import Given, written
-from gainproof.derive.pages.kernel_page import PLANE, page_graphs, page_module
+from gainproof.derive.pages.kernel_formulas import PLANE
+from gainproof.derive.pages.kernel_page import page_graphs, page_module
 from gainproof.derive.printer.graph import Graph, symbols_of
 from gainproof.derive.sensors.algebraic_graphs import algebraic
 from gainproof.derive.source import (

@@ -9,7 +9,7 @@ import sympy as sp
 from gainproof.derive.algebra.tower import Tower
 from gainproof.derive.derivation import Step, kernel_step
 from gainproof.derive.expression import column, real
-from gainproof.derive.pages.kernel_page import PLANE
+from gainproof.derive.pages.kernel_formulas import PLANE
 from gainproof.derive.printer.graph import Graph
 from gainproof.derive.relation import Relation, equal
 from gainproof.derive.sensors.range_doppler_names import LIGHT, PLANE_AXES, SPACE_AXES

@@ -15,7 +15,7 @@ from gainproof.derive.algebra.tower import Tower
 from gainproof.derive.algebra.variables import above_zero, from_zero
 from gainproof.derive.derivation import Step, kernel_step
 from gainproof.derive.expression import real
-from gainproof.derive.pages.kernel_page import PLANE
+from gainproof.derive.pages.kernel_formulas import PLANE
 from gainproof.derive.printer.graph import Graph
 from gainproof.derive.sensors.range_doppler_components import named, quiet
 from gainproof.derive.sensors.range_doppler_names import (

@@ -68,7 +68,7 @@ def words(c: Context) -> dict[str, str]:
     (ratio,) = c.model.ratios.values()
     own = f"{centre} + " if centre else ""
     root = f"sqrt(1 + {_product(spread)})" if spread else "1"
-    real = (f"positive_from = {own}2 r/Lambda, r = {root}",)
+    real: tuple[str, ...] = (f"positive_from = {own}2 r/Lambda, r = {root}",)
     if e != 1:
         last = f"negative_up_to = {centre} - 2 r/Lambda = product of both/positive_from"
         real = (f"{real[0]},", last)

@@ -24,7 +24,8 @@ from gainproof.derive.own_expressions.expressions import (
 )
 from gainproof.derive.own_expressions.subject import chosen_forms
 from gainproof.derive.own_expressions.written_form import as_written
-from gainproof.derive.pages.kernel_page import PLANE, page_module
+from gainproof.derive.pages.kernel_formulas import PLANE
+from gainproof.derive.pages.kernel_page import page_module
 from gainproof.derive.printer.bound import prove
 from gainproof.derive.printer.formats import FORMATS
 from gainproof.derive.printer.kernel import Input, Kernel
