@@ -8,15 +8,15 @@ from gainproof.derive.any_three_state.context import Context
 from gainproof.derive.any_three_state.kernels import kernel_roots
 from gainproof.derive.any_three_state.model_numbers import shape_of
 from gainproof.derive.any_three_state.module import module_of
+from gainproof.derive.any_three_state.names import LATEX
 from gainproof.derive.any_three_state.page_slots import given
 from gainproof.derive.any_three_state.towers import roots_of
 from gainproof.derive.any_two_state.programs import kernel_steps
-from gainproof.derive.any_two_state.proved_module import require_kernels
+from gainproof.derive.any_two_state.proved_module import measured_subject, require_kernels
 from gainproof.derive.any_two_state.scaling import scale_free
-from gainproof.derive.derivation import Derivation
 from gainproof.derive.model import Model, ModelError
 from gainproof.derive.pages.derivation import FOLDER, written
-from gainproof.derive.subject import Program, Subject
+from gainproof.derive.subject import Subject
 
 PAGE = "first-measured-three-states"
 
@@ -38,16 +38,4 @@ def derive_any_three_state(model: Model, folder: Path = FOLDER) -> Subject:
     require_kernels(found, model)
     steps = kernel_steps(kernel_roots(roots.known), found)
     page = written(PAGE, given(c, steps), folder)
-    return Subject(
-        name=model.name,
-        title=model.title,
-        model=c.model,
-        derivation=Derivation(page.opening, page.steps, (), c.latex()),
-        towers={"main": c.tower},
-        programs={
-            entry.name: Program({given.name: given.name for given in entry.inputs}, entry.graph)
-            for entry in found.module.kernels
-        },
-        module=found.module,
-        textbook=dict,
-    )
+    return measured_subject(c, found, page, LATEX)
