@@ -14,15 +14,9 @@ from gainproof.derive.printer.double_word.refinement import start_is_near
 from gainproof.derive.printer.double_word.source import lines as double_word_lines
 from gainproof.derive.printer.kernel import Kernel, Module
 from gainproof.derive.printer.layout import WIDTH, call, listed, row
-from gainproof.derive.printer.module_bounds import prove_all
 from gainproof.derive.printer.numpy_domains import kernel_domains, module_domains, named_domain
 from gainproof.derive.printer.numpy_results import NAMED, imported_results, result_class
 from gainproof.derive.printer.requirements import Printed, requirements
-
-
-def module_source(module: Module) -> str:
-    """The text of one generated module; PrintingError where a kernel's bound cannot be proved."""
-    return printed(module, prove_all(module.kernels))
 
 
 def printed(module: Module, bounds: Sequence[Sequence[KernelBound]], only: str = "") -> str:
