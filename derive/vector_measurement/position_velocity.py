@@ -19,7 +19,7 @@ from gainproof.derive.model import Model
 from gainproof.derive.pages.derivation import FOLDER, Given, written
 from gainproof.derive.printer.graph import Graph, symbols_of
 from gainproof.derive.subject import Program, Subject
-from gainproof.derive.vector_measurement import module, pole_kernels, pole_towers, poles
+from gainproof.derive.vector_measurement import module, pole_kernels, pole_towers, poles, radicands
 from gainproof.derive.vector_measurement.context import Context, context
 from gainproof.derive.vector_measurement.corner_towers import (
     fixed_index_tower,
@@ -33,10 +33,58 @@ from gainproof.derive.vector_measurement.limit_towers import FAR, ends_tower, in
 from gainproof.derive.vector_measurement.module import KNOWN
 from gainproof.derive.vector_measurement.names import DELTA, INDEX, LATEX, RATIO, SIGMA, UPDATED
 from gainproof.derive.vector_measurement.page_slots import page_slots
-from gainproof.derive.vector_measurement.pole_kernels import MEAN, MODULUS, SQUARE
+from gainproof.derive.vector_measurement.pole_kernels import MEAN, MODULUS, POLES, SQUARE
 from gainproof.derive.vector_measurement.pole_towers import X
-from gainproof.derive.vector_measurement.textbook import textbook_forms
-from gainproof.derive.vector_measurement.towers import graph_roots, rational
+from gainproof.derive.vector_measurement.towers import graph_roots, rational, symbolic_noise
+
+# These forms subtract computed values and lose digits; nothing is printed from them.
+
+Forms = Mapping[str, sp.Expr]
+
+
+def textbook_forms(c: Context) -> Mapping[str, Forms]:
+    """Expressions by kernel and output, over Lambda and S alone: sigma from its quadratic, then
+    the equations of the filter solved one after another.
+    """
+    noise, area = symbolic_noise(c.noise), INDEX**2
+    n = rational(c.noise.n)
+    one = sp.sqrt(c.spectrum.constant)
+    mean = (one + sp.sqrt(radicands.eta_squared(noise, INDEX, RATIO)) / RATIO) / 2
+    delta = sp.sqrt(mean**2 - 4)
+    sigma = (mean + delta) / 2
+    cross = (area * (1 / sigma + n * delta) + RATIO**2 * one) / (delta**2 + RATIO**2)
+    rate = delta * cross - n * area
+    step = 2 * cross / sigma + rate + rational(c.noise.first) * area
+    first = 1 - (rate + area + RATIO**2) / (RATIO**2 * sigma**2)
+    updated = {"updated_11": first, "updated_12": cross / sigma, "updated_22": rate}
+    gains = {
+        "gain_11": first,
+        "gain_12": cross / sigma / RATIO**2,
+        "gain_21": cross / sigma,
+        "gain_22": rate / RATIO**2,
+    }
+    return {
+        "gains": gains,
+        POLES: _poles(gains),
+        "updated_covariance": updated,
+        "predicted_covariance": {
+            "predicted_11": first + step,
+            "predicted_12": cross * sigma,
+            "predicted_22": rate + area,
+        },
+    }
+
+
+def _poles(gains: Forms) -> Forms:
+    """From trace and determinant of F (I - K)."""
+    half = (2 - gains["gain_11"] - gains["gain_21"] - gains["gain_22"]) / 2
+    product = (1 - gains["gain_11"]) * (1 - gains["gain_22"]) - gains["gain_12"] * gains["gain_21"]
+    return {
+        MEAN: half,
+        MODULUS: sp.sqrt(product),
+        SQUARE: half**2 - product,
+    }
+
 
 NAME = "position-velocity"
 """The page, for every process noise in reach."""
