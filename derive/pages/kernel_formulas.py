@@ -47,6 +47,7 @@ TURN = "_turn"
 FIRST, SECOND = "d_", "dd_"
 """Begin the names of formulas of derivatives."""
 _LINE = re.compile(rf"({NAME}) = (.+)")
+_NEARLY = re.compile(r"#+\s*where\b", re.IGNORECASE)
 _RELATIONS: Mapping[str, Callable[[Any, Any], bool]] = {"=": operator.eq, "<": operator.lt}
 Value = Any
 """A node or an expression of SymPy, or a Fraction."""
@@ -59,6 +60,10 @@ class Condition:
     left: Formula
     relation: str
     right: Formula
+
+    def __str__(self) -> str:
+        """As it is written."""
+        return f"{self.left} {self.relation} {self.right}"
 
 
 @dataclass(frozen=True)
@@ -120,8 +125,14 @@ def _joined(text: str) -> list[tuple[int, str]]:
         if line.startswith(f"{INDENT} ") and found:
             first, start = found[-1]
             found[-1] = (first, f"{start} {line.strip()}")
-        elif line.startswith((INDENT, HEADING, OF_KERNEL)):
+        elif line.startswith((INDENT, WHERE, OF_KERNEL)):
             found.append((number, line.strip()))
+        elif line.startswith((" ", "\t")):
+            raise FormulaError(f"line {number}: a formula begins with four blanks, prose with none")
+        elif _NEARLY.match(line):
+            raise FormulaError(f"line {number}: wanted a heading `{WHERE}...`, came {line!r}")
+        elif line.startswith(HEADING):
+            found.append((number, line))
     return found
 
 
@@ -177,12 +188,15 @@ def formula_graph(
 def page_values(page: Path, known: Mapping[str, Value], names: Iterable[str]) -> dict[str, Value]:
     """What `kernel_values` makes of the formulas of a file.
 
-    Raises PageError, with the file, where that raises FormulaError.
+    Raises PageError, with the file, where that raises FormulaError, and ArithmeticError as that
+    does.
     """
     try:
         return kernel_values(page_sections(page), known, names)
     except FormulaError as error:
         raise PageError(f"{place_of(page)}: {error}") from None
+    except ArithmeticError as error:
+        raise ArithmeticError(f"{place_of(page)}: {error}") from None
 
 
 def kernel_values(
@@ -191,8 +205,9 @@ def kernel_values(
     """The values of some names over known nodes or symbols, and numbers; those without a formula
     are left out.
 
-    Raises ArithmeticError where a number that stands with a node is negative: a form that is not
-    for this model; FormulaError for what a formula cannot hold.
+    Raises ArithmeticError where a number that stands with a node is negative, and for a quotient by
+    0: a form that is not for this model; FormulaError for what a formula cannot hold. What is known
+    is taken before a formula of that name, which another kernel may have.
     """
     formulas = formulas_that_hold(sections, known)
     found = _Values(known, formulas)
@@ -204,17 +219,21 @@ def formulas_that_hold(
 ) -> dict[str, Formula]:
     """Formulas by name, in the order of the page, of sections whose conditions known values meet.
 
-    Raises FormulaError for a condition over an unknown name.
+    Raises FormulaError for a condition over what is no known number.
     """
     formulas: dict[str, Formula] = {}
     given = _Values(known, {})
+
+    def holds(condition: Condition) -> bool:
+        sides = [_value(side, given) for side in (condition.left, condition.right)]
+        if any(isinstance(side, Node) for side in sides):
+            raise FormulaError(f"a condition is about numbers: {condition}")
+        return _RELATIONS[condition.relation](*sides)
+
     for section in sections:
         if section.of_kernel and str(section.conditions[-1].left) not in known:
             continue
-        if all(
-            _RELATIONS[each.relation](_value(each.left, given), _value(each.right, given))
-            for each in section.conditions
-        ):
+        if all(map(holds, section.conditions)):
             for name in section.formulas if section.of_kernel else ():
                 formulas.pop(name, None)  # comes in the order of the kernel's own
             formulas |= section.formulas
@@ -250,11 +269,14 @@ def _value(formula: Formula, known: Mapping[str, Value]) -> Value:
         return -found
     if formula.kind == "pow":
         return reduce(_product, [found] * int(formula.text))
-    for other in others:
-        if other.kind == "neg" and isinstance(found, Node) and _is_number(other.parts[0]):
-            found = found - _value(other.parts[0], known)
-        else:
-            found = _OPERATIONS[formula.kind](found, _value(other, known))
+    for part in others:
+        if part.kind == "neg" and isinstance(found, Node) and _is_number(part.parts[0]):
+            found = found - _value(part.parts[0], known)
+            continue
+        other = _value(part, known)
+        if formula.kind == "div" and other == 0:
+            raise ZeroDivisionError(f"no form: {formula} divides by 0")
+        found = _OPERATIONS[formula.kind](found, other)
     return found
 
 
@@ -267,7 +289,7 @@ def _is_number(formula: Formula) -> bool:
 def _call(function: str, values: Sequence[Value], known: Mapping[str, Value]) -> Node:
     """A function of nodes, or the root of a number."""
     if len(values) != CALLS[function]:
-        raise FormulaError(f"{function} has {CALLS[function]} arguments, {len(values)} came")
+        raise FormulaError(f"{function}: {CALLS[function]} wanted in brackets, {len(values)} came")
     nodes = [node for node in (*values, *known.values()) if isinstance(node, Node)]
     if function == "sqrt" and nodes:
         return nodes[0].builder.sqrt(values[0])

@@ -60,7 +60,8 @@ def page_graphs(page: Path, inputs: Inputs | None = None, named: str = "") -> di
 
     `inputs`: what a kernel may use, if not all that tables have; what it does not need is left out.
     `named`: a regular expression of what is named in graphs besides values of functions.
-    Raises PageError for what is no formula, a name without one, and a kernel without outputs.
+    Raises PageError for what is no formula, a name without one, a negative number that stands with
+    a node, and a kernel without outputs.
     """
     sections, words = read_page(page), kernel_words(page)
     rows = dict.fromkeys(
@@ -79,7 +80,7 @@ def page_graphs(page: Path, inputs: Inputs | None = None, named: str = "") -> di
                     given = inputs(kernel) if inputs else words.inputs(name)
                     graph = _graph(sections, row, numbers, given, named)
                     found[name] = _with_differences(graph, words.differences(name))
-                except ValueError as error:
+                except (ValueError, ArithmeticError) as error:
                     raise PageError(f"{place_of(page)}: {name}: {error}") from None
     return found
 

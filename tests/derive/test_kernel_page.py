@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+from fractions import Fraction
 from pathlib import Path
 from typing import Any
 
@@ -82,6 +83,7 @@ SAID = """
 | r | distance | r_scale | turns |
 | r_D_{x,z} | slope by {x,z} | | |
 | twice | two distances | terms | |
+| more | more of them | measure | |
 
 ### near
 
@@ -111,7 +113,12 @@ Twice.
 | input | meaning | domain | in float32 |
 |---|---|---|---|
 | y | | (0, infinity) | |
-| z | | 0 or [1/4, 1) | [1/2, 1) |
+| z | | 0 or [2^-40, 2^3) | [1/2, 1) |
+
+| output | meaning | error over | since |
+|---|---|---|---|
+| * | twice the * | | |
+| twice | two of them | | |
 """
 
 
@@ -142,7 +149,7 @@ def test_tables_make_kernels(tmp_path: Path) -> None:
     builder = GraphBuilder()
     x, y, z = (builder.symbol(name) for name in "xyz")
     near = builder.graph({"r": x - z, "r_D_z": z * x, "r_scale": x + z}, {"r_difference": x - z})
-    far = builder.graph({"r": y - z, "r_D_x": z / y, "twice": z})
+    far = builder.graph({"r": y - z, "r_D_x": z / y, "twice": z, "measure": z})
     module = module_of(tmp_path, SAID, {"near": near, "far_in_plane": far})
     first, second = module.kernels
     assert first.inputs == (
@@ -155,12 +162,14 @@ def test_tables_make_kernels(tmp_path: Path) -> None:
     assert (first.result, first.source) == ("Near", "derivation a-name")
     assert second.inputs == (
         Input("y", "samples"),
-        Input("z", "up of home", "1/4", "1", False, True, single=("1/2", "1"), zero=True),
+        Input(
+            "z", "up of home", Fraction(1, 2**40), 8, False, True, single=("1/2", "1"), zero=True
+        ),
     )
     assert second.outputs == (
-        Output("r", "distance", "r_scale"),
-        Output("r_D_x", "slope by x"),
-        Output("twice", "two distances", by_terms=True),
+        Output("r", "twice the distance"),
+        Output("r_D_x", "twice the slope by x"),
+        Output("twice", "two of them", by_terms=True),
     )
     assert second.cancellations == {}
 
@@ -197,6 +206,8 @@ def test_a_mistake_of_tables_is_told(right: str, wrong: str, message: str, tmp_p
             "far: .* has no formula, or one that needs itself",
         ),
         ("    twice = log(r)", "far: .*function that is known"),
+        ("    r = (1 - 3) x", "near: no form without a subtraction: -2 stands with a node"),
+        ("    r = x/(1 - 1)", "near: no form: x/.1 - 1. divides by 0"),
         ("    twice = z^2", "far_in_plane: a graph needs at least one output"),
         ("    twice = (r)", "page.md, line 8: read as"),
     ],

@@ -174,6 +174,7 @@ def _way(parts: _Parts, filter_: Mapping[str, str]) -> _Way:
         relations = each.formula.readings[0].relations
         return with_sizes(relations_to_latex(relations) if each.plain else each.text)
 
+    signs = _with_a_sign((parts.asked, *parts.conditions))
     entries: dict[str, tuple[str, str, bool]] = {}
     for token, (rows, columns) in shapes.letters.items():
         if NUMBERED.fullmatch(token):
@@ -187,6 +188,8 @@ def _way(parts: _Parts, filter_: Mapping[str, str]) -> _Way:
         square = size(rows) == size(columns)
         is_guess = token not in parts.reader.said
         usual = SYMMETRIC.get(base_letter(token), "") if square and is_guess else ""
+        if token in signs:
+            usual = ""  # the hypothesis may be weaker, and the formula is not shown by a guess
         properties = own.properties or ((usual,) if usual else ())
         shape = f"shape = [{quoted(size(rows))}, {quoted(size(columns))}]"
         stated = f", is = [{', '.join(map(quoted, properties))}]" if properties else ""
@@ -212,6 +215,16 @@ def _way(parts: _Parts, filter_: Mapping[str, str]) -> _Way:
     )
 
 
+def _with_a_sign(formulas: Sequence[Typed]) -> set[str]:
+    """Letters that formulas compare with zero."""
+    relations = [r for each in formulas for r in each.formula.readings[0].relations]
+    sides = [pair for r in relations for pair in ((r.left, r.right), (r.right, r.left))]
+    alone = (
+        one["nodes"] for one, other in sides if other["nodes"] == ZERO and len(one["nodes"]) == 1
+    )
+    return {str(node[1]) for (node,) in alone if node[0] == "symbol"}
+
+
 def _shapes(parts: _Parts) -> Shapes:
     """The shapes of all letters; small ones are columns where that makes no other letter smaller.
     Raises BadInputError.
@@ -227,7 +240,9 @@ def _shapes(parts: _Parts) -> Shapes:
             for each in (parts.asked, *parts.conditions):
                 for relation in each.formula.readings[0].relations:
                     sides = [g for g in (relation.left, relation.right) if g["nodes"] != ZERO]
-                    shapes.alike([shapes.of(g) for g in sides], "both sides")
+                    shape = shapes.alike([shapes.of(g) for g in sides], "both sides")
+                    if relation.operator in ("<", "<=", ">", ">="):
+                        shapes.square(shape, "both sides of an order")
         return shapes
 
     any_shapes = found(frozenset())

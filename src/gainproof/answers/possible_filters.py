@@ -145,7 +145,10 @@ def candidates(
         ]
     strengths = [token for token in tokens if meant[token].role in ("deviation", "density")]
     if not strengths:
-        words = f"process noise {model}" if model != SEARCH else SEARCHED + _searched(meant)
+        if any(model == each["name"] and not _is_kinematic(each) for each in models):
+            meant = {token: letters.of_any_states(meaning) for token, meaning in meant.items()}
+        named = f"process noise {model}" if model in letters.NOISE_ORDERS else f"model {model}"
+        words = named if model != SEARCH else SEARCHED + _searched(meant)
         steady = ('kind = "steady_state"', f'model = "{model}"', *_conventions(options, meant))
         return [Candidate(steady, meant, f"Kalman filter in its steady state, {words}")]
     if len(strengths) > 1:
@@ -211,6 +214,14 @@ def _rows(model: Mapping[str, object], name: str) -> list[list[str]]:
     rows = model[name]
     assert isinstance(rows, list)
     return rows
+
+
+def _is_kinematic(model: Mapping[str, object]) -> bool:
+    """Whether its states are a position and its rates, as far as its transition says."""
+    rows = _rows(model, "transition")
+    return rows == [["1", "1", "1/2"], ["0", "1", "1"], ["0", "0", "1"]] or (
+        rows == [["1", "1"], ["0", "1"]]
+    )
 
 
 def _with_strength(

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Collection, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import lru_cache
 from types import MappingProxyType
 from typing import Any
@@ -43,6 +43,9 @@ class Meaning:
 REAL = "real number"
 """The meaning of a letter of which nothing is known."""
 _ORDINALS = ("position", "velocity", "acceleration")
+_STATES = {"the measured position": "the measurement"} | {
+    f"the {word}": f"state {number}" for number, word in enumerate(_ORDINALS, 1)
+}
 _GAIN_LETTERS = {r"\alpha": 1, r"\beta": 2, r"\gamma": 3}
 _NAMED_GAINS = (("g", 1), ("h", 2), ("k", 3))
 """Of a g-h or g-h-k filter: only where no other letters but those of a filter stand beside them."""
@@ -133,6 +136,14 @@ def filter_meanings(tokens: Sequence[str]) -> Mapping[str, Meaning]:
         if token in numbers or (token in _SAMPLES and numbers):
             found[token] = quantity("sample_number", SAMPLE_WORDS)
     return MappingProxyType(found)
+
+
+def of_any_states(meaning: Meaning) -> Meaning:
+    """Of a model whose states are no position and its rates: its words by the number of a state."""
+    words = meaning.meaning
+    for position, state in _STATES.items():
+        words = words.replace(position, state)
+    return replace(meaning, meaning=words)
 
 
 def is_anchor(meaning: Meaning) -> bool:
