@@ -9,11 +9,10 @@ from pathlib import Path
 
 import sympy as sp
 
-from gainproof.derive.derivation import Derivation
 from gainproof.derive.pages.derivation import FOLDER, Given, written
 from gainproof.derive.pages.kernel_page import page_graphs, page_module
 from gainproof.derive.source import DOPPLER, MATRICES
-from gainproof.derive.subject import Program, Subject
+from gainproof.derive.subject import Subject, page_subject
 
 NAME = "multipath-location"
 FORMULAS = Path(__file__).with_name("multipath_kernels.md")
@@ -34,23 +33,9 @@ def build(folder: Path = FOLDER) -> Subject:
     }
     given = Given(slots={"": differences}, programs=made, roots={"root": "sigma_b"})
     page = written(NAME, given, folder)
-    latex = {**page.latex, **LATEX}
-    return Subject(
-        name=NAME,
-        title=page.title,
-        model=None,
-        derivation=Derivation(page.opening, page.steps, (DOPPLER.key, MATRICES.key), latex),
-        towers=page.towers,
-        programs={
-            name: Program({"variance_ratio": "variance_ratio"}, graph)
-            for name, graph in made.items()
-        },
-        module=page_module(
-            FORMULAS, made, NAME, f"{page.title}: the deviation of an estimated bias"
-        ),
-        textbook=dict,
-        settings=page.settings,
-    )
+    title = f"{page.title}: the deviation of an estimated bias"
+    module = page_module(FORMULAS, made, NAME, title)
+    return page_subject(NAME, page, module, made, (DOPPLER.key, MATRICES.key), LATEX)
 
 
 def _difference(left: sp.Expr, right: sp.Expr) -> sp.Expr:

@@ -11,7 +11,7 @@ from pathlib import Path
 import sympy as sp
 
 import gainproof.derive.fixed_gain
-from gainproof.derive.derivation import Derivation, kernel_step
+from gainproof.derive.derivation import kernel_step
 from gainproof.derive.fixed_gain.loop import Loop, pairs
 from gainproof.derive.fixed_gain.names import LATEX
 from gainproof.derive.fixed_gain.page_slots import page_slots
@@ -19,9 +19,9 @@ from gainproof.derive.fixed_gain.process_noise import noise_shares
 from gainproof.derive.pages.derivation import Given, written
 from gainproof.derive.pages.kernel_formulas import SCALE
 from gainproof.derive.pages.kernel_page import page_graphs, page_module
-from gainproof.derive.printer.graph import Graph, symbols_of
+from gainproof.derive.printer.graph import Graph
 from gainproof.derive.source import LECTURE
-from gainproof.derive.subject import Program, Subject
+from gainproof.derive.subject import Subject, page_subject
 
 NAME = "alpha-beta"
 LOOP = Loop(2)
@@ -72,21 +72,5 @@ def build() -> Subject:
         },
     )
     page = written(NAME, given)
-    return Subject(
-        name=NAME,
-        title=page.title,
-        model=None,
-        derivation=Derivation(
-            page.opening,
-            page.steps,
-            (LECTURE.key,),
-            {**page.latex, **LATEX},
-        ),
-        towers=page.towers,
-        programs={
-            name: Program({x: SYMBOLS.get(x, x) for x in symbols_of(graph)}, graph)
-            for name, graph in made.items()
-        },
-        module=page_module(FORMULAS, made, NAME, page.title),
-        textbook=dict,
-    )
+    module = page_module(FORMULAS, made, NAME, page.title)
+    return page_subject(NAME, page, module, made, (LECTURE.key,), LATEX, SYMBOLS)

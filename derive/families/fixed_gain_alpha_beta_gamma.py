@@ -14,7 +14,7 @@ import gainproof.derive.fixed_gain
 from gainproof.derive.algebra.tower import Tower
 from gainproof.derive.algebra.variables import above_zero
 from gainproof.derive.catalogue_module import catalogue_module
-from gainproof.derive.derivation import Derivation, kernel_step
+from gainproof.derive.derivation import kernel_step
 from gainproof.derive.expression import real
 from gainproof.derive.fixed_gain import three_noise_forms as forms
 from gainproof.derive.fixed_gain.loop import pairs, row, symmetric
@@ -35,9 +35,9 @@ from gainproof.derive.fixed_gain.three_towers import (
 from gainproof.derive.pages.derivation import Given, written
 from gainproof.derive.pages.kernel_formulas import SCALE
 from gainproof.derive.pages.kernel_page import page_graphs, page_kernels
-from gainproof.derive.printer.graph import Graph, symbols_of
+from gainproof.derive.printer.graph import Graph
 from gainproof.derive.source import LECTURE
-from gainproof.derive.subject import Program, Subject
+from gainproof.derive.subject import Subject, page_subject
 
 TOWER = "noise"
 Y = (D + M) / X
@@ -116,24 +116,8 @@ def build() -> Subject:
         for formulas, graphs in ((FORMULAS, others), (NOISE, noise))
         for kernel in page_kernels(formulas, graphs, NAME)
     }
-    return Subject(
-        name=NAME,
-        title=page.title,
-        model=None,
-        derivation=Derivation(
-            page.opening,
-            page.steps,
-            (LECTURE.key,),
-            {**page.latex, **LATEX},
-        ),
-        towers=page.towers,
-        programs={
-            name: Program({x: SYMBOLS.get(x, x) for x in symbols_of(graph)}, graph)
-            for name, graph in made.items()
-        },
-        module=catalogue_module(NAME, page.title, (kernels[name] for name in made)),
-        textbook=dict,
-    )
+    module = catalogue_module(NAME, page.title, (kernels[name] for name in made))
+    return page_subject(NAME, page, module, made, (LECTURE.key,), LATEX, SYMBOLS)
 
 
 def _minors() -> tuple[sp.Expr, ...]:

@@ -10,11 +10,10 @@ from pathlib import Path
 import sympy as sp
 
 import gainproof.derive.fixed_gain
-from gainproof.derive.derivation import Derivation
 from gainproof.derive.pages.derivation import Given, written
 from gainproof.derive.pages.kernel_page import page_graphs, page_module
 from gainproof.derive.source import LECTURE, MATRICES
-from gainproof.derive.subject import Program, Subject
+from gainproof.derive.subject import Subject, page_subject
 
 NAME = "interacting-gains"
 FORMULAS = Path(gainproof.derive.fixed_gain.__path__[0]) / "interacting_kernels.md"
@@ -45,14 +44,5 @@ def build() -> Subject:
         programs=made,
     )
     page = written(NAME, given)
-    return Subject(
-        name=NAME,
-        title=page.title,
-        model=None,
-        derivation=Derivation(page.opening, page.steps, (LECTURE.key, MATRICES.key), page.latex),
-        towers=page.towers,
-        programs={name: Program({"variance_ratio": "variance_ratio"}, made[name]) for name in made},
-        module=page_module(FORMULAS, made, NAME, f"{page.title}: the gain of one coordinate"),
-        textbook=dict,
-        settings=page.settings,
-    )
+    module = page_module(FORMULAS, made, NAME, f"{page.title}: the gain of one coordinate")
+    return page_subject(NAME, page, module, made, (LECTURE.key, MATRICES.key))

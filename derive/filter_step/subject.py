@@ -44,13 +44,13 @@ def build(folder: Path = FOLDER) -> Subject:
     `folder`: where the page is. Raises PageError with the line of a mistake on it.
     """
     made = graphs()
-    page = written(NAME, Given(towers(), slots=_slots()), folder)
-    programs = (step for name, graph in made.items() for step in _programs(name, graph))
+    kernels = [step for name, graph in made.items() for step in _programs(name, graph)]
+    page = written(NAME, Given(towers(), slots=_slots(), steps={"kernels": kernels}), folder)
     return Subject(
         name=NAME,
         title=page.title,
         model=None,
-        derivation=Derivation(page.opening, (*page.steps, *programs), (LECTURE.key,), LATEX),
+        derivation=Derivation(page.opening, page.steps, (LECTURE.key,), LATEX),
         towers=page.towers,
         programs={
             name: Program({entry: SYMBOLS.get(entry, entry) for entry in inputs(name)}, graph)

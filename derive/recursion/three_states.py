@@ -10,11 +10,11 @@ from typing import Any
 
 import sympy as sp
 
-from gainproof.derive.derivation import Derivation, Step, kernel_step
+from gainproof.derive.derivation import Step, kernel_step
 from gainproof.derive.expression import real
 from gainproof.derive.pages.derivation import Given, written
 from gainproof.derive.pages.kernel_page import page_module
-from gainproof.derive.printer.graph import Graph, symbols_of
+from gainproof.derive.printer.graph import Graph
 from gainproof.derive.recursion.three_state_kernels import graphs
 from gainproof.derive.recursion.three_state_names import (
     FACTORS,
@@ -38,7 +38,7 @@ from gainproof.derive.recursion.three_state_towers import (
     update_tower,
 )
 from gainproof.derive.source import GAUSS_MARKOV, SPECTRAL
-from gainproof.derive.subject import Program, Subject
+from gainproof.derive.subject import Subject, page_subject
 
 NAME = "recursion-three-states"
 WORDS = Path(__file__).with_name("three_states.md")
@@ -63,22 +63,15 @@ def build() -> Subject:
         pair_tower(),
         samples_tower(),
     )
-    page = written(NAME, Given(towers, slots={noise.name: _slots(noise) for noise in known}))
-    steps = (*page.steps, *(_program(name, graph, known) for name, graph in made.items()))
-    latex = {**page.latex, "det": r"\det P"}
-    return Subject(
-        name=NAME,
-        title=page.title,
-        model=None,
-        derivation=Derivation(page.opening, steps, (SPECTRAL.key, GAUSS_MARKOV.key), latex),
-        towers=page.towers,
-        programs={
-            name: Program({entry: PARAMETERS[entry] for entry in symbols_of(graph)}, graph)
-            for name, graph in made.items()
-        },
-        module=page_module(WORDS, made, NAME, page.title),
-        textbook=dict,
+    given = Given(
+        towers,
+        slots={noise.name: _slots(noise) for noise in known},
+        steps={"kernels": [_program(name, graph, known) for name, graph in made.items()]},
     )
+    page = written(NAME, given)
+    module = page_module(WORDS, made, NAME, page.title)
+    sources = SPECTRAL.key, GAUSS_MARKOV.key
+    return page_subject(NAME, page, module, made, sources, {"det": r"\det P"}, PARAMETERS)
 
 
 def _slots(noise: TripleNoise) -> dict[str, Any]:

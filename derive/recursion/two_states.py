@@ -12,11 +12,11 @@ import sympy as sp
 
 from gainproof.derive.algebra.tower import Parameter, Tower
 from gainproof.derive.algebra.variables import above_zero, from_zero
-from gainproof.derive.derivation import Derivation, Step, kernel_step
+from gainproof.derive.derivation import Step, kernel_step
 from gainproof.derive.expression import real
 from gainproof.derive.pages.derivation import Given, written
 from gainproof.derive.pages.kernel_page import page_module
-from gainproof.derive.printer.graph import Graph, symbols_of
+from gainproof.derive.printer.graph import Graph
 from gainproof.derive.recursion import forms
 from gainproof.derive.recursion.kernels import graphs
 from gainproof.derive.recursion.names import (
@@ -38,7 +38,7 @@ from gainproof.derive.recursion.names import (
 )
 from gainproof.derive.recursion.noise import Noise, noises
 from gainproof.derive.source import GAUSS_MARKOV, SPECTRAL
-from gainproof.derive.subject import Program, Subject
+from gainproof.derive.subject import Subject, page_subject
 
 NAME = "recursion-two-states"
 WORDS = Path(__file__).with_name("two_states.md")
@@ -57,23 +57,15 @@ def build() -> Subject:
         pair_tower(),
         samples_tower(),
     )
-    page = written(NAME, Given(towers, slots={noise.name: _slots(noise) for noise in known}))
-    steps = (*page.steps, *(_program(name, graph, known) for name, graph in made.items()))
-    return Subject(
-        name=NAME,
-        title=page.title,
-        model=None,
-        derivation=Derivation(page.opening, steps, (SPECTRAL.key, GAUSS_MARKOV.key), page.latex),
-        towers=page.towers,
-        programs={
-            name: Program(
-                {entry: PARAMETERS.get(entry, entry) for entry in symbols_of(graph)}, graph
-            )
-            for name, graph in made.items()
-        },
-        module=page_module(WORDS, made, NAME, page.title),
-        textbook=dict,
+    given = Given(
+        towers,
+        slots={noise.name: _slots(noise) for noise in known},
+        steps={"kernels": [_program(name, graph, known) for name, graph in made.items()]},
     )
+    page = written(NAME, given)
+    module = page_module(WORDS, made, NAME, page.title)
+    sources = SPECTRAL.key, GAUSS_MARKOV.key
+    return page_subject(NAME, page, module, made, sources, {}, PARAMETERS)
 
 
 def _slots(noise: Noise) -> dict[str, Any]:

@@ -9,11 +9,10 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from gainproof.derive.derivation import Derivation
 from gainproof.derive.pages.derivation import Given, written
 from gainproof.derive.pages.kernel_formulas import PLANE
 from gainproof.derive.pages.kernel_page import page_graphs, page_module
-from gainproof.derive.printer.graph import Graph, symbols_of
+from gainproof.derive.printer.graph import Graph
 from gainproof.derive.sensors.algebraic_graphs import algebraic
 from gainproof.derive.source import (
     DEBIASED,
@@ -23,7 +22,7 @@ from gainproof.derive.source import (
     TRACKER_LIBRARY,
     UNBIASED,
 )
-from gainproof.derive.subject import Program, Subject
+from gainproof.derive.subject import Subject, page_subject
 
 NAME = "converted-measurements"
 FORMULAS = Path(__file__).with_name("converted_kernels.md")
@@ -70,21 +69,5 @@ def build() -> Subject:
     made = graphs()
     plain = {name: algebraic(graph) for name, graph in made.items()}
     page = written(NAME, Given(programs=plain))
-    return Subject(
-        name=NAME,
-        title=page.title,
-        model=None,
-        derivation=Derivation(
-            page.opening,
-            page.steps,
-            tuple(each.key for each in SOURCES),
-            {**page.latex, **LATEX},
-        ),
-        towers=page.towers,
-        programs={
-            name: Program({entry: entry for entry in symbols_of(graph)}, graph)
-            for name, graph in plain.items()
-        },
-        module=page_module(FORMULAS, made, NAME, page.title),
-        textbook=dict,
-    )
+    module = page_module(FORMULAS, made, NAME, page.title)
+    return page_subject(NAME, page, module, plain, tuple(each.key for each in SOURCES), LATEX)

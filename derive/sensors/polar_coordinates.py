@@ -9,13 +9,12 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from gainproof.derive.derivation import Derivation
 from gainproof.derive.pages.derivation import Given, written
 from gainproof.derive.pages.kernel_page import page_graphs, page_module
-from gainproof.derive.printer.graph import Graph, symbols_of
+from gainproof.derive.printer.graph import Graph
 from gainproof.derive.sensors.algebraic_graphs import algebraic
 from gainproof.derive.source import ELEMENTARY, LECTURE, PROBABILITY
-from gainproof.derive.subject import Program, Subject
+from gainproof.derive.subject import Subject, page_subject
 
 NAME = "polar-coordinates"
 FORMULAS = Path(__file__).with_name("polar_kernels.md")
@@ -40,21 +39,6 @@ def build() -> Subject:
     plain = {name: algebraic(graph) for name, graph in made.items()}
     roots = {"horizontal_distance": "h", "distance": "R", "slant_range": "R"}
     page = written(NAME, Given(programs=plain, roots=roots))
-    return Subject(
-        name=NAME,
-        title=page.title,
-        model=None,
-        derivation=Derivation(
-            page.opening,
-            page.steps,
-            (LECTURE.key, PROBABILITY.key, ELEMENTARY.key),
-            {**page.latex, **LATEX},
-        ),
-        towers=page.towers,
-        programs={
-            name: Program({entry: entry for entry in symbols_of(graph)}, graph)
-            for name, graph in plain.items()
-        },
-        module=page_module(FORMULAS, made, NAME, page.title),
-        textbook=dict,
-    )
+    module = page_module(FORMULAS, made, NAME, page.title)
+    sources = LECTURE.key, PROBABILITY.key, ELEMENTARY.key
+    return page_subject(NAME, page, module, plain, sources, LATEX)

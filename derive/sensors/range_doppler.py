@@ -5,20 +5,20 @@ The derivation is the page `range-doppler` of `derive/pages`; here is what it do
 
 from __future__ import annotations
 
+from dataclasses import replace
 from pathlib import Path
 
-from gainproof.derive.derivation import Derivation
 from gainproof.derive.pages.derivation import Given, written
 from gainproof.derive.pages.kernel_formulas import PLANE
 from gainproof.derive.pages.kernel_page import page_graphs, page_module
-from gainproof.derive.printer.graph import Graph, symbols_of
+from gainproof.derive.printer.graph import Graph
 from gainproof.derive.sensors.range_doppler_components import component_steps, kernel_steps
 from gainproof.derive.sensors.range_doppler_names import SPACE_AXES, places, velocities
 from gainproof.derive.sensors.range_doppler_pairs import pair_steps, pair_towers
 from gainproof.derive.sensors.range_doppler_textbook import textbook
 from gainproof.derive.sensors.range_doppler_towers import towers
 from gainproof.derive.source import DOPPLER, ELEMENTARY
-from gainproof.derive.subject import Program, Subject
+from gainproof.derive.subject import Subject, page_subject
 
 NAME = "range-doppler"
 FORMULAS = Path(__file__).with_name("range_doppler_kernels.md")
@@ -73,19 +73,6 @@ def build() -> Subject:
         },
     )
     page = written(NAME, given)
-    return Subject(
-        name=NAME,
-        title=page.title,
-        model=None,
-        derivation=Derivation(
-            page.opening, page.steps, (DOPPLER.key, ELEMENTARY.key), {**page.latex, **LATEX}
-        ),
-        towers=page.towers,
-        programs={
-            name: Program({entry: entry for entry in symbols_of(graph)}, graph)
-            for name, graph in made.items()
-        },
-        module=page_module(FORMULAS, made, NAME, page.title),
-        textbook=textbook,
-        settings=page.settings,
-    )
+    module = page_module(FORMULAS, made, NAME, page.title)
+    subject = page_subject(NAME, page, module, made, (DOPPLER.key, ELEMENTARY.key), LATEX)
+    return replace(subject, textbook=textbook)

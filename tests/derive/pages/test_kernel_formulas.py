@@ -124,7 +124,7 @@ Only prose.
 ## More
     z = y
 """
-    assert graph_of(page, "x", "z")["nodes"] == [["symbol", "a"]]
+    assert graph_of(page, "x", "z") == graph_of("    x = a\n    z = a", "x", "z")
     near = graph_of(page, "x", "z", near_kernel=1, far_kernel=0)
     assert near["nodes"] == [["symbol", "b"]]
     assert graph_of(page, "x", near_kernel=0)["nodes"] == [["symbol", "a"]]
