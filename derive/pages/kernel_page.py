@@ -82,6 +82,9 @@ def page_graphs(page: Path, inputs: Inputs | None = None, named: str = "") -> di
                     found[name] = _with_differences(graph, words.differences(name))
                 except (ValueError, ArithmeticError) as error:
                     raise PageError(f"{place_of(page)}: {name}: {error}") from None
+    for kernel in (row.removesuffix(ROW) for row in rows):
+        if not {kernel, f"{kernel}{PLANE}"} & {*found}:
+            raise PageError(f"{place_of(page)}: {kernel}{ROW} stands below another kernel's name")
     return found
 
 
