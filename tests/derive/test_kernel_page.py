@@ -63,7 +63,9 @@ def test_what_is_a_number_in_the_plane_is_neither_input_nor_output(tmp_path: Pat
 
 def test_a_row_below_the_name_of_another_kernel_is_refused(tmp_path: Path) -> None:
     page = f"{PAGE}### near\n    more_kernel = [x]\n"
-    with pytest.raises(PageError, match="page.md: more_kernel stands below another kernel's name"):
+    with pytest.raises(
+        PageError, match=r"page\.md: more_kernel stands below another kernel's name"
+    ):
         made(tmp_path, page)
 
 
