@@ -20,7 +20,7 @@ from gainproof.version import VERSION as __version__
 
 TYPE_CHECKING = False  # to checkers of types it is true; `typing` takes a while to import
 if TYPE_CHECKING:
-    from collections.abc import Mapping, Sequence
+    from collections.abc import Iterable, Mapping, Sequence
     from typing import Any
 
     from gainproof.answers.answer import Answer
@@ -138,11 +138,11 @@ def check(file: str, *, seconds: float | None = None, fresh: bool = False) -> Ju
 
 
 def steady_state(
-    transition: Sequence[Sequence[Any]],
-    measurement: Sequence[Sequence[Any]],
-    process_noise: Sequence[Sequence[Any]],
-    measurement_noise: Sequence[Sequence[Any]],
-    cross_noise: Sequence[Sequence[Any]] | None = None,
+    transition: Iterable[Iterable[Any]],
+    measurement: Iterable[Iterable[Any]],
+    process_noise: Iterable[Iterable[Any]],
+    measurement_noise: Iterable[Iterable[Any]],
+    cross_noise: Iterable[Iterable[Any]] | None = None,
 ) -> SteadyState:
     """The Kalman filter's steady state for x(k+1) = F x(k) + w(k), y(k) = H x(k) + v(k), proved.
 

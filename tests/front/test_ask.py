@@ -532,7 +532,7 @@ def test_formulas_made_to_do_harm_do_none() -> None:
 
 def test_models_that_are_shipped_have_strengths_that_are_known() -> None:
     """A model of measured position that comes new needs its line in the table of noises."""
-    from gainproof.verify.judge.claim.letters import NOISE_ORDERS
+    from gainproof.verify.judge.claim.usual_letters import NOISE_ORDERS
 
     positions = [m["name"] for m in shipped_models() if len(m["measurement"]) == 1]
     assert set(positions) == set(NOISE_ORDERS)

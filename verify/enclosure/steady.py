@@ -33,7 +33,7 @@ from gainproof.verify.enclosure.structure import (
 
 ASKED = 54
 """Half widths are at most 2^-54 of the deviations that belong to an entry."""
-LEAST_BITS, MOST_BITS, MOST_BITS_OF_BOXES = 192, 1 << 13, 1 << 10
+LEAST_BITS, MOST_BITS, MOST_BITS_OF_BOXES = 192, 1 << 12, 1 << 10
 MOST_DOUBLINGS, MOST_TRIES = 400, 12
 GUARD = 10
 """Bits by which roundings are below what has to be told from 0."""
@@ -145,10 +145,10 @@ def _part(model: Model, asked: int) -> Found:
         return Found(
             {"upper": [], "slack": [], "predictor": [], "filter": [], "floor": [floor]}, {}
         )
-    if model.is_exact:
-        require_seen(model)
-        known = told(model)
-    else:
+    # of a box the centre is asked: what it lacks cannot be shown of the others
+    require_seen(model)
+    known = told(model)
+    if not model.is_exact:
         known = _never_driven(model)
     most = MOST_BITS if model.is_exact else MOST_BITS_OF_BOXES
     bits = LEAST_BITS
@@ -159,8 +159,8 @@ def _part(model: Model, asked: int) -> Found:
             except (_TooFew, ZeroDivisionError):
                 bits *= 2
     raise NoSteadyState(
-        f"no stabilising steady state was found with {most} bits: a mode is seen by no measurement "
-        "or driven by no noise, or nearly so"
+        f"none was found with {most} bits: a mode is seen by no measurement or driven by no noise, "
+        "or nearly so"
     )
 
 
@@ -198,18 +198,15 @@ def _certified(model: Model, known: Relations, asked: int) -> Found:
     seen = p * h.transpose()
     sigma = (h * seen + r).mid()
     inverse = sigma.inv().mid()
-    grid = _grid_of_gains(p, sigma, f, q)
-    predictor = _with_rows(_rounded((f * seen + s) * inverse, grid), known)
-    gain = _with_rows(_rounded(seen * inverse, grid), _noiseless(model, known))
-    loop = (f - _balls(Box(predictor)) * h).mid()
+    predictor, gain = (f * seen + s) * inverse, seen * inverse
+    loop = (f - predictor * h).mid()
     margin, in_units = _margins(loop, h, p, sigma)
     below = _summed(loop, margin)
     if free:
         above = _summed(_rows(loop, free) * b, [margin[i] for i in free])
-    floor = _floor(sigma)
+    floor, noiseless = _floor(sigma), _noiseless(model, known)
     guard = GUARD + n.bit_length() + 2 * max([0, *(_log2(x) for x in in_units.entries() if x != 0)])
-    spread = [_log2(below[i, i]) - _log2(p[i, i]) for i in range(n) if p[i, i] > 0]
-    k = asked + 2 + max(spread, default=0)
+    k = asked + 2 + _lost(f, h, gain, loop, p, sigma, below, floor)
     for _ in range(MOST_TRIES):
         small = flint.arb(2) ** -k
         grid = [[(_log2(x) + _log2(y)) / 2 - k - guard for y in margin] for x in margin]
@@ -218,7 +215,10 @@ def _certified(model: Model, known: Relations, asked: int) -> Found:
             x = _rounded(inner + small * above, [[grid[i][j] for j in free] for i in free])
             upper = back @ Box(x) @ back.turned()
         slack = upper - Box(_rounded(p - small * below, grid))
-        grids = {"upper": upper.c, "slack": slack.c, "predictor": predictor, "filter": gain}
+        gains = _grid_of_gains(p, sigma, f, q, k)
+        grids = {"upper": upper.c, "slack": slack.c}
+        grids["predictor"] = _with_rows(_rounded(predictor, gains), known)
+        grids["filter"] = _with_rows(_rounded(gain, gains), noiseless)
         data = _stated(model, [[0] * n, [0] * len(model.h.c)])
         data |= {name: [[_text(x) for x in row] for row in grid] for name, grid in grids.items()}
         data["floor"] = [[_text(x) for x in floor]]
@@ -232,6 +232,24 @@ def _certified(model: Model, known: Relations, asked: int) -> Found:
             return Found(data, found)
         k += lacking + 1
     raise _TooFew
+
+
+def _lost(
+    f: Any, h: Any, gain: Any, loop: Any, p: Any, sigma: Any, below: Any, floor: list[Fraction]
+) -> int:
+    """By how many bits enclosures are wider than what is put between X and Y, about."""
+    n, m = range(p.nrows()), range(sigma.nrows())
+    least = [flint.arb(_fmpq(x)) for x in floor]
+    seen = h * below * h.transpose()
+    share = sum((seen[j, j] / least[j] for j in m), flint.arb(0))
+    share = 4 * share * max(sigma[j, j] / least[j] for j in m)
+    found = [_log2(below[i, i]) - _log2(p[i, i]) for i in n if p[i, i] > 0]
+    unit = flint.arb_mat([[int(i == j) for j in n] for i in n])
+    for keep, size in ((unit - gain * h, p), (loop, f * p * f.transpose())):
+        wide = keep * below * keep.transpose()
+        ratios = [share * wide[i, i] / size[i, i] for i in n if size[i, i] > 0]
+        found += [_log2(x) // 2 for x in ratios if x > 0]
+    return max(found, default=0)
 
 
 def _back(known: Relations, free: Sequence[int]) -> Box:
@@ -338,14 +356,14 @@ def _with_rows(gain: Grid, known: Relations) -> Grid:
     return found
 
 
-def _grid_of_gains(p: Any, sigma: Any, f: Any, q: Any) -> list[list[float]]:
-    """Roundings that leave the error of a gain to what is asked."""
+def _grid_of_gains(p: Any, sigma: Any, f: Any, q: Any, bits: int) -> list[list[float]]:
+    """Roundings of gains to so many bits, and some more, of the deviations that belong to them."""
     moved = f * p * f.transpose() + q
     grid = []
     for i in range(p.nrows()):
         sizes = [_log2(x) for x in (p[i, i], moved[i, i]) if x > 0]
         across = [_log2(sigma[j, j]) for j in range(sigma.nrows())]
-        grid.append([(min(sizes, default=0) - x) / 2 - ASKED - GUARD for x in across])
+        grid.append([(min(sizes, default=0) - x) / 2 - bits - GUARD for x in across])
     return grid
 
 

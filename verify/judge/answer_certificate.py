@@ -25,10 +25,10 @@ from gainproof.verify.judge.exact.box import Box
 from gainproof.verify.judge.exact.calculus import rebuilt
 from gainproof.verify.judge.exact.certificate import boxes_from, statement_from
 from gainproof.verify.judge.exact.expression import Expr, symbol, symbols_of, walk
-from gainproof.verify.judge.exact.graph import read_graph
-from gainproof.verify.judge.exact.limits import Malformed
+from gainproof.verify.judge.exact.expression_graph import read_graph
 from gainproof.verify.judge.exact.statement import TURNED, Rel
 from gainproof.verify.judge.exact.witness import free_values
+from gainproof.verify.judge.exact.work_limits import Malformed
 from gainproof.verify.judge.matrix_certificate import matrix_certificate
 
 Data = dict[str, Any]

@@ -16,7 +16,9 @@ SMALL = (Fraction(1), Fraction(1, 8), Fraction(1, 1000))
 
 
 def by_coefficients(proof: Polynomials, p: Poly, strict: bool) -> int | None:
-    """Since all coefficients have one sign once variables are moved to their bounds."""
+    """The number of the fact that a polynomial is positive, or not negative if not strict: its
+    coefficients have one sign once variables are counted from their bounds. None if not found.
+    """
     if any(not m for m in p) and len(p) == 1:
         return proof.shows(p, ">", [[pair(p[()]), []]]) if p[()] > 0 else None
     sign = ">" if strict else ">="
@@ -61,7 +63,10 @@ def _choices(proof: Polynomials, variables: Sequence[str]) -> Iterator[dict[str,
 def _moved(
     proof: Polynomials, p: Poly, chosen: Mapping[str, tuple[Any, Any]], power: int
 ) -> tuple[list[Any], list[Any]] | None:
-    """Terms of its sum, and the factor; None if some coefficient is negative."""
+    """Terms of a sum that is a factor times the polynomial, and that factor, as `shows` has them;
+    None if some coefficient is negative. A variable with one bound is written as that and a new
+    one above 0, one between two bounds as their mean by weights above 0.
+    """
     facts, scale, factor = dict[str, int](), Fraction(1), list[int]()
     waiting = [n for n in chosen if chosen[n] != (None, None)]
     made = False

@@ -16,8 +16,8 @@ from gainproof.verify.judge.answer_polynomials import pair, text_of
 from gainproof.verify.judge.answer_proof import Proof
 from gainproof.verify.judge.exact.box import Box
 from gainproof.verify.judge.exact.expression import Expr, symbols_of, walk
-from gainproof.verify.judge.exact.limits import Malformed
 from gainproof.verify.judge.exact.statement import Rel
+from gainproof.verify.judge.exact.work_limits import Malformed
 
 OF_MODEL = re.compile(r"[PKSX]\[\d,\d\]")
 """Entries of a filter's matrices, as the file names them."""

@@ -25,6 +25,11 @@ def configure(parser: argparse.ArgumentParser) -> None:
         default=[],
         help="values of the symbols, as T=1,q=1e-22; decimals and fractions are taken exactly",
     )
+    parser.add_argument(
+        "--first",
+        metavar="N",
+        help="the gains of the first N samples in its place, from the model's `start`",
+    )
     parser.add_argument("--json", action="store_true", help="print all as JSON, the errors too")
     parser.add_argument(
         "--certificate",

@@ -11,8 +11,17 @@ from typing import Any
 from gainproof.bad_input import BadInputError, listed, unknown_name
 from gainproof.claims.certificate_files import write
 from gainproof.files import input_file, places
-from gainproof.steady.page import page
-from gainproof.steady.state import MATRICES, SteadyState, exact_number, steady_state_of
+from gainproof.steady.page import page, samples_page
+from gainproof.steady.state import (
+    MATRICES,
+    Enclosed,
+    SteadyState,
+    exact_number,
+    samples_of,
+    steady_state_of,
+)
+from gainproof.verify.check_enclosure import Box
+from gainproof.verify.enclosure.structure import Model
 from gainproof.verify.judge.claim.errors import ClaimFileError
 from gainproof.verify.judge.claim.file import MOST_BYTES
 from gainproof.verify.judge.claim.model_file import ModelFile, read_model_text
@@ -30,6 +39,8 @@ def answered(options: argparse.Namespace) -> int:
         )
     model = read_model(input_file.text(path, MOST_BYTES), places.shown(path))
     values = values_of(model, ",".join(options.at))
+    if options.first is not None:
+        return _first(model, values, options)
     found = at_values(model, values)
     if options.certificate is not None:
         write(Path(options.certificate), json.dumps(found.certificate) + "\n")
@@ -38,6 +49,34 @@ def answered(options: argparse.Namespace) -> int:
     else:
         print(page(model, values, found, options.certificate))
     return 0
+
+
+def _first(model: ModelFile, values: dict[str, Fraction], options: argparse.Namespace) -> int:
+    """Status 0: the first samples, printed."""
+    if options.certificate is not None:
+        raise BadInputError("--certificate belongs to the steady state, and not to --first")
+    if not options.first.isdecimal() or len(options.first) > 6:
+        raise BadInputError(f"--first: a whole number is wanted, got {options.first[:40]!r}")
+    numbers, start = _numbers(model, values)
+    if start is None:
+        problem = "--first needs `start`, the covariance of the prediction of the first sample"
+        raise BadInputError(f"{model.path}: {problem}")
+    found = samples_of(numbers, start, int(options.first))
+    if options.json:
+        samples = [{name: _both(getattr(one, name)) for name in MATRICES} for one in found]
+        print(json.dumps({**_said(model, values), "samples": samples}, indent=1))
+    else:
+        print(samples_page(model, values, found))
+    return 0
+
+
+def asked(text: str, at: str) -> dict[str, Any]:
+    """The steady state of the model in a text, as data. Raises BadInputError."""
+    if len(text.encode("utf-8", "replace")) > MOST_BYTES:
+        raise BadInputError(f"the text has more than {MOST_BYTES} bytes")
+    model = read_model(text, "text")
+    values = values_of(model, at)
+    return plain(model, values, at_values(model, values))
 
 
 def read_model(text: str, name: str) -> ModelFile:
@@ -51,11 +90,14 @@ def read_model(text: str, name: str) -> ModelFile:
 
 def at_values(model: ModelFile, values: dict[str, Fraction]) -> SteadyState:
     """The steady state where the symbols have these values. Raises BadInputError."""
+    return steady_state_of(_numbers(model, values)[0])
+
+
+def _numbers(model: ModelFile, values: dict[str, Fraction]) -> tuple[Model, Box | None]:
     try:
-        numbers = model_at(model, values)
+        return model_at(model, values)
     except NoNumberError as reason:
         raise BadInputError(f"{model.path}: {reason}") from None
-    return steady_state_of(numbers)
 
 
 def values_of(model: ModelFile, text: str) -> dict[str, Fraction]:
@@ -82,13 +124,9 @@ def values_of(model: ModelFile, text: str) -> dict[str, Fraction]:
 
 def plain(model: ModelFile, values: dict[str, Fraction], found: SteadyState) -> dict[str, Any]:
     """All of it as data for JSON."""
-    matrices = {name: getattr(found, name) for name in MATRICES}
     return {
-        "title": model.title,
-        "at": {token: str(x) for token, x in values.items()},
-        "states": [_named(c) for c in model.states],
-        "measurements": [_named(c) for c in model.measurements],
-        **{name: {"values": of.values, "errors": of.errors} for name, of in matrices.items()},
+        **_said(model, values),
+        **{name: _both(getattr(found, name)) for name in MATRICES},
         "poles": [
             {
                 "real": pole.centre.real,
@@ -100,6 +138,19 @@ def plain(model: ModelFile, values: dict[str, Fraction], found: SteadyState) -> 
         ],
         "certificate": found.certificate,
     }
+
+
+def _said(model: ModelFile, values: dict[str, Fraction]) -> dict[str, Any]:
+    return {
+        "title": model.title,
+        "at": {token: str(x) for token, x in values.items()},
+        "states": [_named(c) for c in model.states],
+        "measurements": [_named(c) for c in model.measurements],
+    }
+
+
+def _both(of: Enclosed) -> dict[str, Any]:
+    return {"values": of.values, "errors": of.errors}
 
 
 def _named(component: Any) -> dict[str, Any]:

@@ -7,7 +7,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from fractions import Fraction
 from math import ceil, floor, log10
 
-from gainproof.steady.state import Enclosed, SteadyState
+from gainproof.steady.state import Enclosed, Sample, SteadyState
 from gainproof.terminal_text import filled
 from gainproof.terminal_text import width as columns
 from gainproof.verify.enclosure.poles import Pole
@@ -47,6 +47,23 @@ def page(
         columns=width,
     )
     return "\n".join(lines)
+
+
+def samples_page(model: ModelFile, values: Mapping[str, Fraction], found: Sequence[Sample]) -> str:
+    """The gains of the first samples, one a row."""
+    one = len(model.measurements) == 1
+    head = [
+        x.name if one else f"{x.name}, {z.name}" for x in model.states for z in model.measurements
+    ]
+    gains = Enclosed(
+        tuple(sum(each.filter_gain.values, ()) for each in found),
+        tuple(sum(each.filter_gain.errors, ()) for each in found),
+        (),
+        (),
+    )
+    names = [str(k) for k in range(1, len(found) + 1)]
+    lines = [_title(model, values), "", "filter gain, sample by sample"]
+    return "\n".join([*lines, *_table(gains, names, head, columns())])
 
 
 def _title(model: ModelFile, values: Mapping[str, Fraction]) -> str:

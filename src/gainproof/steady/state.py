@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 from fractions import Fraction
 from math import inf, nextafter
@@ -13,10 +13,12 @@ from typing import Any
 from gainproof.bad_input import BadInputError
 from gainproof.verify.check_enclosure import Box, decide, definite
 from gainproof.verify.enclosure.poles import Pole, poles
+from gainproof.verify.enclosure.samples import NoGain, samples
 from gainproof.verify.enclosure.steady import steady
 from gainproof.verify.enclosure.structure import Model, NoSteadyState
 
-MOST_SIZE = 40
+MOST_SIZE, MOST_SAMPLES = 40, 1000
+Matrix = Iterable[Iterable[Any]]
 NUMBER = re.compile(r"[+-]?\d{1,300}(\.\d{1,300})?(/0*[1-9]\d{0,300}|[eE][+-]?\d{1,3})?", re.ASCII)
 MATRICES = ("filter_gain", "predictor_gain", "predicted_covariance", "updated_covariance")
 
@@ -56,14 +58,73 @@ class SteadyState:
         decide(self.certificate)
 
 
+@dataclass(frozen=True)
+class Sample:
+    """Covariances and gains of one sample, as those of a `SteadyState`."""
+
+    filter_gain: Enclosed
+    predictor_gain: Enclosed
+    predicted_covariance: Enclosed
+    updated_covariance: Enclosed
+
+
 def steady_state(
-    transition: Sequence[Sequence[Any]],
-    measurement: Sequence[Sequence[Any]],
-    process_noise: Sequence[Sequence[Any]],
-    measurement_noise: Sequence[Sequence[Any]],
-    cross_noise: Sequence[Sequence[Any]] | None = None,
+    transition: Matrix,
+    measurement: Matrix,
+    process_noise: Matrix,
+    measurement_noise: Matrix,
+    cross_noise: Matrix | None = None,
 ) -> SteadyState:
     """See `gainproof.steady_state`."""
+    return steady_state_of(
+        _model(transition, measurement, process_noise, measurement_noise, cross_noise)
+    )
+
+
+def first_samples(
+    transition: Matrix,
+    measurement: Matrix,
+    process_noise: Matrix,
+    measurement_noise: Matrix,
+    start: Matrix,
+    count: int,
+    cross_noise: Matrix | None = None,
+) -> tuple[Sample, ...]:
+    """Covariances and gains of the first `count` samples, with errors that are proved.
+
+    The matrices are those of `gainproof.steady_state`; `start` is the covariance of the prediction
+    of the first sample. There need be no steady state. Raises BadInputError.
+    """
+    model = _model(transition, measurement, process_noise, measurement_noise, cross_noise)
+    return samples_of(model, _box("start", start), count)
+
+
+def samples_of(model: Model, start: Box, count: int) -> tuple[Sample, ...]:
+    """The same of a model that was read. Raises BadInputError."""
+    n = len(model.f.c)
+    if not 1 <= count <= MOST_SAMPLES:
+        raise BadInputError(f"samples: 1 to {MOST_SAMPLES} are wanted, got {count}")
+    if (len(start.c), len(start.c[0])) != (n, n):
+        found = f"{len(start.c)} by {len(start.c[0])}"
+        raise BadInputError(f"start: wanted {n} by {n}, but it is {found}")
+    _require_covariances(model, start)
+    try:
+        found_samples = samples(model, start, count)
+    except NoGain as reason:
+        raise BadInputError(str(reason)) from None
+    return tuple(
+        Sample(*(_enclosed(of[x]) for x in ("filter", "predictor", "predicted", "updated")))
+        for of in found_samples
+    )
+
+
+def _model(
+    transition: Matrix,
+    measurement: Matrix,
+    process_noise: Matrix,
+    measurement_noise: Matrix,
+    cross_noise: Matrix | None,
+) -> Model:
     f = _box("F", transition)
     h = _box("H", measurement)
     n, m = len(f.c), len(h.c)
@@ -79,7 +140,7 @@ def steady_state(
             found = f"{len(box.c)} by {len(box.c[0])}"
             raise BadInputError(f"{name}: wanted {rows} by {columns}, but it is {found}")
     names = _numbered("state", n), _numbered("measurement", m)
-    return steady_state_of(Model(f, h, q, r, s, names))
+    return Model(f, h, q, r, s, names)
 
 
 def steady_state_of(model: Model) -> SteadyState:
@@ -104,8 +165,9 @@ def _numbered(what: str, count: int) -> tuple[str, ...]:
     return tuple(f"{what} {i + 1}" for i in range(count))
 
 
-def _require_covariances(model: Model) -> None:
-    for name, box in (("Q", model.q), ("R", model.r)):
+def _require_covariances(model: Model, start: Box | None = None) -> None:
+    said = {"Q": model.q, "R": model.r} | ({"start": start} if start else {})
+    for name, box in said.items():
         for i, row in enumerate(box.c):
             for j in range(i):
                 if row[j] != box.c[j][i]:

@@ -12,12 +12,13 @@ from fractions import Fraction
 from pathlib import Path
 from typing import Any
 
+import numpy as np
 import pytest
 from riccati_recursion import drawn, limit, model
 from samples import samples
 
 from gainproof.verify import check_enclosure
-from gainproof.verify.check_enclosure import decide, root
+from gainproof.verify.check_enclosure import Box, decide, definite, root
 from gainproof.verify.enclosure.steady import steady
 from gainproof.verify.enclosure.structure import Model
 
@@ -39,6 +40,37 @@ def test_a_certificate_by_hand_encloses_the_solution_that_is_stable() -> None:
     true = {"predicted": "3", "updated": "3/4", "filter": "3/4", "predictor": "3/2"}
     for name, value in true.items():
         assert abs(found[name].c[0][0] - Fraction(value)) <= found[name].radius[0][0] < 0.01
+
+
+def test_gains_that_belong_to_the_upper_matrix_are_not_taken_for_exact() -> None:
+    """At X = 3.001 they are 3001/4001 and 6002/4001, where nothing is left but X - P."""
+    found = decide(scalar(filter="3001/4001", predictor="6002/4001"))
+    for name, value in (("filter", Fraction(3, 4)), ("predictor", Fraction(3, 2))):
+        assert 0 < abs(found[name].c[0][0] - value) <= found[name].radius[0][0] < 0.001
+
+
+@pytest.mark.sampled
+def test_definite_as_the_eigenvalues_say() -> None:
+    """Small matrices of small numbers, many of them singular, against NumPy."""
+    draw = random.Random(9)
+    seen = set()
+    for _ in range(samples(300)):
+        n = draw.randint(1, 4)
+        a = [[Fraction(draw.randint(-2, 2)) for _ in range(n)] for _ in range(n)]
+        a = [[a[i][j] if i <= j else a[j][i] for j in range(n)] for i in range(n)]
+        if draw.random() < 0.5:
+            a = (Box(a) @ Box(a)).c
+        least = np.linalg.eigvalsh(np.array(a, dtype=float)).min()
+        for strict in (False, True):
+            true = least > 1e-9 if strict else least > -1e-9
+            try:
+                definite(Box(a), "", strict)
+                found = True
+            except ValueError:
+                found = False
+            assert found == true, a
+        seen.add(int(np.sign(least.round(9))))
+    assert seen == {-1, 0, 1}
 
 
 BROKEN = {
@@ -77,9 +109,9 @@ def test_what_breaks_one_condition_is_rejected_by_that_one_alone(
 
 def test_not_strict_is_not_enough() -> None:
     """With Ric(Y) >= Y in place of > the fixed point 0 would pass beside 3."""
-    check_enclosure.definite(check_enclosure.Box([[Fraction(0)]]), "")
+    definite(Box([[Fraction(0)]]), "")
     with pytest.raises(ValueError, match="not shown"):
-        check_enclosure.definite(check_enclosure.Box([[Fraction(0)]]), "", strict=True)
+        definite(Box([[Fraction(0)]]), "", strict=True)
 
 
 @pytest.mark.parametrize(
@@ -165,7 +197,7 @@ def test_a_box_holds_for_all_its_models_and_for_no_more() -> None:
     draw = random.Random(6)
     of = drawn(draw, 3, 1, "plain")
     radius = Fraction(1, 10**40)
-    boxes = [check_enclosure.Box(b.c, [[radius] * len(row) for row in b.c]) for b in (of.f, of.h)]
+    boxes = [Box(b.c, [[radius] * len(row) for row in b.c]) for b in (of.f, of.h)]
     wide = Model(boxes[0], boxes[1], of.q, of.r, of.s, of.names)
     data = json.loads(json.dumps(steady(wide).certificate))
     for sign in (-1, 1):

@@ -228,8 +228,15 @@ def test_entries_that_are_boxes() -> None:
                     assert abs(x - y) <= e + Fraction(1, 10**80)
 
 
+def test_of_boxes_a_mode_that_is_not_driven_is_named_too() -> None:
+    exact = model([[1, "1/3"], [0, "1/2"]], [[1, 0]], [[0, 0], [0, 0]], [[1]])
+    wide = Box(exact.f.c, [[Fraction(0)] * 2, [Fraction(0), Fraction(1, 10**60)]])
+    with pytest.raises(NoSteadyState, match=r"not driven: .* eigenvalue 1, in state 1 and "):
+        steady(Model(wide, exact.h, exact.q, exact.r, exact.s, exact.names))
+
+
 def test_boxes_too_wide_are_refused() -> None:
     exact = model([["0.9"]], [[1]], [[1]], [[1]])
     wide = Box(exact.f.c, [[Fraction(1, 10**6)]])
-    with pytest.raises(NoSteadyState, match="no stabilising steady state was found"):
+    with pytest.raises(NoSteadyState, match="none was found"):
         steady(Model(wide, exact.h, exact.q, exact.r, exact.s, exact.names))

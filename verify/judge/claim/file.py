@@ -19,6 +19,7 @@ from decimal import Decimal
 from pathlib import Path
 from typing import Any
 
+from gainproof.verify.judge.claim.claims import read_claims
 from gainproof.verify.judge.claim.declarations import read_declarations
 from gainproof.verify.judge.claim.errors import (
     MOST_FOUND,
@@ -27,7 +28,6 @@ from gainproof.verify.judge.claim.errors import (
     TooManyError,
 )
 from gainproof.verify.judge.claim.fields import Fields
-from gainproof.verify.judge.claim.list import read_claims
 from gainproof.verify.judge.claim.record import (
     Claim,
     ClaimFile,
@@ -39,8 +39,8 @@ from gainproof.verify.judge.claim.record import (
 )
 from gainproof.verify.judge.claim.settings import read_settings, symbol_error
 from gainproof.verify.judge.claim.symbols import complete_symbols
-from gainproof.verify.judge.claim.usual import USUAL, pruned
-from gainproof.verify.judge.dimensions.declared import shared_fault
+from gainproof.verify.judge.claim.usual_meanings import USUAL, pruned
+from gainproof.verify.judge.dimensions.declarations import shared_fault
 
 FORMAT = "gainproof claims 1"
 MOST_BYTES = 2**20

@@ -17,15 +17,15 @@ from gainproof.verify.judge.claim.models import MATRICES, Rows, read_matrix, rea
 from gainproof.verify.judge.claim.record import OwnModel, Setting, SymbolEntry, Unit
 from gainproof.verify.judge.claim.symbols import complete_symbols
 from gainproof.verify.judge.claim.units import read_unit, unit_text_of
-from gainproof.verify.judge.dimensions.declared import shared_fault
+from gainproof.verify.judge.dimensions.declarations import shared_fault
 from gainproof.verify.judge.dimensions.formula import dimension_of, graph_fault, names_of
 from gainproof.verify.judge.exact.expression import symbols_of
-from gainproof.verify.judge.exact.tree import read_tree
+from gainproof.verify.judge.exact.formula_tree import read_tree
 
 FORMAT = "gainproof model 1"
 MOST_NAME = 40
-CROSS = "cross_noise"
-TABLES = ("format", "title", "note", "states", "measurements", "symbols", *MATRICES, CROSS)
+CROSS, START = "cross_noise", "start"
+TABLES = ("format", "title", "note", "states", "measurements", "symbols", *MATRICES, CROSS, START)
 
 
 @dataclass(frozen=True)
@@ -39,7 +39,8 @@ class Component:
 @dataclass(frozen=True)
 class ModelFile:
     """F, H, Q, R as `model`, with the covariance of process and measurement noise as `cross`, None
-    where they are not correlated. Symbols are free numbers or definitions.
+    where they are not correlated; `start` is that of the first prediction, if the file says it.
+    Symbols are free numbers or definitions.
     """
 
     path: str
@@ -47,6 +48,7 @@ class ModelFile:
     symbols: Mapping[str, SymbolEntry]
     model: OwnModel
     cross: Rows | None
+    start: Rows | None
     states: tuple[Component, ...]
     measurements: tuple[Component, ...]
 
@@ -63,7 +65,7 @@ def read_model_text(text: str, path: str = "model") -> ModelFile:
     file_text, parsed = toml_of(text, path)
     found = None
     try:
-        found = _model(file_text, Fields(file_text, "model", parsed, TABLES))
+        found = _model(file_text, Fields(file_text, "model", parsed, TABLES, 1))
     except ClaimFileError as error:
         file_text.found.append(error)
     except TooManyError:
@@ -79,21 +81,24 @@ def _model(text: FileText, fields: Fields) -> ModelFile | None:
         raise fields.fail("format", f"wanted {FORMAT!r}, but it is {version[:80]!r}")
     title = fields.required_text("title")
     fields.text_or_none("note")
-    start = text.line_of_table("symbols") or 1
-    declared = read_declarations(text, "symbols", fields.take("symbols") or {}, start)
+    line = text.line_of_table("symbols") or 1
+    declared = read_declarations(text, "symbols", fields.take("symbols") or {}, line)
     table = complete_symbols(text, declared)
     fault = shared_fault(table.sound)
     if fault is not None:
         raise text.error(f"symbols.{fault.token}.{fault.field}", f"dimensions: {fault.problem}")
-    symbols = {token: _number(text, token, entry) for token, entry in table.sound.items()}
+    symbols = {token: _number(text, token, entry) for token, entry in table.symbols.items()}
     model = read_own_model(fields, symbols)
     if model is None:
         raise fields.fail(MATRICES[0], "this matrix is missing: a model has four")
     n, m = len(model.transition), len(model.measurement)
-    cross = read_matrix(fields, CROSS, symbols) if fields.has(CROSS) else None
-    if cross is not None and (len(cross), len(cross[0])) != (n, m):
-        shape = f"{len(cross)} by {len(cross[0])}"
-        raise fields.fail(CROSS, f"wanted {n} by {m}, states by measurements, but it is {shape}")
+    cross, start = (
+        read_matrix(fields, name, symbols) if fields.has(name) else None for name in (CROSS, START)
+    )
+    for name, rows, columns in ((CROSS, cross, m), (START, start, n)):
+        if rows is not None and (len(rows), len(rows[0])) != (n, columns):
+            shape = f"{len(rows)} by {len(rows[0])}"
+            raise fields.fail(name, f"wanted {n} by {columns}, but it is {shape}")
     states = _components(fields, "states", "state", n)
     found = ModelFile(
         text.path,
@@ -101,6 +106,7 @@ def _model(text: FileText, fields: Fields) -> ModelFile | None:
         symbols,
         model,
         cross,
+        start,
         states,
         _components(fields, "measurements", "measurement", m),
     )
@@ -145,6 +151,7 @@ def _check_units(fields: Fields, found: ModelFile) -> None:
         "process_noise": (own.process_noise, x, x, 1),
         "measurement_noise": (own.measurement_noise, z, z, 1),
         CROSS: (found.cross or (), x, z, 1),
+        START: (found.start or (), x, x, 1),
     }
     for name, (rows, left, right, power) in shapes.items():
         for i, row in enumerate(rows):

@@ -14,8 +14,8 @@ from gainproof.verify.judge.claim.fields import Fields, kind_of
 from gainproof.verify.judge.claim.formulas import Symbols, graph_in
 from gainproof.verify.judge.claim.record import OwnModel
 from gainproof.verify.judge.exact.constant_value import constant_value
-from gainproof.verify.judge.exact.graph import read_graph
-from gainproof.verify.judge.exact.limits import Malformed
+from gainproof.verify.judge.exact.expression_graph import read_graph
+from gainproof.verify.judge.exact.work_limits import Malformed
 from gainproof.verify.judge.formula import Graph
 
 MOST_STATES = 20

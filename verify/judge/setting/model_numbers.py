@@ -6,7 +6,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from fractions import Fraction
-from math import ceil
+from math import ceil, log10
 
 import flint
 
@@ -14,28 +14,31 @@ from gainproof.verify.check_enclosure import Box
 from gainproof.verify.enclosure.structure import Model
 from gainproof.verify.judge.claim.model_file import ModelFile
 from gainproof.verify.judge.claim.models import Rows
+from gainproof.verify.judge.exact.balls import Balls, NoValue, Unresolved, compared
 from gainproof.verify.judge.exact.calculus import substituted
 from gainproof.verify.judge.exact.constant_value import constant_value
-from gainproof.verify.judge.exact.enclose import Balls, NoValue, Unresolved, compared
 from gainproof.verify.judge.exact.expression import Expr, number
 from gainproof.verify.judge.exact.free_names import free_name
-from gainproof.verify.judge.exact.limits import Malformed, Undecided
+from gainproof.verify.judge.exact.work_limits import Malformed, Undecided
 from gainproof.verify.judge.formula import Graph, Relation
-from gainproof.verify.judge.reader.latex import relations_to_latex
+from gainproof.verify.judge.reader.latex_printer import relations_to_latex
 from gainproof.verify.judge.scope import Scope
 from gainproof.verify.judge.setting.environment import algebra
 
 PRECISION = 320
 DIGITS = 70
 """Of a centre."""
+MOST_BITS = 1000
+"""Before and behind the point, of a number that is not rational."""
 
 
 class NoNumberError(ValueError):
     """A model has no value at these values; the message says where."""
 
 
-def model_at(file: ModelFile, values: Mapping[str, Fraction]) -> Model:
-    """The model where its free symbols have these values, by token.
+def model_at(file: ModelFile, values: Mapping[str, Fraction]) -> tuple[Model, Box | None]:
+    """The model where its free symbols have these values, by token, and the covariance of its first
+    prediction, if it says one.
 
     Raises NoNumberError where a symbol is missing, unknown or outside of its domain, and where an
     entry has no value.
@@ -47,9 +50,10 @@ def model_at(file: ModelFile, values: Mapping[str, Fraction]) -> Model:
     r = _even(reading.box("measurement_noise", own.measurement_noise))
     none = Box([[Fraction(0)] * m for _ in range(n)])
     s = reading.box("cross_noise", file.cross) if file.cross else none
+    start = _even(reading.box("start", file.start)) if file.start else None
     reading.require_domains()
     names = tuple(c.name for c in file.states), tuple(c.name for c in file.measurements)
-    return Model(f, h, q, r, s, names)
+    return Model(f, h, q, r, s, names), start
 
 
 class _Reading:
@@ -84,7 +88,15 @@ class _Reading:
             raise NoNumberError(f"{where}: {error}") from None
         if not ball.is_finite():
             raise NoNumberError(f"{where}: no finite value")
-        return _rounded(_exact(ball.mid()), _exact(ball.rad()))
+        centre, radius = _exact(ball.mid()), _exact(ball.rad())
+        size = max(abs(centre), radius)
+        bits = size.numerator.bit_length() - size.denominator.bit_length()
+        if abs(bits) > MOST_BITS:
+            raise NoNumberError(f"{where}: a number of about 2^{bits}")
+        # decimals, outwards, so that certificates stay short
+        grid = Fraction(10) ** (ceil(bits * log10(2)) - DIGITS)
+        near = round(centre / grid) * grid
+        return near, ceil((radius + abs(centre - near)) / grid) * grid
 
     def at(self, graph: Graph) -> Expr:
         found = self.scope.expression(graph)
@@ -124,15 +136,6 @@ def _even(box: Box) -> Box:
             elif c[i][j] == c[j][i]:
                 r[i][j] = r[j][i] = max(r[i][j], r[j][i])
     return Box(c, r)
-
-
-def _rounded(centre: Fraction, radius: Fraction) -> tuple[Fraction, Fraction]:
-    """To decimals, outwards, so that certificates stay short."""
-    size = max(abs(centre), radius)
-    places = DIGITS - len(str(int(size))) + len(str(int(1 / size)))
-    grid = Fraction(10) ** -places
-    near = round(centre / grid) * grid
-    return near, ceil((radius + abs(centre - near)) / grid) * grid
 
 
 def _exact(x: flint.arb) -> Fraction:

@@ -10,7 +10,10 @@ import mpmath
 import pytest
 
 from gainproof.verify.judge.claim.errors import ClaimFileError
+from gainproof.verify.judge.claim.file import read_claim_text
 from gainproof.verify.judge.claim.model_file import read_model_text
+from gainproof.verify.judge.exact.constant_value import constant_value
+from gainproof.verify.judge.exact.graph import read_graph
 from gainproof.verify.judge.setting.model_numbers import NoNumberError, model_at
 
 CLOCK = r"""
@@ -38,7 +41,7 @@ VALUES = {
 
 
 def test_a_clock_in_numbers() -> None:
-    found = model_at(read_model_text(CLOCK), VALUES)
+    found, _ = model_at(read_model_text(CLOCK), VALUES)
     assert found.f.c == [[1, 2], [0, 1]]
     assert found.q.c[0] == [Fraction("2e-22") + Fraction("8e-28"), Fraction("6e-28")]
     assert found.r.c == [[Fraction("1e-18")]]
@@ -71,7 +74,7 @@ measurement_noise = [[1]]
     ],
 )
 def test_numbers_are_taken_as_they_are_printed(text: str, value: str) -> None:
-    found = model_at(read_model_text(PLAIN.format(f=f"[{text}]", q="1")), {})
+    found, _ = model_at(read_model_text(PLAIN.format(f=f"[{text}]", q="1")), {})
     assert found.f.c == [[Fraction(value)]]
 
 
@@ -97,7 +100,8 @@ def test_what_is_no_number_and_no_formula_is_refused(text: str) -> None:
         ('"s", frequency', '"seconds", frequency', "states: phase: 'seconds'"),
         ('{ offset = "s" }', "{}", "measurements: a table of 1 names"),
         ('unit = "s^-1"', 'unit = "ms"', "1/1000 s"),
-        ("measurements =", 'cross_noise = [["0"]]\nmeasurements =', "wanted 2 by 1, states by"),
+        ("measurements =", 'cross_noise = [["0"]]\nmeasurements =', "cross_noise: wanted 2 by 1"),
+        ("measurements =", 'start = [["T"]]\nmeasurements =', "start: wanted 2 by 2"),
         ("'T > 0'", "'S > 0'", "S"),
     ],
 )  # fmt: skip
@@ -155,7 +159,7 @@ states = { position = "m", velocity = "m/s" }
 
 def test_entries_that_are_not_rational_come_as_boxes() -> None:
     values = {"T": Fraction(1), r"\tau": Fraction(3), r"\sigma": Fraction(2), "n": Fraction(4)}
-    found = model_at(read_model_text(SINGER), values)
+    found, _ = model_at(read_model_text(SINGER), values)
     with mpmath.workdps(60):
         e = mpmath.exp(-mpmath.mpf(1) / 3)
         true = {
@@ -174,7 +178,52 @@ def test_entries_that_are_not_rational_come_as_boxes() -> None:
         model_at(read_model_text(SINGER), values | {"n": Fraction(1, 2)})
 
 
+def test_what_is_zero_or_very_large_beside_an_exponential() -> None:
+    values = {"T": Fraction(1), r"\tau": Fraction(3), r"\sigma": Fraction(0), "n": Fraction(4)}
+    assert model_at(read_model_text(SINGER), values)[0].q.c == [[0, 0], [0, 0]]
+    assert model_at(read_model_text(SINGER), values)[0].q.r is None
+    text = SINGER.replace(r"\exp(-T/\tau)", r"\exp(T/\tau)")
+    with pytest.raises(NoNumberError, match="row 1, column 2: a number of about 2\\^"):
+        model_at(read_model_text(text), values | {r"\tau": Fraction(1, 10**4)})
+
+
 def test_a_division_by_zero_is_told_with_its_entry() -> None:
     text = CLOCK.replace("'T > 0'", r"'T \geq 0'").replace('"q_2 T"]', '"q_2 T^2/T"]')
     with pytest.raises(NoNumberError, match="process_noise, row 2, column 2"):
         model_at(read_model_text(text), VALUES | {"T": Fraction(0)})
+
+
+CLAIMS = """
+format = "gainproof claims 1"
+[source]
+title = "numbers as they are printed"
+[settings.s]
+title = "one filter"
+kind = "steady_state"
+transition = {f}
+process_noise = [["0.25", "1/2"], ["1/2", "1"]]
+measurement = [["1", "0"]]
+measurement_noise = {r}
+[settings.s.symbols]
+'K_1' = {{ quantity = "filter_gain.1", meaning = "gain of the position" }}
+[[claims]]
+id = "1"
+place = "equation (1)"
+kind = "identity"
+setting = "s"
+latex = 'K_1 = \\frac{{3}}{{4}}'
+"""
+
+
+def test_settings_of_claim_files_take_numbers_too() -> None:
+    texts = (
+        CLAIMS.format(f='[["1", "1"], ["0", "1"]]', r='[["1/10"]]'),
+        CLAIMS.format(f="[[1, 1], [0, 1]]", r="[[0.1]]"),
+        CLAIMS.format(f="[[1.0, 1], [0, 1e0]]", r='[["1e-1"]]'),
+    )
+    for text in texts:
+        own = read_claim_text(text).settings["s"].own_model
+        assert own is not None
+        values = [[constant_value(read_graph(x)) for x in row] for row in own.transition]
+        assert values == [[1, 1], [0, 1]]
+        assert constant_value(read_graph(own.measurement_noise[0][0])) == Fraction(1, 10)
