@@ -25,7 +25,7 @@ class NoGain(ValueError):
     """The gain of a sample is not determined, or not told; the message says which."""
 
 
-def samples(model: Model, start: Box, count: int) -> tuple[Mapping[str, Box], ...]:
+def gains_by_sample(model: Model, start: Box, count: int) -> tuple[Mapping[str, Box], ...]:
     """Of each of the first samples the enclosures of the covariances `predicted` and `updated` and
     of the gains `filter` and `predictor`, with the half widths of `steady`; `start` is the
     covariance of the prediction of the first one.
