@@ -220,7 +220,7 @@ def test_a_subclass_of_arrays_that_is_no_numpys_is_refused() -> None:
 
 @pytest.mark.parametrize(
     "given",
-    [(4.0, 4), [4, np.float64(4)], [[4.0], [4.0]], range(4, 6), memoryview(np.full(2, 4.0)),
+    [(4.0, 4), [4, np.float64(4)], [[4.0], [4.0]], range(4, 6), memoryview(array.array("d", [4.0])),
      array.array("d", [4.0, 4.0]), [array.array("d", [4.0])] * 2],
 )  # fmt: skip
 def test_lists_and_buffers_of_numbers_are_taken(given: Any) -> None:
