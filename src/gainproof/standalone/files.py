@@ -44,10 +44,10 @@ def package_files(
         texts |= {name: shipped(IN_C / name) for name in COMPILING}
     texts = _needed(texts) if needed_only else texts
     for target, shared in ARRAYS.items():
-        if any(name.startswith(f"{folder(target)}/") for name in texts):
+        if any(name.startswith(f"{folder_of(target)}/") for name in texts):
             about = f'"""Kernels over other arrays than NumPy\'s: {target}."""\n'
-            texts |= {f"{folder(target)}/{name}": _over_arrays(name) for name in shared}
-            texts[f"{folder(target)}/__init__.py"] = about
+            texts |= {f"{folder_of(target)}/{name}": _over_arrays(name) for name in shared}
+            texts[f"{folder_of(target)}/__init__.py"] = about
     texts |= {
         **{f"tests/{path.name}": shipped(path) for path in _tests(parts)},
         "README.md": _readme(name, titles, command, in_c=in_c),
@@ -58,7 +58,7 @@ def package_files(
     return {name: text.encode("utf-8") for name, text in placed.items()}
 
 
-def folder(target: str) -> str:
+def folder_of(target: str) -> str:
     """Where the files of a target lie, a name that Python can import."""
     return target.replace("-", "_")
 
@@ -79,7 +79,7 @@ def _needed(texts: Mapping[str, str]) -> dict[str, str]:
 def _tests(parts: Sequence[Mapping[str, Any]]) -> list[Path]:
     """The tests of what there is: those called after a target only where the target is wanted."""
     folders = {name.partition("/")[0] for part in parts for name in part["files"]}
-    left_out = {f"test_{each}.py" for each in map(folder, TARGETS) if each not in folders}
+    left_out = {f"test_{each}.py" for each in map(folder_of, TARGETS) if each not in folders}
     return [path for path in sorted(SHIPPED.glob("*.py")) if path.name not in left_out]
 
 

@@ -15,8 +15,7 @@ from gainproof.bad_input import BadInputError
 from gainproof.files import places
 from gainproof.jobs import workers
 from gainproof.jobs.session import Session
-from gainproof.standalone import files as written
-from gainproof.standalone.files import TARGETS, package_files
+from gainproof.standalone.files import TARGETS, folder_of, package_files
 from gainproof.subjects import bounds_ledger, chosen_kernels, derivations
 from gainproof.subjects.derived import derived_from
 
@@ -81,7 +80,7 @@ def fresh(
 
 def _aimed(part: dict[str, Any], targets: Sequence[str]) -> dict[str, Any]:
     """Without what is only for targets that are not wanted."""
-    others = tuple(f"{written.folder(each)}/" for each in TARGETS if each not in targets)
+    others = tuple(f"{folder_of(each)}/" for each in TARGETS if each not in targets)
     files = {name: text for name, text in part["files"].items() if not name.startswith(others)}
     return {**part, "files": files}
 
