@@ -169,7 +169,7 @@ def _arrays(kernel: Kernel, given: Sequence[Any]) -> tuple[Form, list[Any]]:
             singles.append(x.dtype == library.float32)
             known = singles[-1] or x.dtype == library.float64
             require_type(kernel, name, "float64" if known else str(x.dtype))
-    form = Form(library, bool(singles) and all(singles), first.device)
+    form = Form(library, bool(singles) and all(singles), getattr(first, "device", None))
     kind = library.float32 if form.single else library.float64
     require_only(kernel, "float32" if form.single else "float64")
     numbers = [form.of(x) if isinstance(x, NUMBERS) else x for x in given]
