@@ -18,13 +18,13 @@ from gainproof.derive.printer.docstring import described, required_text
 from gainproof.derive.printer.emitter import Language
 from gainproof.derive.printer.kernel import Kernel, Module, Requirement, least_admitted
 from gainproof.derive.printer.layout import WIDTH, listed, row
-from gainproof.derive.printer.numpy_domains import (
+from gainproof.derive.printer.numpy_results import result_class
+from gainproof.derive.printer.numpy_source import (
     DomainLines,
     kernel_domains,
     module_domains,
     named_domain,
 )
-from gainproof.derive.printer.numpy_results import result_class
 from gainproof.derive.printer.one_number import (
     FORM,
     Python,
