@@ -6,6 +6,8 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from gainproof.generated._inputs import another_library
+
 if TYPE_CHECKING:
     from gainproof.generated._signature import Array, Signature
 
@@ -24,8 +26,12 @@ def checked(
         )
     results: list[Any] = list(out)
     for name, y in zip(kernel.outputs, results, strict=True):
-        if not isinstance(y, np.ndarray):
-            raise TypeError(f"{kernel.name}: out {name} must be an array, got {type(y).__name__}")
+        found = another_library(y)
+        if found or not isinstance(y, np.ndarray):
+            raise TypeError(
+                f"{kernel.name}: out {name} must be an array of NumPy, "
+                f"got {found or type(y).__name__}"
+            )
         if y.dtype != kind:
             raise TypeError(f"{kernel.name}: out {name} must be of type {kind}, got {y.dtype}")
         if y.shape != shape:

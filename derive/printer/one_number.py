@@ -47,7 +47,11 @@ class Python(Language):
 
     def choice(self, less: str, more: str, yes: str, no: str) -> str:
         condition = f"{less} < {more}" if less.isidentifier() else f"{more} > {less}"
-        return f"{_typed(yes)} if {condition} else {_typed(no)}"
+        return self.chosen(condition, _typed(yes), _typed(no))
+
+    def chosen(self, condition: str, yes: str, no: str) -> str:
+        """`yes` where the condition holds, else `no`."""
+        return f"{yes} if {condition} else {no}"
 
     def statement(self, name: str, text: str) -> str:
         return f"{name} = {text}"
@@ -73,9 +77,9 @@ def function(kernel: Kernel) -> Iterator[str]:
     """The function of numbers that lie in their domains: it refuses, without a word, what they are
     not together, and returns the values of the outputs.
     """
-    given = [f"{name}: float" for name in _names(kernel).values()]
-    made = _body(kernel)
-    lines = [part for line in made.lines for part in _fitted(line)]
+    given = [f"{name}: float" for name in names(kernel).values()]
+    made = required_and_outputs(kernel, Python())
+    lines = [part for line in made.lines for part in fitted(line)]
     count = len(kernel.requirements)
     for each, value in zip(kernel.requirements, made.outputs, strict=False):
         least = Python().constant(partial(least_admitted, each))
@@ -90,15 +94,15 @@ def function(kernel: Kernel) -> Iterator[str]:
 
 def calls_functions(kernel: Kernel) -> bool:
     """Whether the function calls some of NumPy's library, which may warn."""
-    return bool(_body(kernel).operations & frozenset(FUNCTIONS))
+    return bool(required_and_outputs(kernel, Python()).operations & frozenset(FUNCTIONS))
 
 
 def call(kernel: Kernel, bound: KernelBound) -> Iterator[str]:
     """Statements of the public function that return the result where all inputs are Python floats
     inside their domains and no option is given.
     """
-    names = [given.name for given in kernel.inputs]
-    conditions = [f"type({name}) is float" for name in names]
+    given_names = [given.name for given in kernel.inputs]
+    conditions = [f"type({name}) is float" for name in given_names]
     for given, ends in zip(kernel.inputs, bound.inputs, strict=True):
         conditions += _within(given, ends)
     conditions += ["out is None", "workers is ONE"]
@@ -112,7 +116,7 @@ def call(kernel: Kernel, bound: KernelBound) -> Iterator[str]:
         yield from (f"    and {each}" for each in conditions[1:])
         yield "):"
     yield "    try:"
-    computed = _call(f"{function_name(kernel)}(", [[name] for name in names], ")", 16)
+    computed = _call(f"{function_name(kernel)}(", [[name] for name in given_names], ")", 16)
     made = _call("return named(", [[kernel.result], computed], ")", 12)
     yield from (f"        {line}" for line in made)
     yield "    except (ArithmeticError, ValueError):"
@@ -131,20 +135,21 @@ def _call(head: str, parts: Sequence[Sequence[str]], tail: str, indent: int) -> 
     return [head, *(f"    {line}" for line in lines), tail]
 
 
-def _names(kernel: Kernel) -> dict[str, str]:
-    names = [given.name for given in kernel.inputs]
-    return dict(zip(names, unlike(names, TAKEN), strict=True))
+def names(kernel: Kernel) -> dict[str, str]:
+    """Of the arguments, by inputs."""
+    given = [given.name for given in kernel.inputs]
+    return dict(zip(given, unlike(given, TAKEN), strict=True))
 
 
-def _body(kernel: Kernel) -> Body:
+def required_and_outputs(kernel: Kernel, language: Language) -> Body:
     """The steps of what is required and of the outputs, whose texts come in this order."""
     steps = plain(kernel.program)
-    names = [each.name for each in kernel.requirements] + [each.name for each in kernel.outputs]
-    ends = [steps.outputs[name] for name in names]
-    return emitted(steps, ends, Python(), named(_names(kernel)))
+    wanted = [each.name for each in kernel.requirements] + [each.name for each in kernel.outputs]
+    ends = [steps.outputs[name] for name in wanted]
+    return emitted(steps, ends, language, named(names(kernel)))
 
 
-def _fitted(line: str) -> list[str]:
+def fitted(line: str) -> list[str]:
     """A statement on as many lines as the formatter gives it, inside an indentation."""
     if len(line) + 4 <= WIDTH:
         return [line]

@@ -17,7 +17,7 @@ from gainproof.bad_input import BadInputError
 from gainproof.derive.printer.package import CODE
 from gainproof.files import named_files
 from gainproof.standalone import making, record, testing
-from gainproof.standalone.files import SHIPPED, TARGETS
+from gainproof.standalone.files import SHIPPED, TARGETS, folder_of
 from gainproof.standalone.licence import LICENCE
 
 Capture = pytest.CaptureFixture[str]
@@ -50,7 +50,7 @@ def again(folder: Path, *options: str, subject: str = SUBJECT) -> int:
 def test_a_package_is_complete(written: Path) -> None:
     names = {p.relative_to(written).as_posix() for p in written.rglob("*") if p.is_file()}
     tests = {f"tests/{path.name}" for path in SHIPPED.glob("*.py")}
-    tests -= {f"tests/test_{target}.py" for target in TARGETS}
+    tests -= {f"tests/test_{folder_of(target)}.py" for target in TARGETS}
     read = {f"tests/values_{MODULE}.json", f"tests/formulas_{MODULE}.py"}
     module = {f"{MODULE}.py", f"{MODULE}.json", f"{MODULE}.md", *read}
     others = {"__init__.py", "py.typed", "README.md", "LICENSE", record.RECORD}
@@ -216,7 +216,7 @@ def test_an_interrupt_leaves_no_file_unknown(
     assert not (package / f"{MODULE}.py").exists()
 
 
-@pytest.mark.parametrize("name", ["numpy", "json", "gainproof", "my-kernels", "class", "2d"])
+@pytest.mark.parametrize("name", ["numpy", "jax", "json", "gainproof", "my-kernels", "class", "2d"])
 def test_a_package_has_a_name_that_can_be_imported(
     tmp_path: Path, capsys: Capture, name: str
 ) -> None:

@@ -13,10 +13,15 @@ if TYPE_CHECKING:
     from gainproof.derive.printer.shipped._signature import Array, Signature
 
 
+CONVERTING = ("__array__", "__array_interface__", "__cuda_array_interface__", "__dlpack__")
+"""By what arrays of other libraries become NumPy's: pandas, xarray, torch, dask, JAX, CuPy, ..."""
+PLAIN = frozenset({float, int, np.float64, np.float32, np.ndarray})
+
+
 def as_real(kernel: Signature, given: Sequence[ArrayLike]) -> list[Array]:
     """The inputs as arrays of one type, float64 unless all are float32. TypeError for what is no
-    real number of these types, or not of the only type that the kernel has; ValueError for rows of
-    unlike length and for masked elements.
+    real number of these types, or not of the only type that the kernel has, or an array of another
+    library; ValueError for rows of unlike length and for masked elements.
     """
     arrays = [_as_array(kernel, place, x) for place, x in enumerate(given)]
     for domain, x in zip(kernel.inputs, arrays, strict=True):
@@ -52,8 +57,30 @@ def common_shape(kernel: Signature, inputs: Sequence[Array]) -> tuple[int, ...]:
         ) from None
 
 
+def another_library(given: object) -> str:
+    """What an array is, and of which library, where that is not NumPy; else nothing. Its type alone
+    is asked: nothing is imported, and nothing computed that waits to be.
+    """
+    kind = type(given)
+    if kind in PLAIN:
+        return ""
+    if isinstance(given, list | tuple):
+        if PLAIN.issuperset(map(type, given)):
+            return ""
+        return next(filter(None, map(another_library, given)), "")
+    library = kind.__module__.partition(".")[0]
+    if library in ("numpy", "builtins") or not any(hasattr(kind, each) for each in CONVERTING):
+        return ""
+    return f"{kind.__name__} of {library}"
+
+
 def _as_array(kernel: Signature, place: int, given: ArrayLike) -> Array:
     name = kernel.inputs[place].name
+    if found := another_library(given):
+        raise TypeError(
+            f"{kernel.name}: {name} must be a number, an array of NumPy or a list, got {found}: "
+            "arrays of other libraries are not converted"
+        )
     mask = getattr(given, "mask", None)
     # an array would hold what lies under the mask; tables have a method of this name
     if isinstance(mask, np.ndarray | np.bool_) and mask.any():

@@ -33,7 +33,7 @@ PARTS = (
     ),
     Part("Which gains do I take?", ("design", "steady", "position-and-velocity", "time-varying")),
     Part("Where does it come from?", ("follow-a-derivation", "edit-a-page", "lecture-figures")),
-    Part("Code for it?", ("generate", "own-models", "stable-forms", "use-kernels")),
+    Part("Code for it?", ("generate", "arrays", "own-models", "stable-forms", "use-kernels")),
     Part("Radar coordinates?", ("coordinates", "converted-measurements")),
     Part("Where are the targets?", ("locate", "track")),
     Part(

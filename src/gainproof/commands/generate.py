@@ -25,7 +25,9 @@ Other files in DIR are left alone, and nothing is written that would replace one
 --target puts other languages besides, each into a folder of its name in DIR: c has a C99 header,
 source and test program of each module, in which the package computes once `python -m
 PACKAGE.compile` was run; octave a package of functions for MATLAB and Octave with a test script;
-rust a crate without the standard library (no_std) with its tests; fpcore expressions as FPCore.
+rust a crate without the standard library (no_std) with its tests; fpcore expressions as FPCore; jax
+and array-api (in the folder array_api) the kernels over arrays of JAX, with derivatives, and of the
+libraries of the array API standard.
 --kernel puts only the kernels named into the package, with --format only in one format, in every
 target, with the tests of these.
 
@@ -46,7 +48,7 @@ def configure(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("--out", metavar="DIR", help="write a package of its own into this folder")
     parser.add_argument(
         "--target",
-        choices=("numpy", "c", "fpcore", "octave", "rust"),
+        choices=("numpy", "array-api", "c", "fpcore", "jax", "octave", "rust"),
         action="append",
         default=[],
         help="write this besides NumPy modules; may be repeated",

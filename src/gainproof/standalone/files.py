@@ -18,8 +18,11 @@ from gainproof.version import VERSION
 SHIPPED = Path(__file__).with_name("shipped")
 IN_C = Path(__file__).with_name("in_c")
 COMPILING = ("_compiled.py", "compile.py")
-TARGETS = ("c", "fpcore", "octave", "rust")
-"""What there may be besides NumPy modules; also the folders in which it lies."""
+IN_ARRAYS = Path(__file__).with_name("in_arrays")
+TARGETS = ("array-api", "c", "fpcore", "jax", "octave", "rust")
+"""What there may be besides NumPy modules."""
+ARRAYS = {"array-api": ("_arrays.py",), "jax": ("_arrays.py", "_jax.py")}
+"""What kernels over other arrays share, by target."""
 HERE = "from gainproof.standalone."
 IMPORTED = re.compile(r"from gainproof\.generated\.(\w+) import")
 EVALUATES = "from gainproof.generated._runtime import evaluate\n"
@@ -40,6 +43,11 @@ def package_files(
         texts |= {f"{title}.py": _computing_in_c(texts[f"{title}.py"]) for title in titles}
         texts |= {name: shipped(IN_C / name) for name in COMPILING}
     texts = _needed(texts) if needed_only else texts
+    for target, shared in ARRAYS.items():
+        if any(name.startswith(f"{folder_of(target)}/") for name in texts):
+            about = f'"""Kernels over other arrays than NumPy\'s: {target}."""\n'
+            texts |= {f"{folder_of(target)}/{name}": _over_arrays(name) for name in shared}
+            texts[f"{folder_of(target)}/__init__.py"] = about
     texts |= {
         **{f"tests/{path.name}": shipped(path) for path in _tests(parts)},
         "README.md": _readme(name, titles, command, in_c=in_c),
@@ -48,6 +56,16 @@ def package_files(
     }
     placed = {n: beside(text) if n.endswith(".py") else text for n, text in texts.items()}
     return {name: text.encode("utf-8") for name, text in placed.items()}
+
+
+def folder_of(target: str) -> str:
+    """Where the files of a target lie, a name that Python can import."""
+    return target.replace("-", "_")
+
+
+def _over_arrays(name: str) -> str:
+    """What kernels over other arrays share; what it imports of NumPy's lies a folder above."""
+    return shipped(IN_ARRAYS / name).replace("from gainproof.generated.", "from ..")
 
 
 def _needed(texts: Mapping[str, str]) -> dict[str, str]:
@@ -61,7 +79,7 @@ def _needed(texts: Mapping[str, str]) -> dict[str, str]:
 def _tests(parts: Sequence[Mapping[str, Any]]) -> list[Path]:
     """The tests of what there is: those called after a target only where the target is wanted."""
     folders = {name.partition("/")[0] for part in parts for name in part["files"]}
-    left_out = {f"test_{target}.py" for target in TARGETS if target not in folders}
+    left_out = {f"test_{each}.py" for each in map(folder_of, TARGETS) if each not in folders}
     return [path for path in sorted(SHIPPED.glob("*.py")) if path.name not in left_out]
 
 

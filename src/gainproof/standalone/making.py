@@ -15,11 +15,13 @@ from gainproof.bad_input import BadInputError
 from gainproof.files import places
 from gainproof.jobs import workers
 from gainproof.jobs.session import Session
-from gainproof.standalone.files import TARGETS, package_files
+from gainproof.standalone.files import TARGETS, folder_of, package_files
 from gainproof.subjects import bounds_ledger, chosen_kernels, derivations
 from gainproof.subjects.derived import derived_from
 
-TAKEN = frozenset({*sys.stdlib_module_names, "gainproof", "mpmath", "numpy", "pytest", "tests"})
+TAKEN = frozenset(
+    {*sys.stdlib_module_names, "gainproof", "jax", "mpmath", "numpy", "pytest", "tests"}
+)
 """Names under which nothing else could be imported any more, or that a package itself uses."""
 
 
@@ -78,7 +80,7 @@ def fresh(
 
 def _aimed(part: dict[str, Any], targets: Sequence[str]) -> dict[str, Any]:
     """Without what is only for targets that are not wanted."""
-    others = tuple(f"{target}/" for target in TARGETS if target not in targets)
+    others = tuple(f"{folder_of(each)}/" for each in TARGETS if each not in targets)
     files = {name: text for name, text in part["files"].items() if not name.startswith(others)}
     return {**part, "files": files}
 
@@ -123,5 +125,5 @@ def _require_apart(chosen: Sequence[str], parts: Sequence[dict[str, Any]]) -> No
     for subject, name in zip(chosen, names, strict=True):
         if Counter(names)[name] > 1:
             raise BadInputError(f"{subject}: another one makes a module {name} too")
-        if name in ("compile", "readme", "tests"):
+        if name in ("array_api", "compile", "jax", "readme", "tests"):
             raise BadInputError(f"{subject}: a module of a package cannot be called {name}")

@@ -24,6 +24,7 @@ from gainproof.derive.printer.lost_digits_text import loss_text, place_text
 from gainproof.derive.printer.module_bounds import groups
 from gainproof.derive.printer.module_bounds import proved as prove_group
 from gainproof.derive.printer.octave import octave_files
+from gainproof.derive.printer.other_arrays import array_api_files, jax_files
 from gainproof.derive.printer.rust import rust_files
 from gainproof.derive.subject import Subject
 from gainproof.derive.subject_page import subject_page
@@ -43,11 +44,13 @@ BOUNDING = (
 
 
 TARGETS: Mapping[str, Callable[[Module, list[Bounds], Mapping[str, Any]], dict[str, str]]] = {
+    "array-api": array_api_files,
     "c": lambda module, bounds, values: {
         **c_files(module, bounds),
         f"test_{module.name}.c": c_trial(module, values),
     },
     "fpcore": lambda module, bounds, _: {f"{module.name}.fpcore": fpcore(module, bounds)},
+    "jax": jax_files,
     "octave": octave_files,
     "rust": rust_files,
 }
@@ -198,7 +201,8 @@ def packaged(
         f"tests/values_{module.name}.json": canonical_json(values),
     }
     for target, made in TARGETS.items():
-        files |= {f"{target}/{name}": text for name, text in made(module, bounds, values).items()}
+        folder = target.replace("-", "_")  # a package, where it is Python
+        files |= {f"{folder}/{name}": text for name, text in made(module, bounds, values).items()}
     formulas = formulas_source(subject)
     if formulas:
         try:

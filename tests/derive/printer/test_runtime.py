@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import array
 import warnings
 from concurrent.futures import ThreadPoolExecutor
 from fractions import Fraction
@@ -178,6 +179,54 @@ def test_masked_elements_are_refused() -> None:
     assert [y.tolist() for y in whole] == [y.tolist() for y in two()([0.5, 0.7])]
 
 
+def never(*_: Any, **__: Any) -> Any:
+    raise AssertionError("asked of its type alone")
+
+
+@pytest.mark.parametrize(
+    ("module", "name", "way"),
+    [
+        ("pandas.core.series", "Series", "__array__"),
+        ("xarray.core.dataarray", "DataArray", "__array__"),
+        ("torch", "Tensor", "__array__"),
+        ("dask.array.core", "Array", "__array__"),
+        ("jaxlib._jax", "ArrayImpl", "__array__"),
+        ("cupy", "ndarray", "__cuda_array_interface__"),
+        ("of_tomorrow.arrays", "Cube", "__dlpack__"),
+    ],
+)
+def test_arrays_of_other_libraries_are_refused_by_name(module: str, name: str, way: str) -> None:
+    """Alone, in lists of lists, in an output's place; and nothing of theirs is computed."""
+    kind = type(name, (), {"__module__": module, way: never, "__getattr__": never})
+    told = f"{name} of {module.partition('.')[0]}"
+    wanted = f"x must be a number, an array of NumPy or a list, got {told}: arrays of other"
+    for given in (kind(), [1.0, kind()], [[1, 2], (3.0, kind())]):
+        with pytest.raises(TypeError, match=wanted):
+            two()(given)
+        with pytest.raises(TypeError, match=wanted):
+            two()(given, workers=2)
+    with pytest.raises(TypeError, match=f"out root must be an array of NumPy, got {told}$"):
+        two()(np.ones(3), out=(kind(), np.ones(3)))
+
+
+def test_a_subclass_of_arrays_that_is_no_numpys_is_refused() -> None:
+    """It may hold units, which would be lost."""
+    kind = type("Quantity", (np.ndarray,), {"__module__": "astropy.units.quantity"})
+    with pytest.raises(TypeError, match="got Quantity of astropy"):
+        two()(np.ones(3).view(kind))
+    with pytest.raises(TypeError, match="out square must be an array of NumPy, got Quantity of"):
+        two()(np.ones(3), out=(np.ones(3), np.ones(3).view(kind)))
+
+
+@pytest.mark.parametrize(
+    "given",
+    [(4.0, 4), [4, np.float64(4)], [[4.0], [4.0]], range(4, 6), memoryview(array.array("d", [4.0])),
+     array.array("d", [4.0, 4.0]), [array.array("d", [4.0])] * 2],
+)  # fmt: skip
+def test_lists_and_buffers_of_numbers_are_taken(given: Any) -> None:
+    assert two()(given).square.flat[0] == 16
+
+
 def test_whole_numbers() -> None:
     assert counted()([1, 2]).y.tolist() == [3, 1]
     assert counted()(3.0).y == 0.5
@@ -228,7 +277,7 @@ def test_outputs_that_do_not_fit() -> None:
     for out, kind, text in (
         (fine, ValueError, r"out must be a tuple of 2 arrays \(root, square\), got ndarray"),
         ((fine,), ValueError, "got tuple of 1"),
-        ((fine, [0.0] * 3), TypeError, "out square must be an array, got list"),
+        ((fine, [0.0] * 3), TypeError, "out square must be an array of NumPy, got list"),
         ((fine, np.empty(3, np.float32)), TypeError, "of type float64, got float32"),
         ((np.empty(4), fine), ValueError, r"out root must have shape \(3,\), got \(4,\)"),
         ((np.empty((1, 3)), fine), ValueError, r"must have shape \(3,\), got \(1, 3\)"),

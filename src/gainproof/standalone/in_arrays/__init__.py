@@ -1,0 +1,1 @@
+"""What packages have beside kernels over arrays of other libraries than NumPy."""
