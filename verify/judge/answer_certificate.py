@@ -14,16 +14,16 @@ import json
 import re
 from collections import Counter
 from collections.abc import Iterable, Iterator, Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from fractions import Fraction
 from itertools import product
-from keyword import iskeyword
 from time import process_time
 from typing import Any
 
-from gainproof.verify import check_answer, check_matrices
+from gainproof.verify import check_answer, check_matrices, check_memory
 from gainproof.verify.check_answer import VALUE, ZERO, Poly
 from gainproof.verify.judge.answer_proof import Proof, pair, text_of
+from gainproof.verify.judge.certificate_text import ATOM, OF_MODEL, PRODUCT, SUM, Said, Text
 from gainproof.verify.judge.exact.box import Box
 from gainproof.verify.judge.exact.calculus import rebuilt
 from gainproof.verify.judge.exact.certificate import boxes_from, statement_from
@@ -33,15 +33,12 @@ from gainproof.verify.judge.exact.limits import Malformed
 from gainproof.verify.judge.exact.statement import TURNED, Rel
 from gainproof.verify.judge.exact.witness import free_values
 from gainproof.verify.judge.matrix_certificate import matrix_certificate
+from gainproof.verify.judge.memory_certificate import memory_certificate
 
 Data = dict[str, Any]
 Graph = Mapping[str, Any]
 SECONDS = 5
 """Of the processor, after which no proof is looked for any more."""
-OF_MODEL = re.compile(r"[PKSX]\[\d,\d\]")
-"""Entries of a filter's matrices, as the file names them."""
-
-
 KINDS = ("identity", "inequality", "recursion", "value")
 """Claims whose statement is what their formula says."""
 NO_SYMBOLS = re.compile(
@@ -102,9 +99,9 @@ def answer_certificate(claim: Mapping[str, Any], formula: str = "") -> Data:
 
 def rejected(certificate: Mapping[str, Any]) -> str | None:
     """Why the file does not accept it; None if it does."""
-    checker = check_matrices if certificate.get("format") == check_matrices.FORMAT else check_answer
+    others = {checker.FORMAT: checker for checker in (check_matrices, check_memory)}
     try:
-        checker.Certificate(certificate).decide()
+        others.get(certificate.get("format"), check_answer).Certificate(certificate).decide()
     except Exception as reason:  # noqa: BLE001  as in the file itself
         return str(reason)
     return None
@@ -142,6 +139,10 @@ def _certificate(
     used |= {token for token, expr in meanings.items() if expr.key in keys}
     others = evidence.get("other symbols", ())
     used |= {token for token in others if symbols_of(meanings[token]) <= {*boxes}}
+    shown = symbols_of(*(letters[token] for token in used & letters.keys()))
+    for token in evidence.get("of the filter", ()):
+        if any(OF_MODEL.fullmatch(n) and n in shown for n in symbols_of(letters[token])):
+            used |= {token}  # by what other symbols are defined
     letters = {
         token: expr
         for token, expr in letters.items()
@@ -190,6 +191,10 @@ def _certificate(
     if left := unexplained(claim["latex"], (*said.boxes, *said.letters)):
         raise NoCertificateError(f"{UNKEPT}: {left}")
     refutes = claim["verdict"] == "refuted"
+    if "N" in model:
+        if refutes:
+            raise NoCertificateError("what is false of a memory")
+        return memory_certificate(said)
     points = _inner_points(said.boxes)
     if refutes:
         points = _points((claim["evidence"]["witness"] or {}).get("point", {}), boxes, names)
@@ -208,51 +213,20 @@ def _certificate(
     raise ValueError(reason)
 
 
-@dataclass(frozen=True)
-class Said:
-    """A statement, with variables as the source calls them where they have a label."""
-
-    typed: str
-    convention: str
-    partial: bool
-    """Whether the domain of the verdict is where its parts have values."""
-    boxes: Mapping[str, Box]
-    given: Sequence[Rel]
-    model: Mapping[str, Sequence[Sequence[Expr]]]
-    letters: Mapping[str, Expr]
-    relations: Sequence[Rel]
-    needed: Sequence[Expr]
-    labels: Mapping[str, str]
-
-
-class Writer:
+class Writer(Text):
     """A statement as lines with their proof, at a point of its domain."""
 
     def __init__(self, said: Said, point: Mapping[str, str], refutes: bool, latest: float) -> None:
-        self.said, self.point, self.refutes = said, point, refutes
+        own = {*check_answer.FUNCTIONS, "pi", "S", "X", *("FHQRPK" if said.model else "")}
+        super().__init__(said, own)
+        self.point, self.refutes = point, refutes
         self.first = ""
-        self.names: dict[str, str] = {}
-        self.texts: dict[bytes, tuple[str, int]] = {}
-        self.parts = 0
         self.later: list[str] = []
-        for token in sorted((*said.boxes, *said.letters), key=lambda token: "[" in token):
-            self.name(token)
         called = {self.names[n]: pair(Fraction(v)) for n, v in point.items()}
         self.proof = Proof(({} if refutes else called) | {"pi": pair(Fraction(PI[0]))}, latest)
 
-    def name(self, token: str) -> str:
-        """How the file calls a symbol."""
-        if token not in self.names:
-            plain = re.sub("[^A-Za-z0-9]+", "_", token.replace("'", "_prime")).strip("_")
-            plain = plain if plain[:1].isalpha() else f"x_{plain}"
-            if "[" in token and plain in self.names.values():
-                plain = f"entry_of_{plain}"  # D[1, 2] beside a number D_{1,2}
-            taken = {*self.names.values(), *check_answer.FUNCTIONS, "pi", "S", "X"}
-            taken |= {*"FHQRPK"} if self.said.model else set()
-            while plain in taken or iskeyword(plain) or re.fullmatch(r"part\d+", plain):
-                plain += "_"
-            self.names[token] = plain
-        return self.names[token]
+    def say(self, title: str, text: str) -> None:
+        self.proof.say(title, text)
 
     def written(self) -> Data:
         """Format apart. Raises ValueError where something is not shown."""
@@ -392,61 +366,6 @@ class Writer:
         else:
             self.later.append(text)
 
-    def relation(self, rel: Rel) -> str:
-        left, right = self.text(rel.left), self.text(rel.right)
-        if rel.operator in ("<", "<="):
-            left, right = right, left
-        operator = {"=": "==", "<": ">", "<=": ">="}.get(rel.operator, rel.operator)
-        return f"{left} {operator} {right}"
-
-    # expressions as text
-
-    def text(self, expr: Expr) -> str:
-        for node in walk(expr):
-            if node.key not in self.texts:
-                text, level = self.node(node, [self.texts[part.key] for part in node.parts])
-                if len(text) > 120:
-                    self.parts += 1
-                    self.proof.say("with", f"part{self.parts} = {text}")
-                    text, level = f"part{self.parts}", ATOM
-                self.texts[node.key] = text, level
-        return self.texts[expr.key][0]
-
-    def node(self, node: Expr, parts: Sequence[tuple[str, int]]) -> tuple[str, int]:
-        match node.kind:
-            case "number":
-                value = Fraction(str(node.value))
-                return str(value), SUM if value < 0 else PRODUCT if value.denominator > 1 else ATOM
-            case "symbol":
-                name = str(node.value)
-                if OF_MODEL.fullmatch(name):
-                    return name, ATOM
-                return self.name(self.said.labels.get(name, name)), ATOM
-            case "add":
-                text = parts[0][0]
-                for part, _ in parts[1:]:
-                    text += f" - {part[1:]}" if part[0] == "-" else f" + {part}"
-                return text, SUM
-            case "mul":
-                return "*".join(_bracketed(part, PRODUCT) for part in parts), PRODUCT
-            case "neg":
-                return f"-{_bracketed(parts[0], PRODUCT)}", SUM
-            case "div":
-                return f"{_bracketed(parts[0], PRODUCT)}/{_bracketed(parts[1], ATOM)}", PRODUCT
-            case "pow":
-                e = Fraction(str(node.value))
-                if e.denominator > 2:
-                    raise Malformed(f"not known: a power {e}")
-                base = _bracketed(parts[0], ATOM)
-                base = base if e.denominator == 1 else f"sqrt({parts[0][0]})"
-                text = base if abs(e) in (1, Fraction(1, 2)) else f"{base}**{abs(e.numerator)}"
-                return (
-                    (text, POWER) if e > 0 else (f"1/{_bracketed((text, POWER), POWER)}", PRODUCT)
-                )
-            case "call":
-                return self.function(node.name, parts)
-        raise Malformed(f"not known: {node.kind}")
-
     def function(self, name: str, parts: Sequence[tuple[str, int]]) -> tuple[str, int]:
         """Of an argument whose first term is positive."""
         if name == "pi":
@@ -468,9 +387,6 @@ class Writer:
 
 PI = "245850922/78256779", 10**15
 """A number that is closer to pi than one part of the other."""
-SUM, PRODUCT, POWER, ATOM = 0, 1, 2, 3
-
-
 PARTIAL = "has a value", "not zero", "!="
 """In a domain's words."""
 
@@ -500,11 +416,6 @@ def _plain(latex: str) -> str:
     several = rf"(?:{accent}\s+){{2,}}"
     text = re.sub(several, lambda found: " ".join([*sorted(found[0].split()), ""]), text)
     return re.sub(rf"(_|{accent})\s+", r"\1", text).strip()
-
-
-def _bracketed(part: tuple[str, int], least: int) -> str:
-    text, level = part
-    return text if level >= least else f"({text})"
 
 
 def _inner_points(boxes: Mapping[str, Box]) -> Iterator[dict[str, str]]:

@@ -92,10 +92,11 @@ def symbols_data(scope: Scope) -> dict[str, Any]:
     used = {token: value for token, value in scope.used.items() if isinstance(value, Expr)}
     several = Counter(value.key for value in used.values())
     found: dict[str, Any] = {}
+    defined = {t: v for t, v in used.items() if t not in meanings and v.kind != "symbol"}
     if meanings:
         parameters = {expr.key for expr in common_quantities().values()}
         found["quantities"] = {token: graph_of(expr) for token, expr in meanings.items()}
-        found |= model_data(environment, meanings)
+        found |= model_data(environment, {**meanings, **defined})
         found["of the filter"] = [
             token
             for token, expr in meanings.items()

@@ -122,7 +122,9 @@ def model_data(environment: Environment, meanings: Mapping[str, Expr]) -> dict[s
     if not environment.model:
         return {}
     quantities, size = environment.quantities, len(environment.model["F"])
-    known = {quantities["innovation_variance"].key: symbol("S[1,1]")}
+    known = {}
+    if "R" in environment.model:
+        known[quantities["innovation_variance"].key] = symbol("S[1,1]")
     columns = [symbol(f"K[{i + 1},1]") for i in range(size)]
     for i, unit in enumerate(environment.model["units"][0]):
         gain = mul(columns[i], unit) if i else columns[i]
@@ -131,7 +133,9 @@ def model_data(environment: Environment, meanings: Mapping[str, Expr]) -> dict[s
         moved = add(*(mul(f, k) for f, k in zip(row, columns, strict=True)), number(0))
         known.setdefault(quantities[f"predictor_gain.{i + 1}"].key, mul(moved, unit))
         for j in range(size):
-            for name, which in (("P", "predicted"), ("X", "updated")):
+            # that of a growing memory is of another sample than its matrices
+            covariances = {"P": "predicted", "X": "updated"}
+            for name, which in [*covariances.items()]["n" in environment.model :]:
                 entry = quantities[f"{which}_covariance.{i + 1}.{j + 1}"]
                 known.setdefault(entry.key, symbol(f"{name}[{i + 1},{j + 1}]"))
     letters = {
@@ -175,7 +179,9 @@ def memory(degree: int) -> Environment:
     }
     continued = {f"filter_gain.{i + 1}": gain for i, gain in enumerate(fit.continued_gain)}
     name = f"least squares, {POLYNOMIALS[degree]}"
-    return Environment(name, quantities, boxes, SAMPLE, fit.facts, missing, continued)
+    sums = {"N": fit.information, "V": fit.updated}
+    model = _fitted_model(fit.transition, sums, n=symbol(SAMPLE))
+    return Environment(name, quantities, boxes, SAMPLE, fit.facts, missing, continued, model=model)
 
 
 def fading(degree: int) -> Environment:
@@ -199,7 +205,39 @@ def fading(degree: int) -> Environment:
     boxes = {WEIGHT: WITHIN, f"target_motion.{size}": ANY_REAL, **base_boxes(size)}
     missing = {INDEX: "a fading memory has no tracking index"}
     name = f"fading memory, {POLYNOMIALS[degree]}"
-    return Environment(name, quantities, boxes, WEIGHT, fit.facts, missing)
+    sums = {"N": fit.information, "V": fit.inverse, "Z": fit.squared}
+    model = _fitted_model(fit.transition, sums, w=symbol(WEIGHT))
+    return Environment(name, quantities, boxes, WEIGHT, fit.facts, missing, model=model)
+
+
+def _fitted_model(
+    transition: Exprs, sums: Mapping[str, Exprs], **parameter: Expr
+) -> dict[str, Exprs]:
+    """Sums of squares N (with the weight squared Z) and the inverse V of N in the source's units,
+    the variance r of a sample, and the parameter; `units` of the gains.
+    """
+    states = range(len(transition))
+
+    def scaled(rows: Exprs, sign: int) -> Exprs:
+        return tuple(
+            tuple(_times(rows[i][j], whole_power(T, sign * (i + j))) for j in states)
+            for i in states
+        )
+
+    return {
+        "F": tuple(
+            tuple(
+                _times(transition[i][j], whole_power(T, j - i)) if j >= i else number(0)
+                for j in states
+            )
+            for i in states
+        ),
+        "H": first(len(transition)),
+        **{name: scaled(rows, -1 if name == "V" else 1) for name, rows in sums.items()},
+        "r": ((power(SIGMA, 2),),),
+        **{name: ((value,),) for name, value in parameter.items()},
+        "units": (tuple(whole_power(T, i) for i in states),),
+    }
 
 
 def _fitted(
