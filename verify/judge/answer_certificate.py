@@ -43,7 +43,7 @@ KINDS = ("identity", "inequality", "recursion", "value")
 """Claims whose statement is what their formula says."""
 NO_SYMBOLS = re.compile(
     r"\\(?:begin|end)\s*\{\w+\}|\^\s*(?:\{\\mathsf\s*\{T\}\}|\{(?:\\mathsf\s*)?T\}|T)|\be\s*(?=\^)"
-    r"|\\(?:[dt]?frac|sqrt|left|right|[bB]igg?[lr]?|cdot|times|quad|qquad|partial|pi|[lr]vert|prime|sinh?"
+    r"|\\(?:[dt]?frac|sqrt|det|left|right|[bB]igg?[lr]?|cdot|times|quad|qquad|partial|pi|[lr]vert|prime|sinh?"
     r"|cosh?|tanh?|exp|over|approx|equiv|leq?|geq?|neq?|lt|gt|leqslant|geqslant|pm|mp)(?![a-zA-Z])"
     r"|\\(?:mathrm|mathbf|boldsymbol|displaystyle|limits)(?![a-zA-Z])|\\[^a-zA-Z]"
 )
@@ -128,9 +128,16 @@ def _certificate(
     def in_tokens(expr: Expr) -> Expr:
         return rebuilt(expr, lambda node, _: tokens.get(node.key))
 
-    relations = [
-        Rel(r.operator, in_tokens(r.left), in_tokens(r.right)) for r in statement.relations
-    ]
+    def defined(left: Expr, right: Expr) -> Expr:
+        """A definition that is all of the formula is kept as that."""
+        whole = meanings.get(str(left.value), left) if left.kind == "symbol" else left
+        if left.key != right.key or whole.kind in ("symbol", "number"):
+            return right
+        return rebuilt(whole, lambda node, _: tokens.get(node.key) if node != whole else None)
+
+    sides = [(r.operator, in_tokens(r.left), in_tokens(r.right)) for r in statement.relations]
+    keeps = "model" not in evidence
+    relations = [Rel(op, a, defined(a, b) if keeps else b) for op, a, b in sides]
     needed = [in_tokens(expr) for expr in statement.needed]
     used = symbols_of(*needed, *(side for r in relations for side in (r.left, r.right)))
     letters = {**meanings, **{t: read_graph(g) for t, g in evidence.get("letters", {}).items()}}
@@ -157,8 +164,7 @@ def _certificate(
         if not any(OF_MODEL.fullmatch(name) for name in symbols_of(letters[token])):
             raise NoCertificateError(f"that {token} is of the filter is not kept")
     of_filter = {meanings[token].key for token in evidence.get("of the filter", ())}
-    sides = [side for r in statement.domain for side in (r.left, r.right)]
-    if any(node.key in of_filter for node in walk(*sides)):
+    if any(node.key in of_filter for r in statement.domain for node in walk(r.left, r.right)):
         raise NoCertificateError("a condition on quantities of the filter")
     model: dict[str, list[list[Expr]]] = {}
     if any(OF_MODEL.fullmatch(name) for name in symbols_of(*letters.values())):
@@ -184,10 +190,6 @@ def _certificate(
         needed=tuple(needed),
         labels=labels,
     )
-    for rel in relations if not model else ():
-        meant = letters.get(str(rel.left.value), rel.left) if rel.left.kind == "symbol" else None
-        if rel.left.key == rel.right.key and meant and meant.kind not in ("symbol", "number"):
-            raise NoCertificateError(f"only that it is itself is kept of {rel.left.value}")
     if left := unexplained(claim["latex"], (*said.boxes, *said.letters)):
         raise NoCertificateError(f"{UNKEPT}: {left}")
     refutes = claim["verdict"] == "refuted"

@@ -35,9 +35,17 @@ from gainproof.verify.judge.setting.environment import (
     WEIGHT,
     Environment,
 )
+from gainproof.verify.judge.setting.established import characteristic
 from gainproof.verify.judge.setting.fading_memory import WITHIN, fading_memory
-from gainproof.verify.judge.setting.growing_memory import first, growing_memory
-from gainproof.verify.judge.setting.matrix import Exprs, model_matrices, times, transposed
+from gainproof.verify.judge.setting.growing_memory import first, growing_memory, taylor
+from gainproof.verify.judge.setting.matrix import (
+    Exprs,
+    exprs,
+    minus,
+    model_matrices,
+    times,
+    transposed,
+)
 from gainproof.verify.judge.setting.steady_state import SteadyState, solve
 
 T, SIGMA = symbol(INTERVAL), symbol(DEVIATION)
@@ -138,6 +146,12 @@ def model_data(environment: Environment, meanings: Mapping[str, Expr]) -> dict[s
             for name, which in [*covariances.items()]["n" in environment.model :]:
                 entry = quantities[f"{which}_covariance.{i + 1}.{j + 1}"]
                 known.setdefault(entry.key, symbol(f"{name}[{i + 1},{j + 1}]"))
+    column = tuple((k,) for k in columns)
+    f, h = environment.model["F"], environment.model["H"]
+    kept = minus(exprs(taylor(size, 0)), times(column, h))
+    for j, value in enumerate(characteristic(times(f, kept)) if len(h) == 1 else ()):
+        pole = quantities.get(f"closed_loop_coefficient.{j}", value)
+        known.setdefault(pole.key, value)
     letters = {
         token: rebuilt(expr, lambda node, _: known.get(node.key))
         for token, expr in meanings.items()
