@@ -24,6 +24,7 @@ SUMS: Any = {ast.Add: add, ast.Sub: sub, ast.Mult: mul}
 SIGNS = {ast.Eq: "==", ast.NotEq: "!=", ast.Gt: ">", ast.GtE: ">="}
 NOT = {"==": "!=", "!=": "==", ">": ">=", ">=": ">"}  # of -p
 FILTER = "K S = PH', P = FXF' + Q, S = HPH' + R, X = P - KHP; Q >= 0, R > 0; F - FKH is stable"
+KALMAN_BUCY = "dx/dt = Ax + w; KR = PH', AP + PA' + Q = KRK'; Q >= 0, R > 0; A - KH is stable"
 FUNCTIONS, FINE = ("sqrt", "exp", "sin", "cos"), 1 << 200
 VALUE = {"over": ("!=", ">"), "sqrt": (">=", ">", "==")}  # wanted of a divisor, a radicand
 
@@ -95,14 +96,13 @@ def series(name: str, x: Fraction, end: int) -> Fraction:
 class Certificate:
     def __init__(self, data: Any) -> None:
         require(isinstance(data, dict) and data.get("format") == FORMAT, f"no {FORMAT}")
-        self.data = data
         self.meaning: dict[str, Any] = {"S": None, "X": None}  # of names: polynomials, or matrices
         self.letters = dict[str, tuple[str, Poly]]()  # kind, and what it is made of
         self.facts = list[tuple[Poly, str]]()  # p == > >= != 0
         self.ends = dict[str, tuple[Fraction, Fraction]]()  # round the letters at a point
         self.wanted = list[tuple[Poly, str]]()  # facts that are to be shown
         self.lines, self.verdicts, self.latest = list[str](), set[str](), process_time() + SECONDS
-        self.straight = True  # so far the domain is convex, and letters analytic
+        self.data, self.straight = data, True  # the domain is convex, and letters analytic
 
     def decide(self) -> list[str]:
         """The lines to print. Raises ValueError and others where it is not so."""
@@ -128,13 +128,13 @@ class Certificate:
         elif title == "with" and new:
             p = self.value(value, ast.List if value[:1] == "[" else ast.expr)
             self.meaning[name] = self.letter(name, "part", p) if len(p) > 40 else p
-        elif title == "filter" and text == FILTER:
-            self.filter()
+        elif title == "filter" and text in (FILTER, KALMAN_BUCY):
+            self.filter(text == FILTER)
         elif title == "where":
             p, sign = self.value(text, ast.Compare)
             a, b = self.enclosed(p)
-            met = {"==": a == b == 0, "!=": a * b > 0, ">": a > 0, ">=": a >= 0}[sign]
-            require(met, "the point is outside the domain")
+            met = {"==": a == b == 0, "!=": a * b > 0, ">": a > 0, ">=": a >= 0}
+            require(met[sign], "the point is outside the domain")
             flat = all(len(m) < 2 and {self.letters[k][0] for k in m} <= {"real"} for m in p)
             self.straight = self.straight and flat and sign != "!="
             self.facts.append((p, sign))
@@ -182,17 +182,20 @@ class Certificate:
             self.wanted += [(inner, VALUE[kind][0])] if kind in VALUE else []
         return Poly({(name,): 1})
 
-    def filter(self) -> None:
+    def filter(self, steps: bool = True) -> None:
         """Wants what the sentence says; entries of P, K, S and X have a meaning from then on."""
-        f, h, q, r, p, k = (self.meaning[name] for name in "FHQRPK")
-        ph = product(p, turned(h))
-        x, minus = less(p, product(k, turned(ph))), [[ZERO - e for e in row] for row in r]
-        s, loop = less(product(h, ph), minus), less(f, product(f, product(k, h)))
-        zero = [*less(product(k, s), ph), *less(less(p, product(product(f, x), turned(f))), q)]
+        f, h, q, r, p, k = (self.meaning[name] for name in ("FHQRPK" if steps else "AHQRPK"))
+        fp, ph, kh, kr = product(f, p), product(p, turned(h)), product(k, h), product(k, r)
+        s, x = less(product(h, ph), less(less(r, r), r)), less(p, product(kh, p))
+        if steps:
+            zero = [*less(product(k, s), ph), *less(less(p, product(product(f, x), turned(f))), q)]
+            a, b, c = [*symmetric(less(f, product(f, kh))), ZERO, ZERO][:3]
+            stable = [ONE + a + b + c, ONE - a + b - c, ONE + c, ONE - c, ONE - b + a * c - c * c]
+        else:
+            zero = [*less(kr, ph), *less(less(less(product(kr, turned(k)), q), fp), turned(fp))]
+            stable = symmetric(less(kh, f)) + [ZERO] * (len(f) > 2)  # of 1 or 2 states
         zero += [row for a in (p, q, r) for row in less(a, turned(a))]
-        a, b, c = [*symmetric(loop), ZERO, ZERO][: max(3, len(f))]
-        stable = ONE + a + b + c, ONE - a + b - c, ONE + c, ONE - c, ONE - b + a * c - c * c
-        for name, matrix in zip("PKSX", (p, k, s, x), strict=True):
+        for name, matrix in zip("PKSX", (p, k, s, x) if steps else (p, k), strict=False):
             for i, row in enumerate(matrix, 1):
                 self.meaning |= {f"{name}[{i}, {j}]": e for j, e in enumerate(row, 1)}
         self.wanted += [(e, "==") for row in zero for e in row] + [(e, ">=") for e in symmetric(q)]
@@ -250,12 +253,9 @@ class Certificate:
         total = reduce(sub, [value for value, _ in found], times * p)
         signs = [s for _, s in found if s != "=="]
         weak = {*signs} <= {">", ">="}
-        fine = {
-            "==": not signs and its in (">", "!="),
-            ">": its in (">", ">=") and weak and ">" in signs,
-            ">=": its == ">" and weak,
-            "!=": signs in ([">"], ["!="]),
-        }[sign]
+        more = weak and (its in (">", ">=") and ">" in signs if sign == ">" else its == ">")
+        equal, other = not signs and its in (">", "!="), signs in ([">"], ["!="])
+        fine = {"==": equal, "!=": other, ">": more, ">=": more}[sign]
         if total or not fine:  # by a sign at the point
             low, high = self.enclosed(times if sign == "==" else p)
             kept = low > 0 and sign == ">" and its == ">" and signs == ["!="]

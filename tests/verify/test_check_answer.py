@@ -25,7 +25,7 @@ import pytest
 
 from gainproof.answers.judge import Judge
 from gainproof.verify import check_answer
-from gainproof.verify.check_answer import FILTER, FORMAT, Poly, main, symmetric
+from gainproof.verify.check_answer import FILTER, FORMAT, KALMAN_BUCY, Poly, main, symmetric
 from gainproof.verify.judge.answer_certificate import rejected
 
 FILE = Path(check_answer.__file__)
@@ -300,10 +300,10 @@ def matrix(rows: Any) -> str:
     return f"[{', '.join('[' + ', '.join(map(str, row)) + ']' for row in rows)}]"
 
 
-def of_filter(numbers: Mapping[str, Any]) -> Data:
+def of_filter(numbers: Mapping[str, Any], law: str = FILTER) -> Data:
     """All that is wanted is of numbers, each of which has the sign that is seen, or is 0."""
     lines: list[Any] = [["with", f"{name} = {matrix(rows)}"] for name, rows in numbers.items()]
-    lines += [["filter", FILTER], ["claim", "K[1,1] == K[1,1]"]]
+    lines += [["filter", law], ["claim", "K[1,1] == K[1,1]"]]
     whole = certificate(*lines)
     checker = check_answer.Certificate(whole)
     for line in lines:
@@ -716,3 +716,53 @@ def test_what_is_hostile_is_refused_in_a_line(
     assert len(lines[0]) < 500
     assert lines[0].isprintable()
     assert time.process_time() - start < 30
+
+
+BUCY = {"A": [[0]], "H": [[1]], "Q": [[4]], "R": [[9]], "P": [[6]], "K": [["2/3"]]}
+TWO = {
+    # x'' = w, position measured, Q = R = 1: K = [sqrt 2, 1] is no number, so with Q = 4: K = [2, 2]
+    "A": [[0, 1], [0, 0]],
+    "H": [[1, 0]],
+    "Q": [[0, 0], [0, 4]],
+    "R": [[1]],
+    "P": [[2, 2], [2, 4]],
+    "K": [[2], [2]],
+}
+
+
+@pytest.mark.parametrize(
+    ("model", "other", "accepted"),
+    [
+        (BUCY, {}, True),
+        (BUCY, {"P": [[-6]], "K": [["-2/3"]]}, False),  # the other root, which is not stable
+        (BUCY, {"K": [["3/2"]]}, False),
+        (BUCY, {"Q": [[5]]}, False),
+        (BUCY, {"R": [[-9]], "P": [[6]], "K": [["-2/3"]], "Q": [[-4]]}, False),
+        (BUCY, {"A": [[1]]}, False),
+        (BUCY, {"H": [[2]]}, False),
+        # A = -1 and no noise: K = 0, and with A = 1 the filter that does nothing is not stable
+        (BUCY, {"A": [[-1]], "Q": [[0]], "P": [[0]], "K": [[0]]}, True),
+        (BUCY, {"A": [[1]], "Q": [[0]], "P": [[0]], "K": [[0]]}, False),
+        (TWO, {}, True),
+        (TWO, {"P": [[-2, 2], [2, -4]], "K": [[-2], [2]]}, False),
+        (TWO, {"Q": [[0, 0], [0, -4]]}, False),
+        (TWO, {"Q": [[0, 1], [1, 4]]}, False),
+        (TWO, {"P": [[2, 2], [1, 4]]}, False),
+    ],
+)
+def test_in_continuous_time_only_the_stable_solution_is_the_filter(
+    model: Any, other: Any, accepted: bool
+) -> None:
+    try:
+        found = rejected(of_filter(model | other, KALMAN_BUCY))
+    except (ValueError, TypeError) as error:
+        found = str(error)
+    assert (found is None) == accepted
+
+
+def test_three_states_in_continuous_time_are_not_covered() -> None:
+    unit = [[int(i == j) for j in range(3)] for i in range(3)]
+    null = [[0] * 3] * 3
+    model = {"A": [[-e for e in row] for row in unit], "H": [[0] * 3], "Q": null, "R": [[1]]}
+    with pytest.raises((ValueError, AssertionError, TypeError)):
+        assert rejected(of_filter(model | {"P": null, "K": [[0]] * 3}, KALMAN_BUCY)) is None

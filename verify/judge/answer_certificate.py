@@ -219,7 +219,7 @@ class Writer(Text):
     """A statement as lines with their proof, at a point of its domain."""
 
     def __init__(self, said: Said, point: Mapping[str, str], refutes: bool, latest: float) -> None:
-        own = {*check_answer.FUNCTIONS, "pi", "S", "X", *("FHQRPK" if said.model else "")}
+        own = {*check_answer.FUNCTIONS, "pi", "S", "X", *said.model}
         super().__init__(said, own)
         self.point, self.refutes = point, refutes
         self.first = ""
@@ -347,10 +347,11 @@ class Writer(Text):
         if not self.said.model:
             return
         proof = self.proof
-        for name in "FHQRPK":
-            rows = [", ".join(self.text(e) for e in row) for row in self.said.model[name]]
+        for name, matrix in self.said.model.items():
+            rows = [", ".join(self.text(e) for e in row) for row in matrix]
             proof.say("with", f"{name} = [{', '.join(f'[{row}]' for row in rows)}]")
-        proof.say("filter", check_answer.FILTER)
+        continuous = "A" in self.said.model
+        proof.say("filter", check_answer.KALMAN_BUCY if continuous else check_answer.FILTER)
 
     def box(self, name: str, box: Box) -> None:
         if box.lower is not None:

@@ -105,11 +105,12 @@ class Text:
                 return f"{_bracketed(parts[0], PRODUCT)}/{_bracketed(parts[1], ATOM)}", PRODUCT
             case "pow":
                 e = Fraction(str(node.value))
-                if e.denominator > 2:
+                if e.denominator not in (1, 2, 4):
                     raise Malformed(f"not known: a power {e}")
                 base = _bracketed(parts[0], ATOM)
-                base = base if e.denominator == 1 else f"sqrt({parts[0][0]})"
-                text = base if abs(e) in (1, Fraction(1, 2)) else f"{base}**{abs(e.numerator)}"
+                for depth in range(e.denominator // 2):
+                    base = f"sqrt({base if depth else parts[0][0]})"
+                text = base if abs(e.numerator) == 1 else f"{base}**{abs(e.numerator)}"
                 return (
                     (text, POWER) if e > 0 else (f"1/{_bracketed((text, POWER), POWER)}", PRODUCT)
                 )

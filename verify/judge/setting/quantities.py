@@ -24,7 +24,7 @@ from gainproof.verify.judge.exact.expression import (
 )
 from gainproof.verify.judge.exact.graph_writing import graph_of
 from gainproof.verify.judge.exact.limits import Undecided
-from gainproof.verify.judge.exact.statement import Statement
+from gainproof.verify.judge.exact.statement import Rel, Statement
 from gainproof.verify.judge.setting.environment import (
     ANY_REAL,
     DEVIATION,
@@ -129,29 +129,7 @@ def model_data(environment: Environment, meanings: Mapping[str, Expr]) -> dict[s
     """
     if not environment.model:
         return {}
-    quantities, size = environment.quantities, len(environment.model["F"])
-    known = {}
-    if "R" in environment.model:
-        known[quantities["innovation_variance"].key] = symbol("S[1,1]")
-    columns = [symbol(f"K[{i + 1},1]") for i in range(size)]
-    for i, unit in enumerate(environment.model["units"][0]):
-        gain = mul(columns[i], unit) if i else columns[i]
-        known[quantities[f"filter_gain.{i + 1}"].key] = gain
-        row = environment.model["F"][i]
-        moved = add(*(mul(f, k) for f, k in zip(row, columns, strict=True)), number(0))
-        known.setdefault(quantities[f"predictor_gain.{i + 1}"].key, mul(moved, unit))
-        for j in range(size):
-            # that of a growing memory is of another sample than its matrices
-            covariances = {"P": "predicted", "X": "updated"}
-            for name, which in [*covariances.items()]["n" in environment.model :]:
-                entry = quantities[f"{which}_covariance.{i + 1}.{j + 1}"]
-                known.setdefault(entry.key, symbol(f"{name}[{i + 1},{j + 1}]"))
-    column = tuple((k,) for k in columns)
-    f, h = environment.model["F"], environment.model["H"]
-    kept = minus(exprs(taylor(size, 0)), times(column, h))
-    for j, value in enumerate(characteristic(times(f, kept)) if len(h) == 1 else ()):
-        pole = quantities.get(f"closed_loop_coefficient.{j}", value)
-        known.setdefault(pole.key, value)
+    known = _of_matrices(environment)
     letters = {
         token: rebuilt(expr, lambda node, _: known.get(node.key))
         for token, expr in meanings.items()
@@ -160,7 +138,11 @@ def model_data(environment: Environment, meanings: Mapping[str, Expr]) -> dict[s
         return {}
     model = {name: rows for name, rows in environment.model.items() if name != "units"}
     entries = [entry for rows in environment.model.values() for row in rows for entry in row]
-    boxes = {name: environment.boxes[name] for name in symbols_of(*entries)}
+    names = symbols_of(*entries)
+    said = {n: POSITIVE for n in names if Rel(">", symbol(n), number(0)) in environment.rests}
+    boxes = {n: box for n, box in {**said, **environment.boxes}.items() if n in names}
+    if names - boxes.keys():
+        return {}
     return {
         "model": {
             name: [[graph_of(entry) for entry in row] for row in rows]
@@ -169,6 +151,42 @@ def model_data(environment: Environment, meanings: Mapping[str, Expr]) -> dict[s
         "domain of the model": statement_data(Statement(()), boxes, None, {})["domain"],
         "letters": {token: graph_of(expr) for token, expr in letters.items()},
     }
+
+
+def _of_matrices(environment: Environment) -> dict[bytes, Expr]:
+    """Entries of K, P, X and S for the quantities that they are, by the keys of these."""
+    quantities, model = environment.quantities, environment.model
+    (units,) = model["units"]
+    size = range(len(units))
+    columns = [symbol(f"K[{i + 1},1]") for i in size]
+    gains = [
+        mul(k, unit) if i else k for i, (k, unit) in enumerate(zip(columns, units, strict=True))
+    ]
+    entries = {f"filter_gain.{i + 1}": gain for i, gain in enumerate(gains)}
+    if "A" in model:
+        entries = {f"continuous_gain.{i + 1}": gain for i, gain in enumerate(gains)}
+    elif "R" in model:
+        entries["innovation_variance"] = symbol("S[1,1]")
+    if "F" in model:
+        f, h = (tuple(map(tuple, model[name])) for name in "FH")
+        for i, unit in enumerate(units):
+            moved = add(*(mul(e, k) for e, k in zip(f[i], columns, strict=True)), number(0))
+            entries[f"predictor_gain.{i + 1}"] = mul(moved, unit)
+    covariances = {"predicted_covariance": "P", "updated_covariance": "X", "covariance": "P"}
+    if "n" in model:
+        del covariances["predicted_covariance"]  # of another sample than the matrices
+    for which, name in covariances.items():
+        places = [(i + 1, j + 1) for i in size for j in size]
+        entries |= {f"{which}.{i}.{j}": symbol(f"{name}[{i},{j}]") for i, j in places}
+    if "F" in model and len(h) == 1:
+        kept = minus(exprs(taylor(len(size), 0)), times(tuple((k,) for k in columns), h))
+        for j, value in enumerate(characteristic(times(f, kept))):
+            entries[f"closed_loop_coefficient.{j}"] = value
+    found: dict[bytes, Expr] = {}
+    for name, entry in entries.items():
+        if name in quantities:
+            found.setdefault(quantities[name].key, entry)
+    return found
 
 
 def memory(degree: int) -> Environment:
