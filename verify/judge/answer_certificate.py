@@ -27,7 +27,7 @@ from gainproof.verify.judge.certificate_text import ATOM, OF_MODEL, PRODUCT, SUM
 from gainproof.verify.judge.exact.box import Box
 from gainproof.verify.judge.exact.calculus import rebuilt
 from gainproof.verify.judge.exact.certificate import boxes_from, statement_from
-from gainproof.verify.judge.exact.expression import Expr, symbol, symbols_of, walk
+from gainproof.verify.judge.exact.expression import Expr, number, symbol, symbols_of, walk
 from gainproof.verify.judge.exact.graph import read_graph
 from gainproof.verify.judge.exact.limits import Malformed
 from gainproof.verify.judge.exact.statement import TURNED, Rel
@@ -138,6 +138,9 @@ def _certificate(
     sides = [(r.operator, in_tokens(r.left), in_tokens(r.right)) for r in statement.relations]
     keeps = "model" not in evidence
     relations = [Rel(op, a, defined(a, b) if keeps else b) for op, a, b in sides]
+    alone = claim["latex"].partition("=")[0].strip()
+    if len(sides) == 1 and alone in evidence.get("of the filter", ()):
+        relations = [replace(relations[0], left=symbol(alone))]  # it may be the number 0
     needed = [in_tokens(expr) for expr in statement.needed]
     used = symbols_of(*needed, *(side for r in relations for side in (r.left, r.right)))
     letters = {**meanings, **{t: read_graph(g) for t, g in evidence.get("letters", {}).items()}}
@@ -174,16 +177,24 @@ def _certificate(
         }
         boxes = {**boxes_from(evidence["domain of the model"]), **boxes}
     entries = [entry for rows in model.values() for row in rows for entry in row]
-    spoken = symbols_of(*statement.exprs(), *letters.values(), *entries)
+    asked = statement.exprs()
+    if "region" in model:  # of gains, in which coordinates are not kept
+        asked = tuple(side for r in relations for side in (r.left, r.right)) + tuple(needed)
+    spoken = symbols_of(*asked, *letters.values(), *entries) - letters.keys()
     boxes = {name: boxes[name] for name in sorted(spoken) if not OF_MODEL.fullmatch(name)}
+    if "region" in model and any(name.startswith("step.") for name in spoken):
+        raise NoCertificateError("a part of the formula in coordinates of the gains")
+    region, inside = (model.pop(name, [[]])[0] for name in ("region", "inside"))
     names = [labels.get(name, name) for name in boxes]
+    given = [_turned(r) for r in statement.domain]
+    given += [r for e in region if (r := Rel(">", e, number(0))) not in given]
     said = Said(
         typed=claim["typed"],
         # the statement is that under the first convention
         convention=(claim["convention"] or "").removeprefix("any of: ").partition("; ")[0],
         partial=any(word in (claim["domain"] or "") for word in PARTIAL),
         boxes={labels.get(name, name): box for name, box in boxes.items()},
-        given=tuple(_turned(r) for r in statement.domain),
+        given=given,
         model=model,
         letters=letters,
         relations=tuple(relations),
@@ -197,7 +208,11 @@ def _certificate(
         if refutes:
             raise NoCertificateError("what is false of a memory")
         return memory_certificate(said)
-    points = _inner_points(said.boxes)
+    gains = {labels.get(f"filter_gain.{i}", f"filter_gain.{i}"): e for i, e in enumerate(inside, 1)}
+    points: Iterator[dict[str, str]] = (
+        point | {name: str(e.value) for name, e in gains.items()}
+        for point in _inner_points(said.boxes)
+    )
     if refutes:
         points = _points((claim["evidence"]["witness"] or {}).get("point", {}), boxes, names)
     reason, latest = "no point was found", process_time() + SECONDS
@@ -350,8 +365,9 @@ class Writer(Text):
         for name, matrix in self.said.model.items():
             rows = [", ".join(self.text(e) for e in row) for row in matrix]
             proof.say("with", f"{name} = [{', '.join(f'[{row}]' for row in rows)}]")
-        continuous = "A" in self.said.model
-        proof.say("filter", check_answer.KALMAN_BUCY if continuous else check_answer.FILTER)
+        laws = {"A": check_answer.KALMAN_BUCY, "L": check_answer.GAINS}
+        law = next((laws[name] for name in laws if name in self.said.model), check_answer.FILTER)
+        proof.say("filter", law)
 
     def box(self, name: str, box: Box) -> None:
         if box.lower is not None:
@@ -444,9 +460,11 @@ def _inner_points(boxes: Mapping[str, Box]) -> Iterator[dict[str, str]]:
 def _points(
     witness: Mapping[str, str], boxes: Mapping[str, Box], names: Sequence[str]
 ) -> Iterator[dict[str, str]]:
-    """That of the witness if it is in these variables and rational, then simple ones."""
-    with contextlib.suppress(KeyError, ValueError):  # it may be told in other variables
-        yield {name: str(Fraction(witness[name])) for name in names}
+    """That of the witness if it is rational, 1 for what it does not tell; then simple ones."""
+    with contextlib.suppress(ValueError):  # it may be told in other variables, or be no number
+        told = {name: str(Fraction(witness[name])) for name in names if name in witness}
+        if told:
+            yield {name: told.get(name, "1") for name in names}
     for values in free_values(tuple(boxes), boxes):
         yield _named(names, values)
 

@@ -13,7 +13,7 @@ from gainproof.verify.judge.exact.expression import Expr, walk
 from gainproof.verify.judge.exact.limits import Malformed
 from gainproof.verify.judge.exact.statement import Rel
 
-OF_MODEL = re.compile(r"[PKSX]\[\d,\d\]")
+OF_MODEL = re.compile(r"[PKSXL]\[\d,\d\]")
 """Entries of a filter's matrices, as the files name them."""
 SUM, PRODUCT, POWER, ATOM = 0, 1, 2, 3
 

@@ -106,7 +106,8 @@ def symbols_data(scope: Scope) -> dict[str, Any]:
     if meanings:
         parameters = {expr.key for expr in common_quantities().values()}
         found["quantities"] = {token: graph_of(expr) for token, expr in meanings.items()}
-        found |= model_data(environment, {**meanings, **others})
+        quantities = {token: symbols[token].quantity or "" for token in meanings}
+        found |= model_data(environment, {**meanings, **others}, quantities)
         found["of the filter"] = [
             token
             for token, expr in meanings.items()

@@ -123,9 +123,12 @@ def _model(model: Mapping[str, Any], quantities: Mapping[str, Expr]) -> dict[str
     }
 
 
-def model_data(environment: Environment, meanings: Mapping[str, Expr]) -> dict[str, Any]:
-    """The matrices of a steady state as graphs, and what symbols of the source stand for in terms
-    of gain K, covariances P and X = P - K H P, and innovation variance S; empty without a model.
+def model_data(
+    environment: Environment, meanings: Mapping[str, Expr], named: Mapping[str, str]
+) -> dict[str, Any]:
+    """The matrices of a filter as graphs, and what symbols of the source stand for in terms of gain
+    K, covariances P and X, innovation variance S and lag L; empty without a model. `named` are the
+    quantities that symbols are.
     """
     if not environment.model:
         return {}
@@ -134,15 +137,24 @@ def model_data(environment: Environment, meanings: Mapping[str, Expr]) -> dict[s
         token: rebuilt(expr, lambda node, _: known.get(node.key))
         for token, expr in meanings.items()
     }
+    model = {name: rows for name, rows in environment.model.items() if name != "units"}
+    if "L" in model:
+        lags = {
+            t: name.split(".")[1:] for t, name in named.items() if name.startswith("predicted_lag")
+        }
+        orders = {order for _, order in lags.values()}
+        if orders != {str(len(model["L"]))}:
+            # beside no motion, or one that the states follow, there is no lag
+            model |= dict.fromkeys("LD", ((number(0),),) * len(model["L"]))
+        if len(orders) == 1 and int(min(orders)) <= len(model["L"]):
+            letters |= {token: symbol(f"L[{i},1]") for token, (i, _) in lags.items()}
     if all(letters[token] == expr for token, expr in meanings.items()):
         return {}
-    model = {name: rows for name, rows in environment.model.items() if name != "units"}
-    entries = [entry for rows in environment.model.values() for row in rows for entry in row]
+    entries = [entry for rows in model.values() for row in rows for entry in row]
     names = symbols_of(*entries)
-    said = {n: POSITIVE for n in names if Rel(">", symbol(n), number(0)) in environment.rests}
-    boxes = {n: box for n, box in {**said, **environment.boxes}.items() if n in names}
-    if names - boxes.keys():
-        return {}
+    boxes = {n: ANY_REAL for n in names if n.startswith("filter_gain.")}
+    boxes |= {n: POSITIVE for n in names if Rel(">", symbol(n), number(0)) in environment.rests}
+    boxes |= {n: box for n, box in environment.boxes.items() if n in names}
     return {
         "model": {
             name: [[graph_of(entry) for entry in row] for row in rows]
@@ -184,7 +196,7 @@ def _of_matrices(environment: Environment) -> dict[bytes, Expr]:
             entries[f"closed_loop_coefficient.{j}"] = value
     found: dict[bytes, Expr] = {}
     for name, entry in entries.items():
-        if name in quantities:
+        if name in quantities and quantities[name].kind != "number":
             found.setdefault(quantities[name].key, entry)
     return found
 
