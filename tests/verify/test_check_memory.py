@@ -235,6 +235,17 @@ MEAN = [
     ["with", "r = 1"],
     ["memory", FADING],
 ]
+ONE = [
+    ["real", "n"],
+    ["where", "n >= 0"],
+    ["with", "F = [[1]]"],
+    ["with", "H = [[1]]"],
+    ["with", "N = [[n + 1]]"],
+    ["with", "V = [[1/(n + 1)]]"],
+    ["with", "r = 1"],
+    ["memory", GROWING],
+]
+V2, Z4 = "V = [[1/(n + 1)**2]]", "Z = [[1/(1 - 4*w**2)]]"
 GAIN, OF_MEAN = ["claim", "K[2,1] == 6/((n + 1)*(n + 2))"], ["claim", "K[1,1] == 1 - w"]
 
 
@@ -251,6 +262,7 @@ def certificate(
 
 def test_certificates_by_hand_are_accepted() -> None:
     assert rejected(certificate(LINE, GAIN)) is None
+    assert rejected(certificate(ONE, ["claim", "K[1,1] == 1/(n + 1)"])) is None
     assert rejected(certificate(MEAN, OF_MEAN, ["claim", "X[1,1] == (1 - w)/(1 + w)"])) is None
 
 
@@ -271,6 +283,7 @@ WRONG: list[Any] = [
     (LINE, GAIN, {"r": "r = 0"}),
     (LINE, GAIN, {"r": "r = n"}),
     (LINE, GAIN, {"r": "r = 0 - 1"}),
+    (ONE, ["claim", "X[1,1] == 1/(n + 1)**2"], {"r": "r = 1/(n + 1)"}),
     # no samples that determine it; numbers that are no number of a sample
     (LINE, GAIN, {"n >": "n >= 0"}),
     (LINE, GAIN, {"n >": "n > 0 - 5"}),
@@ -296,6 +309,28 @@ WRONG: list[Any] = [
     (MEAN, ["claim", "sqrt(w - 1) == sqrt(w - 1)"], {}),
     (MEAN, ["claim", "sqrt((1 - 2*w)**2) == 1 - 2*w"], {}),
     (MEAN, ["claim", "0 - sqrt(w**2) == w"], {}),
+    # what follows from matrices that are not those of the law: another inverse, sum, or start
+    (MEAN, ["claim", "K[1,1] == 1/(1 - w)"], {"V": "V = [[1/(1 - w)]]"}),
+    (MEAN, ["claim", "K[1,1] == 1 + w"], {"V": "V = [[1 + w]]", "N = [": "N = [[1/(1 + w)]]"}),
+    (ONE, ["claim", "K[1,1] == 1/(n + 2)"], {"N = [": "N = [[n + 2]]", "V": "V = [[1/(n + 2)]]"}),
+    (ONE, ["claim", "K[1,1] == 1/(n + 1)**2"], {"N = [": "N = [[(n + 1)**2]]", "V": V2}),
+    # a sum that has no end and no value
+    (
+        MEAN,
+        ["claim", "K[1,1] == 1 - 4*w"],
+        {"F": "F = [[1/2]]", "N = [": "N = [[1/(1 - 4*w)]]", "V": "V = [[1 - 4*w]]", "Z": Z4}
+        | {"w > 0": "w > 1/2"},
+    ),
+    (
+        [["with", "w = 5"], *MEAN[3:]],
+        ["claim", "K[1,1] == 0 - 4"],
+        {"N = [": "N = [[-1/4]]", "V": "V = [[-4]]", "Z": "Z = [[-1/24]]"},
+    ),
+    (
+        MEAN,
+        OF_MEAN,
+        {"1 > w": "w > 1", "w > 0": "", "N = [": "N = [[1/(1 - w)]]", "Z": "Z = [[1/(1 - w**2)]]"},
+    ),
     # names of others
     ([*MEAN[:3], ["with", "K = [[1]]"], *MEAN[3:]], OF_MEAN, {}),
     ([*MEAN[:3], ["with", "P = [[1]]"], *MEAN[3:]], OF_MEAN, {}),
