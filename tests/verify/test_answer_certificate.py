@@ -331,3 +331,17 @@ def test_a_mean_in_a_definition_has_no_certificate(latex: str, symbols: dict[str
     assert claim["verdict"] == "proved"
     with pytest.raises(NoCertificateError, match=r"a mean, that of [PS]"):
         answer_certificate(claim)
+
+
+def test_functions_of_a_source_are_told_as_it_defines_them() -> None:
+    symbols = {
+        "f": "{ arguments = ['x'], definition = 'x^2 + 1', meaning = 'a function' }",
+        "g": "{ arguments = ['x'], definition = 'f(x) - 1', meaning = 'one by the other' }",
+        "h": "{ arguments = ['x'], definition = '5 x', meaning = 'one that is not called' }",
+    }
+    claim = judged("identity", "g(a + b) = (a + b)^2", symbols).to_json()
+    assert claim["verdict"] == "proved"
+    found = answer_certificate(claim)["lines"]
+    told = [line[1] for line in found if line[0] == "typed"]
+    assert told == ["g(a + b) = (a + b)^2", "g(x) = f(x) - 1", "f(x) = x^2 + 1"]
+    assert ["claim", "(a + b)**2 + 1 - 1 == (a + b)**2"] in found

@@ -331,6 +331,9 @@ WRONG: list[Any] = [
         OF_MEAN,
         {"1 > w": "w > 1", "w > 0": "", "N = [": "N = [[1/(1 - w)]]", "Z": "Z = [[1/(1 - w**2)]]"},
     ),
+    # a variable without bounds, or without values
+    ([["real", "x"], *MEAN], ["claim", "1/(x + 1) == 1/(x + 1)"], {}),
+    ([["real", "x"], ["where", "x > 5"], ["where", "1 > x"], *MEAN], OF_MEAN, {}),
     # names of others
     ([*MEAN[:3], ["with", "K = [[1]]"], *MEAN[3:]], OF_MEAN, {}),
     ([*MEAN[:3], ["with", "P = [[1]]"], *MEAN[3:]], OF_MEAN, {}),

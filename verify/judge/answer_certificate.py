@@ -186,6 +186,7 @@ def _certificate(
         raise NoCertificateError("a part of the formula in coordinates of the gains")
     region, inside = (model.pop(name, [[]])[0] for name in ("region", "inside"))
     names = [labels.get(name, name) for name in boxes]
+    functions = _functions(claim["latex"], evidence.get("functions", {}))
     given = [_turned(r) for r in statement.domain]
     given += [r for e in region if (r := Rel(">", e, number(0))) not in given]
     said = Said(
@@ -200,8 +201,9 @@ def _certificate(
         relations=tuple(relations),
         needed=tuple(needed),
         labels=labels,
+        functions=[*functions.values()],
     )
-    if left := unexplained(claim["latex"], (*said.boxes, *said.letters)):
+    if left := unexplained(claim["latex"], (*said.boxes, *said.letters, *functions)):
         raise NoCertificateError(f"{UNKEPT}: {left}")
     refutes = claim["verdict"] == "refuted"
     if "N" in model:
@@ -230,6 +232,21 @@ def _certificate(
     raise ValueError(reason)
 
 
+def _functions(latex: str, defined: Mapping[str, str]) -> dict[str, str]:
+    """Those that a formula calls, and that these call, by their definitions."""
+    called: dict[str, str] = {}
+    while True:
+        text = " ".join([latex, *called.values()])
+        more = {
+            name: said
+            for name, said in defined.items()
+            if name not in called and re.search(rf"(?<![A-Za-z_\\]){re.escape(name)}\(", text)
+        }
+        if not more:
+            return called
+        called |= more
+
+
 class Writer(Text):
     """A statement as lines with their proof, at a point of its domain."""
 
@@ -248,7 +265,8 @@ class Writer(Text):
     def written(self) -> Data:
         """Format apart. Raises ValueError where something is not shown."""
         proof, said = self.proof, self.said
-        proof.say("typed", said.typed)
+        for text in (said.typed, *said.functions):
+            proof.say("typed", " ".join(text.split()))
         if said.convention:
             proof.say("convention", " ".join(said.convention.split()))
         for token, plain in self.names.items():

@@ -33,6 +33,8 @@ class Said:
     relations: Sequence[Rel]
     needed: Sequence[Expr]
     labels: Mapping[str, str]
+    functions: Sequence[str]
+    """How the source defines those that are put in."""
 
 
 class Text:

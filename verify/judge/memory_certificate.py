@@ -46,7 +46,8 @@ class Writer(Text):
         first = constant_value(said.model["first"][0][0]) if "first" in said.model else 0
         of_source = self.names[token]
         self.names[token] = "n" if growing else "w"
-        self.say("typed", said.typed)
+        for text in (said.typed, *said.functions):
+            self.say("typed", " ".join(text.split()))
         if said.convention:
             self.say("convention", " ".join(said.convention.split()))
         for symbol, plain in self.names.items():

@@ -115,6 +115,12 @@ def symbols_data(scope: Scope) -> dict[str, Any]:
         ]
     means = [token for token in scope.used if "expectation" in definition_uses(symbols[token])]
     found |= {"means": means} if means else {}
+    functions = {
+        token: entry.definition.latex
+        for token, entry in symbols.items()
+        if entry.arguments and entry.definition is not None
+    }
+    found |= {"functions": functions} if functions else {}
     if others:
         found["other symbols"] = {token: graph_of(value) for token, value in others.items()}
     return found
