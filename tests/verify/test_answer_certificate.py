@@ -345,3 +345,23 @@ def test_functions_of_a_source_are_told_as_it_defines_them() -> None:
     told = [line[1] for line in found if line[0] == "typed"]
     assert told == ["g(a + b) = (a + b)^2", "g(x) = f(x) - 1", "f(x) = x^2 + 1"]
     assert ["claim", "(a + b)**2 + 1 - 1 == (a + b)**2"] in found
+
+
+def test_what_holds_of_all_gains_is_not_narrowed_to_stable_ones() -> None:
+    states = {
+        "p": "{ quantity = 'predicted_state.1', meaning = 'a prediction' }",
+        "s": "{ quantity = 'updated_state.1', meaning = 'an estimate' }",
+        "z": "{ quantity = 'measurement', meaning = 'a measurement' }",
+    }
+    claim = judged("recursion", "s = p + a (z - p)", MOVING | states, KIND).to_json()
+    assert claim["verdict"] == "proved"
+    with pytest.raises(NoCertificateError):
+        answer_certificate(claim)
+
+
+def test_two_names_of_one_definition_are_not_exchanged() -> None:
+    symbols = {name: "{ definition = 'a + b', meaning = 'a sum' }" for name in "uv"}
+    claim = judged("identity", "u = v", symbols).to_json()
+    assert claim["verdict"] == "proved"
+    with pytest.raises(NoCertificateError):
+        answer_certificate(claim)

@@ -133,13 +133,16 @@ def _certificate(
         whole = meanings.get(str(left.value), left) if left.kind == "symbol" else left
         if left.key != right.key or whole.kind in ("symbol", "number"):
             return right
+        if several[whole.key] > 1:
+            raise NoCertificateError(f"only that it is itself is kept of {left.value}")
         return rebuilt(whole, lambda node, _: tokens.get(node.key) if node != whole else None)
 
     sides = [(r.operator, in_tokens(r.left), in_tokens(r.right)) for r in statement.relations]
     keeps = "model" not in evidence
     relations = [Rel(op, a, defined(a, b) if keeps else b) for op, a, b in sides]
     alone = claim["latex"].partition("=")[0].strip()
-    if len(sides) == 1 and alone in evidence.get("of the filter", ()):
+    is_number = len(sides) == 1 and relations[0].left.kind == "number"
+    if is_number and alone in evidence.get("of the filter", ()):
         relations = [replace(relations[0], left=symbol(alone))]  # it may be the number 0
     needed = [in_tokens(expr) for expr in statement.needed]
     used = symbols_of(*needed, *(side for r in relations for side in (r.left, r.right)))
@@ -184,6 +187,8 @@ def _certificate(
     boxes = {name: boxes[name] for name in sorted(spoken) if not OF_MODEL.fullmatch(name)}
     if "region" in model and any(name.startswith("step.") for name in spoken):
         raise NoCertificateError("a part of the formula in coordinates of the gains")
+    if "region" in model and claim["verdict"] == "proved" and "stable" not in claim["domain"]:
+        raise NoCertificateError("gains that are not stable too")
     region, inside = (model.pop(name, [[]])[0] for name in ("region", "inside"))
     names = [labels.get(name, name) for name in boxes]
     functions = _functions(claim["latex"], evidence.get("functions", {}))
