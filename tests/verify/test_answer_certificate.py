@@ -360,7 +360,7 @@ def test_what_holds_of_all_gains_is_not_narrowed_to_stable_ones() -> None:
 
 
 def test_two_names_of_one_definition_are_not_exchanged() -> None:
-    symbols = {name: "{ definition = 'a + b', meaning = 'a sum' }" for name in "uv"}
+    symbols = dict.fromkeys("uv", "{ definition = 'a + b', meaning = 'a sum' }")
     claim = judged("identity", "u = v", symbols).to_json()
     assert claim["verdict"] == "proved"
     with pytest.raises(NoCertificateError):

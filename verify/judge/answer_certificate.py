@@ -8,7 +8,6 @@ out.
 
 from __future__ import annotations
 
-import ast
 import contextlib
 import json
 import re
@@ -21,17 +20,16 @@ from time import process_time
 from typing import Any
 
 from gainproof.verify import check_answer, check_matrices, check_memory
-from gainproof.verify.check_answer import VALUE, ZERO, Poly
-from gainproof.verify.judge.answer_proof import Proof, pair, text_of
-from gainproof.verify.judge.certificate_text import ATOM, OF_MODEL, PRODUCT, SUM, Said, Text
+from gainproof.verify.judge.answer_lines import Writer
+from gainproof.verify.judge.certificate_text import OF_MODEL, Said
 from gainproof.verify.judge.exact.box import Box
 from gainproof.verify.judge.exact.calculus import rebuilt
 from gainproof.verify.judge.exact.certificate import boxes_from, statement_from
 from gainproof.verify.judge.exact.expression import Expr, number, symbol, symbols_of, walk
-from gainproof.verify.judge.exact.graph import read_graph
-from gainproof.verify.judge.exact.limits import Malformed
+from gainproof.verify.judge.exact.expression_graph import read_graph
 from gainproof.verify.judge.exact.statement import TURNED, Rel
 from gainproof.verify.judge.exact.witness import free_values
+from gainproof.verify.judge.exact.work_limits import Malformed
 from gainproof.verify.judge.matrix_certificate import matrix_certificate
 from gainproof.verify.judge.memory_certificate import memory_certificate
 
@@ -252,183 +250,6 @@ def _functions(latex: str, defined: Mapping[str, str]) -> dict[str, str]:
         called |= more
 
 
-class Writer(Text):
-    """A statement as lines with their proof, at a point of its domain."""
-
-    def __init__(self, said: Said, point: Mapping[str, str], refutes: bool, latest: float) -> None:
-        own = {*check_answer.FUNCTIONS, "pi", "S", "X", *said.model}
-        super().__init__(said, own)
-        self.point, self.refutes = point, refutes
-        self.first = ""
-        self.later: list[str] = []
-        called = {self.names[n]: pair(Fraction(v)) for n, v in point.items()}
-        self.proof = Proof(({} if refutes else called) | {"pi": pair(Fraction(PI[0]))}, latest)
-
-    def say(self, title: str, text: str) -> None:
-        self.proof.say(title, text)
-
-    def written(self) -> Data:
-        """Format apart. Raises ValueError where something is not shown."""
-        proof, said = self.proof, self.said
-        for text in (said.typed, *said.functions):
-            proof.say("typed", " ".join(text.split()))
-        if said.convention:
-            proof.say("convention", " ".join(said.convention.split()))
-        for token, plain in self.names.items():
-            if token != plain:
-                proof.say("name", f"{plain} for {' '.join(token.split())}")
-        given, defined = [*said.given], dict[str, Expr]()
-        for rel in said.given:
-            name = said.labels.get(str(rel.left.value), str(rel.left.value))
-            spoken = {said.labels.get(n, n) for n in symbols_of(rel.right)}
-            alone = rel.operator == "=" and rel.left.kind == "symbol" and name in said.boxes
-            if alone and not spoken & {name, *defined} and not self.uses(name, defined):
-                defined[name] = rel.right
-                given.remove(rel)
-        for token in said.boxes:
-            if token not in defined:
-                value = f" = {self.point[token]}" if self.refutes else ""
-                proof.say("with" if self.refutes else "real", self.name(token) + value)
-        nodes = walk(*self.expressions())
-        if any(node.kind == "call" and node.name == "pi" for node in nodes):
-            proof.say("real", "pi")
-            self.where(f"pi > {PI[0]} - 1/{PI[1]}")
-            self.where(f"{PI[0]} + 1/{PI[1]} > pi")
-        for token, expr in defined.items():
-            proof.say("with", f"{self.name(token)} = {self.text(expr)}")
-        for token, box in said.boxes.items():
-            self.box(self.name(token), box)
-        if not self.refutes and any(rel.operator == "=" for rel in given):
-            self.meet([rel for rel in given if rel.operator == "="])
-        for rel in given:
-            self.where(self.relation(rel))
-        self.filter()
-        for token, expr in said.letters.items():
-            proof.say("with", f"{self.name(token)} = {self.text(expr)}")
-        for k, expr in enumerate(said.needed, 1):
-            proof.say("with", f"value{k}_ = {self.text(expr)}")
-        for rel in said.relations:
-            proof.say("false" if self.refutes else "claim", self.relation(rel))
-        self.first = self.relation(said.relations[0])
-        proof.angles()
-        proof.open()
-        if not self.prove() or proof.closed():
-            self.bend()
-            if not self.prove():
-                raise ValueError(f"no proof was found that the file can check: {self.first}")
-        point = proof.checker.data["point"]
-        said_of = {n: v for n, v in point.items() if n in proof.checker.letters}
-        return {"point": said_of, "lines": proof.lines}
-
-    def meet(self, equations: Sequence[Rel]) -> None:
-        """Has the point meet them, each solved for a variable."""
-        proof, point = self.proof, self.proof.checker.data["point"]
-        for rel in equations:
-            proof.solve(proof.read(self.relation(rel))[0], None)
-        for name in [*proof.solved][::-1]:
-            parts = proof.by_degree(proof.solved[name][1], name)
-            (top, other), (bottom, _) = (proof.checker.enclosed(parts.get(e, ZERO)) for e in (0, 1))
-            if top != other:
-                raise ValueError("no rational point was found")
-            point[name] = pair(-top / bottom)
-            proof.checker.ends, proof.values = {}, {}
-        proof.solved = {}
-        proof.order = []
-
-    def expressions(self) -> Iterator[Expr]:
-        said = self.said
-        for rel in (*said.given, *said.relations):
-            yield from (rel.left, rel.right)
-        yield from (*said.needed, *said.letters.values())
-
-    def uses(self, name: str, defined: Mapping[str, Expr]) -> bool:
-        labels = self.said.labels
-        return any(name in {labels.get(n, n) for n in symbols_of(e)} for e in defined.values())
-
-    def prove(self) -> bool:
-        """Whether all that is wanted is found, parts with a value apart."""
-        values = [
-            (p, VALUE[kind][0]) for kind, p in self.proof.checker.letters.values() if kind in VALUE
-        ]
-        wanted = [each for each in self.proof.checker.wanted if each not in values]
-        return all(map(bool, [self.established(*each) for each in wanted]))
-
-    def bend(self) -> None:
-        """Adds conditions that may leave no convex domain, those of parts without a value last."""
-        proof = self.proof
-        for text in self.later:
-            proof.say("where", text)
-        self.later = []
-        proof.open()
-        for name in proof.closed():
-            if name in proof.closed():
-                if not self.refutes and not self.said.partial:
-                    raise ValueError(f"that {name} has a value, which the verdict does not ask for")
-                node: Any = ast.parse(name, mode="eval").body
-                inner = node.right if isinstance(node, ast.BinOp) else node.args[0]
-                sign = "!= 0" if isinstance(node, ast.BinOp) else ">= 0"
-                proof.say("where", f"{ast.unparse(inner)} {sign}")
-                proof.open()
-
-    def established(self, p: Poly, sign: str) -> bool:
-        """Whether the checker has it as a fact, which is looked for."""
-        proof = self.proof
-        if sign == "==":
-            return proof.zero(p) is not None
-        found = proof.nonzero(p) if sign == "!=" else proof.sign(p, sign == ">")
-        if found is not None and proof.fact(p, sign) is None:
-            proof.shows(p, sign, [["1", [found]]])
-        return proof.fact(p, sign) is not None
-
-    def filter(self) -> None:
-        """Matrices of the model and what the file wants of them."""
-        if not self.said.model:
-            return
-        proof = self.proof
-        for name, matrix in self.said.model.items():
-            rows = [", ".join(self.text(e) for e in row) for row in matrix]
-            proof.say("with", f"{name} = [{', '.join(f'[{row}]' for row in rows)}]")
-        laws = {"A": check_answer.KALMAN_BUCY, "L": check_answer.GAINS}
-        law = next((laws[name] for name in laws if name in self.said.model), check_answer.FILTER)
-        proof.say("filter", law)
-
-    def box(self, name: str, box: Box) -> None:
-        if box.lower is not None:
-            self.where(f"{name} {'>' if box.lower_open else '>='} {box.lower}")
-        if box.upper is not None:
-            self.where(f"{box.upper} {'>' if box.upper_open else '>='} {name}")
-
-    def where(self, text: str) -> None:
-        """A condition now, if it keeps the domain convex, else later."""
-        p, sign = self.proof.read(text)
-        letters = self.proof.checker.letters
-        flat = all(len(m) < 2 and {letters[k][0] for k in m} <= {"real"} for m in p)
-        if self.refutes or (flat and sign != "!="):
-            self.proof.say("where", text)
-        else:
-            self.later.append(text)
-
-    def function(self, name: str, parts: Sequence[tuple[str, int]]) -> tuple[str, int]:
-        """Of an argument whose first term is positive."""
-        if name == "pi":
-            return "pi", ATOM
-        if name not in ("exp", "sin", "cos", "tan"):
-            raise Malformed(f"not known: {name}")
-        argument = self.proof.checker.value(parts[0][0])
-        if not argument:
-            return ("0" if name in ("sin", "tan") else "1"), ATOM
-        negative = argument[min(argument)] < 0
-        text = text_of(ZERO - argument if negative else argument)
-        if name == "exp":
-            return (f"1/exp({text})", PRODUCT) if negative else (f"exp({text})", ATOM)
-        if name == "cos":
-            return f"cos({text})", ATOM
-        sine = f"sin({text})" if name == "sin" else f"sin({text})/cos({text})"
-        return (f"-{sine}", SUM) if negative else (sine, PRODUCT)
-
-
-PI = "245850922/78256779", 10**15
-"""A number that is closer to pi than one part of the other."""
 PARTIAL = "has a value", "not zero", "!="
 """In a domain's words."""
 

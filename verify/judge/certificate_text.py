@@ -10,8 +10,8 @@ from keyword import iskeyword
 
 from gainproof.verify.judge.exact.box import Box
 from gainproof.verify.judge.exact.expression import Expr, walk
-from gainproof.verify.judge.exact.limits import Malformed
 from gainproof.verify.judge.exact.statement import Rel
+from gainproof.verify.judge.exact.work_limits import Malformed
 
 OF_MODEL = re.compile(r"[PKSXL]\[\d,\d\]")
 """Entries of a filter's matrices, as the files name them."""
@@ -23,16 +23,24 @@ class Said:
     """A statement, with variables as the source calls them where they have a label."""
 
     typed: str
+    """The formula as it was typed."""
     convention: str
     partial: bool
     """Whether the domain of the verdict is where its parts have values."""
     boxes: Mapping[str, Box]
+    """The ranges of the variables."""
     given: Sequence[Rel]
+    """Conditions beside the ranges."""
     model: Mapping[str, Sequence[Sequence[Expr]]]
+    """The matrices of a filter; empty where the formula is of none."""
     letters: Mapping[str, Expr]
+    """What other symbols of the source stand for."""
     relations: Sequence[Rel]
+    """What is claimed; if it is refuted, one of it."""
     needed: Sequence[Expr]
+    """Parts of the formula, no longer in the relations, that have to have a value."""
     labels: Mapping[str, str]
+    """Names of variables in the judge, and in the source."""
     functions: Sequence[str]
     """How the source defines those that are put in."""
 

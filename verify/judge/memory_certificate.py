@@ -12,7 +12,7 @@ from typing import Any
 from gainproof.verify import check_memory
 from gainproof.verify.judge.certificate_text import Said, Text
 from gainproof.verify.judge.exact.constant_value import constant_value
-from gainproof.verify.judge.exact.limits import Malformed
+from gainproof.verify.judge.exact.work_limits import Malformed
 from gainproof.verify.judge.setting.environment import SAMPLE, WEIGHT
 
 

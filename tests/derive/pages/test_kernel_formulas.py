@@ -8,6 +8,7 @@ import pytest
 
 from gainproof.derive.pages.formula import FormulaError
 from gainproof.derive.pages.kernel_formulas import Value, kernel_values, read_sections
+from gainproof.derive.printer.fixed_point import fixed_point, near_cbrt
 from gainproof.derive.printer.graph import Graph, GraphBuilder, Node, operands
 
 GIVEN = {"a": Fraction(2, 3), "b": Fraction(7), "c": Fraction(5, 11)}
@@ -88,6 +89,75 @@ def test_a_negative_number_with_a_node_is_no_form(text: str) -> None:
         graph_of(f"    x = {text}", "x", n=-2)
 
 
+def test_a_number_that_is_written_may_be_taken_away() -> None:
+    builder = GraphBuilder()
+    a, b, _ = (builder.symbol(name) for name in GIVEN)
+    by_hand = builder.graph({"x": (a - Fraction(3, 4)) * (b * 4 - 1)})
+    assert graph_of("    x = (a - 3/4) (4 b - 1)", "x") == by_hand
+    with pytest.raises(ArithmeticError, match="no form without a subtraction"):
+        graph_of("    x = a - n", "x", n=2)
+
+
+def test_the_root_of_a_number_and_of_an_equation() -> None:
+    builder = GraphBuilder()
+    a = builder.symbol("a")
+    assert graph_of("    x = a sqrt(2)", "x") == builder.graph({"x": a * builder.sqrt(2)})
+    root = fixed_point(near_cbrt(a), lambda u: builder.sqrt(builder.sqrt(a * u)), within="1/25")
+    page = """
+    u = unknown(near_cbrt(a), 1/25)
+    inner = sqrt(a u)
+    x = fixed_point(u, sqrt(inner))
+"""
+    assert graph_of(page, "x") == builder.graph({"x": root})
+    with pytest.raises(FormulaError, match="sqrt of a number: write its value"):
+        kernel_values(read_sections("    x = sqrt(2)"), {}, ["x"])
+
+
+def test_what_stands_below_the_name_of_a_kernel_is_its_own() -> None:
+    page = """
+    x = y
+    y = a
+### near (Near)
+    y = b
+### far_in_plane
+Only prose.
+## More
+    z = y
+"""
+    assert graph_of(page, "x", "z") == graph_of("    x = a\n    z = a", "x", "z")
+    near = graph_of(page, "x", "z", near_kernel=1, far_kernel=0)
+    assert near["nodes"] == [["symbol", "b"]]
+    assert graph_of(page, "x", near_kernel=0)["nodes"] == [["symbol", "a"]]
+
+
+@pytest.mark.parametrize("text", ["a/n", "n/n", "a/(n b)", "a/(n - n)", "b + a (n/n)"])
+def test_a_quotient_by_zero_is_no_form(text: str) -> None:
+    with pytest.raises(ZeroDivisionError, match=r"no form: .* divides by 0"):
+        graph_of(f"    x = {text}", "x", n=0)
+
+
+@pytest.mark.parametrize("condition", ["a = 0", "a < 1", "n = 1 and b = 2"])
+def test_a_condition_over_what_is_no_number_is_refused(condition: str) -> None:
+    with pytest.raises(FormulaError, match=r"a condition is about numbers: [ab] "):
+        graph_of(f"    x = a\n## Where {condition}\n    x = b", "x", n=1)
+
+
+def test_what_is_given_is_taken_before_a_formula_of_that_name() -> None:
+    assert graph_of("    a = b\n    x = a", "x")["nodes"] == [["symbol", "a"]]
+
+
+@pytest.mark.parametrize("line", ["  x = b", "   x = b", "\tx = b", " ## Where n = 1"])
+def test_what_begins_with_other_blanks_is_no_prose(line: str) -> None:
+    with pytest.raises(FormulaError, match="line 3: a formula begins with four blanks"):
+        graph_of(f"    x = a\nProse.\n{line}", "x", n=1)
+
+
+@pytest.mark.parametrize("heading", ["## where n = 1", "##  Where n = 1", "# Where n = 1"])
+def test_a_heading_that_is_nearly_one_of_conditions_is_refused(heading: str) -> None:
+    with pytest.raises(FormulaError, match="line 2: wanted a heading `## Where"):
+        graph_of(f"    x = a\n{heading}\n    y = b", "x", n=1)
+
+
 def test_negative_numbers_among_numbers_are_numbers() -> None:
     assert values(graph_of("    x = (5 + n) a - (n n - 3) b", "x", n=-2)) == {
         "x": 3 * GIVEN["a"] - GIVEN["b"]
@@ -135,7 +205,7 @@ def test_a_name_without_a_formula_is_left_out() -> None:
         ("    x = z", "'z' has no formula, or one that needs itself"),
         ("    x = y + a\n    y = x b", "'x' has no formula, or one that needs itself"),
         ("    x = log(a)", "no sum, product, quotient or function that is known"),
-        ("    x = sqrt(a, b)", "sqrt has 1 arguments, 2 came"),
+        ("    x = sqrt(a, b)", "sqrt: 1 wanted in brackets, 2 came"),
         ("    x = atan2(a, 2)", "atan2 of a number: write its value"),
         ("    x = [a, b]", "no sum, product, quotient"),
         ("    x = a'", "no sum, product, quotient"),

@@ -23,8 +23,8 @@ from gainproof.verify.judge.exact.expression import (
     whole_power,
 )
 from gainproof.verify.judge.exact.graph_writing import graph_of
-from gainproof.verify.judge.exact.limits import Undecided
 from gainproof.verify.judge.exact.statement import Rel, Statement
+from gainproof.verify.judge.exact.work_limits import Undecided
 from gainproof.verify.judge.setting.environment import (
     ANY_REAL,
     DEVIATION,
@@ -35,10 +35,9 @@ from gainproof.verify.judge.setting.environment import (
     WEIGHT,
     Environment,
 )
-from gainproof.verify.judge.setting.established import characteristic
 from gainproof.verify.judge.setting.fading_memory import WITHIN, fading_memory
 from gainproof.verify.judge.setting.growing_memory import first, growing_memory, taylor
-from gainproof.verify.judge.setting.matrix import (
+from gainproof.verify.judge.setting.matrices import (
     Exprs,
     exprs,
     minus,
@@ -47,6 +46,7 @@ from gainproof.verify.judge.setting.matrix import (
     transposed,
 )
 from gainproof.verify.judge.setting.steady_state import SteadyState, solve
+from gainproof.verify.judge.setting.steady_state_conditions import characteristic
 
 T, SIGMA = symbol(INTERVAL), symbol(DEVIATION)
 POLYNOMIALS = ("mean", "line", "parabola", "cubic")
