@@ -1,8 +1,7 @@
 """Decides one certificate of an answer with Python alone. Usage: check_answer.py certificate.json
 
-A certificate prints a statement and proves it in steps, of polynomials in letters: variables, and
-quotients, roots, functions under their own text. What is 0, positive, not 0 is, times facts, a sum
-of facts times others; or times what is not 0 at a point it is 0, all analytic, the domain convex.
+A certificate is a statement and its proof: sums of products of polynomials in variables, quotients,
+roots, functions; or p q = 0 of analytic p and q on a convex domain, q not being 0 at a point of it.
 """
 
 import ast
@@ -24,7 +23,9 @@ SUMS: Any = {ast.Add: add, ast.Sub: sub, ast.Mult: mul}
 SIGNS = {ast.Eq: "==", ast.NotEq: "!=", ast.Gt: ">", ast.GtE: ">="}
 NOT = {"==": "!=", "!=": "==", ">": ">=", ">=": ">"}  # of -p
 FILTER = "K S = PH', P = FXF' + Q, S = HPH' + R, X = P - KHP; Q >= 0, R > 0; F - FKH is stable"
-FUNCTIONS, FINE = ("sqrt", "exp", "sin", "cos"), 1 << 200
+GAINS = FILTER.replace("K S = PH'", "L = FL - FKHL + D").replace("KHP;", "KHP - PH'K' + KSK';")
+KALMAN_BUCY = "dx/dt = Ax + w; KR = PH', AP + PA' + Q = KRK'; Q >= 0, R > 0; A - KH is stable"
+FUNCTIONS, FINE = ("sqrt", "cos", "sin", "exp"), 1 << 200
 VALUE = {"over": ("!=", ">"), "sqrt": (">=", ">", "==")}  # wanted of a divisor, a radicand
 
 
@@ -87,22 +88,19 @@ def series(name: str, x: Fraction, end: int) -> Fraction:
     signs = {"exp": (1, 1, 1, 1), "cos": (1, 0, -1, 0), "sin": (0, 1, 0, -1)}[name]
     term, total, k = Fraction(1), Fraction(0), 0
     while k < 2 * abs(x) + 2 or abs(term) * (1 << 160) > 1:
-        total, k = total + signs[k % 4] * term, k + 1
-        term = term * x / k
+        total, k, term = total + signs[k % 4] * term, k + 1, term * x / (k + 1)
     return total + 2 * end * abs(term)
 
 
 class Certificate:
     def __init__(self, data: Any) -> None:
         require(isinstance(data, dict) and data.get("format") == FORMAT, f"no {FORMAT}")
-        self.data = data
         self.meaning: dict[str, Any] = {"S": None, "X": None}  # of names: polynomials, or matrices
         self.letters = dict[str, tuple[str, Poly]]()  # kind, and what it is made of
-        self.facts = list[tuple[Poly, str]]()  # p == > >= != 0
         self.ends = dict[str, tuple[Fraction, Fraction]]()  # round the letters at a point
-        self.wanted = list[tuple[Poly, str]]()  # facts that are to be shown
+        self.facts, self.wanted = list[tuple[Poly, str]](), list[tuple[Poly, str]]()  # p == 0, > 0
         self.lines, self.verdicts, self.latest = list[str](), set[str](), process_time() + SECONDS
-        self.straight = True  # so far the domain is convex, and letters analytic
+        self.data, self.straight = data, True  # the domain is convex, and letters analytic
 
     def decide(self) -> list[str]:
         """The lines to print. Raises ValueError and others where it is not so."""
@@ -128,13 +126,13 @@ class Certificate:
         elif title == "with" and new:
             p = self.value(value, ast.List if value[:1] == "[" else ast.expr)
             self.meaning[name] = self.letter(name, "part", p) if len(p) > 40 else p
-        elif title == "filter" and text == FILTER:
-            self.filter()
+        elif title == "filter" and text in (FILTER, GAINS, KALMAN_BUCY):
+            self.filter(text)
         elif title == "where":
             p, sign = self.value(text, ast.Compare)
             a, b = self.enclosed(p)
-            met = {"==": a == b == 0, "!=": a * b > 0, ">": a > 0, ">=": a >= 0}[sign]
-            require(met, "the point is outside the domain")
+            met = {"==": a == b == 0, "!=": a * b > 0, ">": a > 0, ">=": a >= 0}
+            require(met[sign], "the point is outside the domain")
             flat = all(len(m) < 2 and {self.letters[k][0] for k in m} <= {"real"} for m in p)
             self.straight = self.straight and flat and sign != "!="
             self.facts.append((p, sign))
@@ -182,17 +180,25 @@ class Certificate:
             self.wanted += [(inner, VALUE[kind][0])] if kind in VALUE else []
         return Poly({(name,): 1})
 
-    def filter(self) -> None:
-        """Wants what the sentence says; entries of P, K, S and X have a meaning from then on."""
-        f, h, q, r, p, k = (self.meaning[name] for name in "FHQRPK")
-        ph = product(p, turned(h))
-        x, minus = less(p, product(k, turned(ph))), [[ZERO - e for e in row] for row in r]
-        s, loop = less(product(h, ph), minus), less(f, product(f, product(k, h)))
-        zero = [*less(product(k, s), ph), *less(less(p, product(product(f, x), turned(f))), q)]
+    def filter(self, text: str) -> None:
+        """Wants what the sentence says; entries of P, K, S, X, L have a meaning from then on."""
+        steps, lag = text != KALMAN_BUCY, self.meaning["L"] if text == GAINS else []
+        f, h, q, r, p, k = (self.meaning[name] for name in ("FHQRPK" if steps else "AHQRPK"))
+        fp, ph, kh, kr = product(f, p), product(p, turned(h)), product(k, h), product(k, r)
+        s, x = less(product(h, ph), less(less(r, r), r)), less(p, product(kh, p))
+        zero = gap = less(ph, product(k, s))
+        if text == GAINS:
+            x, moved = less(x, product(gap, turned(k))), less(lag, product(kh, lag))
+            zero = less(less(lag, product(f, moved)), self.meaning["D"])
+        if steps:
+            zero = [*zero, *less(less(p, product(product(f, x), turned(f))), q)]
+            a, b, c = [*symmetric(less(f, product(f, kh))), ZERO, ZERO][:3]
+            stable = [ONE + a + b + c, ONE - a + b - c, ONE + c, ONE - c, ONE - b + a * c - c * c]
+        else:
+            zero = [*less(kr, ph), *less(less(less(product(kr, turned(k)), q), fp), turned(fp))]
+            stable = symmetric(less(kh, f)) + [ZERO] * (len(f) > 2)  # of 1 or 2 states
         zero += [row for a in (p, q, r) for row in less(a, turned(a))]
-        a, b, c = [*symmetric(loop), ZERO, ZERO][: max(3, len(f))]
-        stable = ONE + a + b + c, ONE - a + b - c, ONE + c, ONE - c, ONE - b + a * c - c * c
-        for name, matrix in zip("PKSX", (p, k, s, x), strict=True):
+        for name, matrix in zip("PKSXL", (p, k, s, x, lag) if steps else (p, k), strict=False):
             for i, row in enumerate(matrix, 1):
                 self.meaning |= {f"{name}[{i}, {j}]": e for j, e in enumerate(row, 1)}
         self.wanted += [(e, "==") for row in zero for e in row] + [(e, ">=") for e in symmetric(q)]
@@ -215,7 +221,6 @@ class Certificate:
         return (a, b) if a == b and a.denominator < FINE else rounded
 
     def enclosed(self, p: Poly) -> tuple[Fraction, Fraction]:
-        """Ends round a polynomial at the point."""
         low = high = Fraction(0)
         for m, c in p.items():
             require(process_time() < self.latest, "late")
@@ -250,12 +255,9 @@ class Certificate:
         total = reduce(sub, [value for value, _ in found], times * p)
         signs = [s for _, s in found if s != "=="]
         weak = {*signs} <= {">", ">="}
-        fine = {
-            "==": not signs and its in (">", "!="),
-            ">": its in (">", ">=") and weak and ">" in signs,
-            ">=": its == ">" and weak,
-            "!=": signs in ([">"], ["!="]),
-        }[sign]
+        more = weak and (its in (">", ">=") and ">" in signs if sign == ">" else its == ">")
+        fine = not signs and its in (">", "!=") if sign == "==" else signs in ([">"], ["!="])
+        fine = more if sign in (">", ">=") else fine and sign in ("==", "!=")
         if total or not fine:  # by a sign at the point
             low, high = self.enclosed(times if sign == "==" else p)
             kept = low > 0 and sign == ">" and its == ">" and signs == ["!="]
@@ -278,15 +280,13 @@ class Certificate:
         """Theorems of addition for x + y = z."""
         x, y, z = (self.value(text) for text in texts)
         require(x + y == z, "no sum")
-        (c1, c2, c3), (s1, s2, s3), (e1, e2, e3) = (
-            [self.value(f"{f}({text})") for text in texts] for f in ("cos", "sin", "exp")
-        )
+        values = ([self.value(f"{f}({text})") for text in texts] for f in FUNCTIONS[1:])
+        (c1, c2, c3), (s1, s2, s3), (e1, e2, e3) = values
         zero = c1 * c1 + s1 * s1 - ONE, c3 - c1 * c2 + s1 * s2, s3 - s1 * c2 - c1 * s2, e3 - e1 * e2
         self.facts += [(p, "==") for p in zero] + [(e, ">") for e in (e1, e2, e3)]
 
 
-def main(arguments: list[str]) -> int:
-    """0 if the certificate shows what it says, else 1."""
+def main(arguments: list[str]) -> int:  # 0 if the certificate shows what it says, else 1
     try:
         with open(arguments[0], "rb") as file:
             lines = Certificate(json.loads(file.read(MOST_BYTES))).decide()

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator
 from typing import Any
 
@@ -90,17 +91,62 @@ def test_the_convention_is_told(judge: Judge, formula: str, convention: str, let
     assert f"with: alpha = {letter}" in found
 
 
+def test_what_is_lost_of_a_filter_has_no_certificate(judge: Judge) -> None:
+    said = VELOCITY | {"given": r"\alpha < 1/2"}
+    assert lines(judge, r"\alpha^2 = \beta(2 - \alpha)", **said) == []
+
+
+def test_of_any_gains_the_stable_ones_are_told(judge: Judge) -> None:
+    formula = r"X_{11} = (1 - \alpha)^2 P_{11} + \alpha^2 \sigma_v^2"
+    found = lines(judge, formula, model="fixed")
+    assert {f"filter: {check_answer.GAINS}", "with: X_11 = X[1,1]", "with: P_11 = P[1,1]"} <= {
+        *found
+    }
+    gains = r"filter_gain_\d|alpha|beta"
+    where = {re.sub(gains, "g", line) for line in found if line.startswith("where")}
+    # by hand: alpha > 0, beta > 0, 4 - 2 alpha - beta > 0
+    assert {"where: g > 0", "where: -2*g - g + 4 > 0"} <= where
+    assert len([line for line in found if re.search(gains + r".* > 0", line)]) >= 3
+    false = r"X_{11} = (1 - \alpha)^2 P_{11} + \alpha \sigma_v^2"
+    assert lines(judge, false, model="fixed")[-1] == "refuted"
+
+
+KIND = "kind = 'fixed_gain'\nstates = 2\ngain = 'filter'"
+MOVING = {
+    "a": "{ quantity = 'filter_gain.1', meaning = 'a gain' }",
+    "b": "{ quantity = 'filter_gain.2', meaning = 'a gain' }",
+    "T": "{ quantity = 'sampling_interval', meaning = 'an interval' }",
+    "c": "{ quantity = 'target_motion.2', meaning = 'an acceleration' }",
+    "l": "{ quantity = 'predicted_lag.1.2', meaning = 'the lag of the prediction' }",
+    "m": "{ quantity = 'predicted_lag.2.2', meaning = 'that of the velocity' }",
+    "z": "{ quantity = 'predicted_lag.1.1', meaning = 'that of a steady motion' }",
+}
+
+
 @pytest.mark.parametrize(
-    ("formula", "said"),
+    ("latex", "verdict", "motion"),
     [
-        (r"\alpha^2 = \beta(2 - \alpha)", VELOCITY | {"given": r"\alpha < 1/2"}),
-        (r"X_{11} = (1 - \alpha)^2 P_{11} + \alpha^2 \sigma_v^2", {"model": "fixed"}),
+        # Kalata 1984: an acceleration c is followed with the lag c T^2/beta
+        (r"l = \frac{c T^2}{b}", "proved", "c*T"),
+        (r"l = \frac{c T^2}{2 b}", "refuted", "c*T"),
+        (r"m = c T (\frac{a}{b} + \frac{1}{2})", "proved", "c*T"),
+        ("z = 0", "proved", "[[0], [0]]"),
     ],
 )
-def test_what_is_lost_of_a_filter_has_no_certificate(
-    judge: Judge, formula: str, said: dict[str, Any]
-) -> None:
-    assert lines(judge, formula, **said) == []
+def test_a_lag_is_told_with_the_motion(latex: str, verdict: str, motion: str) -> None:
+    claim = judged("identity", latex, MOVING, KIND).to_json()
+    assert claim["verdict"] == verdict, claim["reason"]
+    found = check_answer.Certificate(answer_certificate(claim)).decide()
+    assert found[-1] == verdict
+    (driven,) = (line for line in found if line.startswith("with:") and " D = " in line)
+    assert motion in driven
+
+
+def test_lags_of_two_motions_have_no_certificate() -> None:
+    claim = judged("identity", r"l + z = \frac{c T^2}{b}", MOVING, KIND).to_json()
+    assert claim["verdict"] == "proved"
+    with pytest.raises(NoCertificateError):
+        answer_certificate(claim)
 
 
 @pytest.mark.parametrize(
@@ -189,7 +235,7 @@ def test_what_is_lost_of_a_formula_has_no_certificate(judge: Judge, other: dict[
         (r"\sqrt{x^4 + x^3 + x^2 + x + 1} \ge 0", {}, False),
         (r"\frac{x^2 - y^2}{x - y} = x + y", {}, True),
         (r"\tan(x) \cos(x) = \sin(x)", {}, True),
-        ("D = a + b", {"symbols": {"D": "= a + b"}}, False),
+        ("D = a + b", {"symbols": {"D": "= a + b"}}, True),
         ("D = b + a", {"symbols": {"D": "= a + b"}}, True),
     ],
 )
@@ -284,4 +330,38 @@ def test_a_mean_in_a_definition_has_no_certificate(latex: str, symbols: dict[str
     claim = judged("identity", latex, noise | table).to_json()
     assert claim["verdict"] == "proved"
     with pytest.raises(NoCertificateError, match=r"a mean, that of [PS]"):
+        answer_certificate(claim)
+
+
+def test_functions_of_a_source_are_told_as_it_defines_them() -> None:
+    symbols = {
+        "f": "{ arguments = ['x'], definition = 'x^2 + 1', meaning = 'a function' }",
+        "g": "{ arguments = ['x'], definition = 'f(x) - 1', meaning = 'one by the other' }",
+        "h": "{ arguments = ['x'], definition = '5 x', meaning = 'one that is not called' }",
+    }
+    claim = judged("identity", "g(a + b) = (a + b)^2", symbols).to_json()
+    assert claim["verdict"] == "proved"
+    found = answer_certificate(claim)["lines"]
+    told = [line[1] for line in found if line[0] == "typed"]
+    assert told == ["g(a + b) = (a + b)^2", "g(x) = f(x) - 1", "f(x) = x^2 + 1"]
+    assert ["claim", "(a + b)**2 + 1 - 1 == (a + b)**2"] in found
+
+
+def test_what_holds_of_all_gains_is_not_narrowed_to_stable_ones() -> None:
+    states = {
+        "p": "{ quantity = 'predicted_state.1', meaning = 'a prediction' }",
+        "s": "{ quantity = 'updated_state.1', meaning = 'an estimate' }",
+        "z": "{ quantity = 'measurement', meaning = 'a measurement' }",
+    }
+    claim = judged("recursion", "s = p + a (z - p)", MOVING | states, KIND).to_json()
+    assert claim["verdict"] == "proved"
+    with pytest.raises(NoCertificateError):
+        answer_certificate(claim)
+
+
+def test_two_names_of_one_definition_are_not_exchanged() -> None:
+    symbols = dict.fromkeys("uv", "{ definition = 'a + b', meaning = 'a sum' }")
+    claim = judged("identity", "u = v", symbols).to_json()
+    assert claim["verdict"] == "proved"
+    with pytest.raises(NoCertificateError):
         answer_certificate(claim)

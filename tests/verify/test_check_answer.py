@@ -25,7 +25,7 @@ import pytest
 
 from gainproof.answers.judge import Judge
 from gainproof.verify import check_answer
-from gainproof.verify.check_answer import FILTER, FORMAT, Poly, main, symmetric
+from gainproof.verify.check_answer import FILTER, FORMAT, GAINS, KALMAN_BUCY, Poly, main, symmetric
 from gainproof.verify.judge.answer_certificate import rejected
 
 FILE = Path(check_answer.__file__)
@@ -300,10 +300,10 @@ def matrix(rows: Any) -> str:
     return f"[{', '.join('[' + ', '.join(map(str, row)) + ']' for row in rows)}]"
 
 
-def of_filter(numbers: Mapping[str, Any]) -> Data:
+def of_filter(numbers: Mapping[str, Any], law: str = FILTER) -> Data:
     """All that is wanted is of numbers, each of which has the sign that is seen, or is 0."""
     lines: list[Any] = [["with", f"{name} = {matrix(rows)}"] for name, rows in numbers.items()]
-    lines += [["filter", FILTER], ["claim", "K[1,1] == K[1,1]"]]
+    lines += [["filter", law], ["claim", "K[1,1] == K[1,1]"]]
     whole = certificate(*lines)
     checker = check_answer.Certificate(whole)
     for line in lines:
@@ -400,7 +400,7 @@ def test_stability_is_that_of_the_eigenvalues(size: int) -> None:
             "FHQRPK", (rows, zero, null, [["1"]], null, [["0"]] * size), strict=True
         ):
             checker.line("with", f"{name} = {matrix(a)}")
-        checker.filter()
+        checker.filter(FILTER)
         positive = all(p.get((), 0) > 0 for p, sign in checker.wanted[-5:])
         radius = max(abs(np.linalg.eigvals(np.array(rows, dtype=float))))
         if abs(radius - 1) > 1e-6:
@@ -716,3 +716,114 @@ def test_what_is_hostile_is_refused_in_a_line(
     assert len(lines[0]) < 500
     assert lines[0].isprintable()
     assert time.process_time() - start < 30
+
+
+BUCY = {"A": [[0]], "H": [[1]], "Q": [[4]], "R": [[9]], "P": [[6]], "K": [["2/3"]]}
+TWO = {
+    # x'' = w, position measured, Q = R = 1: K = [sqrt 2, 1] is no number, so with Q = 4: K = [2, 2]
+    "A": [[0, 1], [0, 0]],
+    "H": [[1, 0]],
+    "Q": [[0, 0], [0, 4]],
+    "R": [[1]],
+    "P": [[2, 2], [2, 4]],
+    "K": [[2], [2]],
+}
+
+
+@pytest.mark.parametrize(
+    ("model", "other", "accepted"),
+    [
+        (BUCY, {}, True),
+        (BUCY, {"P": [[-6]], "K": [["-2/3"]]}, False),  # the other root, which is not stable
+        (BUCY, {"K": [["3/2"]]}, False),
+        (BUCY, {"Q": [[5]]}, False),
+        (BUCY, {"R": [[-9]], "P": [[6]], "K": [["-2/3"]], "Q": [[-4]]}, False),
+        (BUCY, {"A": [[1]]}, False),
+        (BUCY, {"H": [[2]]}, False),
+        # A = -1 and no noise: K = 0, and with A = 1 the filter that does nothing is not stable
+        (BUCY, {"A": [[-1]], "Q": [[0]], "P": [[0]], "K": [[0]]}, True),
+        (BUCY, {"A": [[1]], "Q": [[0]], "P": [[0]], "K": [[0]]}, False),
+        (TWO, {}, True),
+        (TWO, {"P": [[-2, 2], [2, -4]], "K": [[-2], [2]]}, False),
+        (TWO, {"Q": [[0, 0], [0, -4]]}, False),
+        (TWO, {"Q": [[0, 1], [1, 4]]}, False),
+        (TWO, {"P": [[2, 2], [1, 4]]}, False),
+    ],
+)
+def test_in_continuous_time_only_the_stable_solution_is_the_filter(
+    model: Any, other: Any, accepted: bool
+) -> None:
+    try:
+        found = rejected(of_filter(model | other, KALMAN_BUCY))
+    except (ValueError, TypeError) as error:
+        found = str(error)
+    assert (found is None) == accepted
+
+
+def test_three_states_in_continuous_time_are_not_covered() -> None:
+    unit = [[int(i == j) for j in range(3)] for i in range(3)]
+    null = [[0] * 3] * 3
+    model = {"A": [[-e for e in row] for row in unit], "H": [[0] * 3], "Q": null, "R": [[1]]}
+    with pytest.raises((ValueError, AssertionError, TypeError)):
+        assert rejected(of_filter(model | {"P": null, "K": [[0]] * 3}, KALMAN_BUCY)) is None
+
+
+def any_gains(seed: int) -> dict[str, Any]:
+    """A filter with gains of no optimum, solved in fractions: covariance and lag by a system."""
+    source = random.Random(seed)
+    size = seed % 3 + 1
+    f = [[Fraction(int(i == j) + int(j == i + 1)) for j in range(size)] for i in range(size)]
+    k = [[Fraction(source.randint(3, 6), 10)] for _ in range(size)]
+    k = [[row[0] / 4**i] for i, row in enumerate(k)]
+    h = [[Fraction(int(j == 0)) for j in range(size)]]
+    q = [[Fraction(int(i == j == size - 1)) for j in range(size)] for i in range(size)]
+    d = [[Fraction(source.randint(-3, 3))] for _ in range(size)]
+    known = {"F": f, "H": h, "Q": q, "R": [[Fraction(2)]], "K": k, "D": d}
+    a, b = (np.array(known[name], dtype=object) for name in ("F", "K"))
+    loop = a - a.dot(b).dot(np.array(h, dtype=object))
+    noise = np.array(q, dtype=object) + 2 * a.dot(b).dot(a.dot(b).T)
+    p = solved(np.kron(loop, loop), noise.reshape(-1)).reshape(size, size)
+    lag = solved(loop, np.array(d, dtype=object).reshape(-1))
+    return known | {"P": p.tolist(), "L": [[e] for e in lag]}
+
+
+def solved(m: Any, b: Any) -> Any:
+    """x = m x + b by elimination in fractions."""
+    size = len(b)
+    rows = [[int(i == j) - m[i][j] for j in range(size)] + [b[i]] for i in range(size)]
+    for i in range(size):
+        k = next(k for k in range(i, size) if rows[k][i])
+        rows[i], rows[k] = rows[k], rows[i]
+        rows[i] = [e / rows[i][i] for e in rows[i]]
+        for k in range(size):
+            if k != i:
+                rows[k] = [x - rows[k][i] * y for x, y in zip(rows[k], rows[i], strict=True)]
+    return np.array([row[-1] for row in rows], dtype=object)
+
+
+@pytest.mark.parametrize("other", ["", "P", "L", "D", "K", "Q", "R", "F", "H", "-Q"])
+@pytest.mark.parametrize("seed", range(6))
+def test_of_any_gains_covariance_and_lag_are_steady(seed: int, other: str) -> None:
+    model = any_gains(seed)
+    loop = np.array(model["F"], dtype=float) - np.array(model["F"], dtype=float).dot(
+        np.array(model["K"], dtype=float)
+    ).dot(np.array(model["H"], dtype=float))
+    assert max(abs(np.linalg.eigvals(loop))) < 1
+    if other == "-Q":
+        model |= {"Q": [[-e for e in row] for row in model["Q"]]}
+    elif other:
+        rows = [[*row] for row in model[other]]
+        rows[0][0] += Fraction(1, 7)
+        model |= {other: rows}
+    try:
+        found = rejected(of_filter(model, GAINS))
+    except (ValueError, TypeError, AssertionError) as error:
+        found = str(error)
+    assert (found is None) == (other == "")
+
+
+def test_gains_that_are_not_stable_have_no_steady_state() -> None:
+    # P = (1 - K)^2 P + K^2 R + Q has a solution for K = 3 too, but errors double in each step
+    model = {"F": [[1]], "H": [[1]], "Q": [[3]], "R": [[1]], "K": [[3]], "P": [[-4]]}
+    with pytest.raises((ValueError, AssertionError)):
+        assert rejected(of_filter(model | {"L": [[0]], "D": [[0]]}, GAINS)) is None

@@ -19,17 +19,19 @@ from itertools import product
 from time import process_time
 from typing import Any
 
-from gainproof.verify import check_answer, check_matrices
-from gainproof.verify.judge.answer_lines import OF_MODEL, Said, Writer
+from gainproof.verify import check_answer, check_matrices, check_memory
+from gainproof.verify.judge.answer_lines import Writer
+from gainproof.verify.judge.certificate_text import OF_MODEL, Said
 from gainproof.verify.judge.exact.box import Box
 from gainproof.verify.judge.exact.calculus import rebuilt
 from gainproof.verify.judge.exact.certificate import boxes_from, statement_from
-from gainproof.verify.judge.exact.expression import Expr, symbol, symbols_of, walk
+from gainproof.verify.judge.exact.expression import Expr, number, symbol, symbols_of, walk
 from gainproof.verify.judge.exact.expression_graph import read_graph
 from gainproof.verify.judge.exact.statement import TURNED, Rel
 from gainproof.verify.judge.exact.witness import free_values
 from gainproof.verify.judge.exact.work_limits import Malformed
 from gainproof.verify.judge.matrix_certificate import matrix_certificate
+from gainproof.verify.judge.memory_certificate import memory_certificate
 
 Data = dict[str, Any]
 Graph = Mapping[str, Any]
@@ -39,11 +41,13 @@ KINDS = ("identity", "inequality", "recursion", "value")
 """Claims whose statement is what their formula says."""
 NO_SYMBOLS = re.compile(
     r"\\(?:begin|end)\s*\{\w+\}|\^\s*(?:\{\\mathsf\s*\{T\}\}|\{(?:\\mathsf\s*)?T\}|T)|\be\s*(?=\^)"
-    r"|\\(?:[dt]?frac|sqrt|left|right|[bB]igg?[lr]?|cdot|times|quad|qquad|partial|pi|[lr]vert|prime|sinh?"
+    r"|\\(?:[dt]?frac|sqrt|det|left|right|[bB]igg?[lr]?|cdot|times|quad|qquad|partial|pi|[lr]vert|prime|sinh?"
     r"|cosh?|tanh?|exp|over|approx|equiv|leq?|geq?|neq?|lt|gt|leqslant|geqslant|pm|mp)(?![a-zA-Z])"
     r"|\\(?:mathrm|mathbf|boldsymbol|displaystyle|limits)(?![a-zA-Z])|\\[^a-zA-Z]"
 )
 """What is no symbol in a formula: layout, signs, functions, transposes, Euler's number."""
+
+
 UNKEPT = "what a symbol of the formula stands for is not kept"
 OF_MATRICES = re.compile(
     r"(?<![A-Za-z\\])[IO](?:_(?:\{(?:[^{}]|\{(?:[^{}]|\{[^{}]*\})*\})*\}|\w))?|\bE\b"
@@ -93,9 +97,9 @@ def answer_certificate(claim: Mapping[str, Any], formula: str = "") -> Data:
 
 def rejected(certificate: Mapping[str, Any]) -> str | None:
     """Why the file does not accept it; None if it does."""
-    checker = check_matrices if certificate.get("format") == check_matrices.FORMAT else check_answer
+    others = {checker.FORMAT: checker for checker in (check_matrices, check_memory)}
     try:
-        checker.Certificate(certificate).decide()
+        others.get(certificate.get("format"), check_answer).Certificate(certificate).decide()
     except Exception as reason:  # noqa: BLE001  as in the file itself
         return str(reason)
     return None
@@ -122,9 +126,22 @@ def _certificate(
     def in_tokens(expr: Expr) -> Expr:
         return rebuilt(expr, lambda node, _: tokens.get(node.key))
 
-    relations = [
-        Rel(r.operator, in_tokens(r.left), in_tokens(r.right)) for r in statement.relations
-    ]
+    def defined(left: Expr, right: Expr) -> Expr:
+        """A definition that is all of the formula is kept as that."""
+        whole = meanings.get(str(left.value), left) if left.kind == "symbol" else left
+        if left.key != right.key or whole.kind in ("symbol", "number"):
+            return right
+        if several[whole.key] > 1:
+            raise NoCertificateError(f"only that it is itself is kept of {left.value}")
+        return rebuilt(whole, lambda node, _: tokens.get(node.key) if node != whole else None)
+
+    sides = [(r.operator, in_tokens(r.left), in_tokens(r.right)) for r in statement.relations]
+    keeps = "model" not in evidence
+    relations = [Rel(op, a, defined(a, b) if keeps else b) for op, a, b in sides]
+    alone = claim["latex"].partition("=")[0].strip()
+    is_number = len(sides) == 1 and relations[0].left.kind == "number"
+    if is_number and alone in evidence.get("of the filter", ()):
+        relations = [replace(relations[0], left=symbol(alone))]  # it may be the number 0
     needed = [in_tokens(expr) for expr in statement.needed]
     used = symbols_of(*needed, *(side for r in relations for side in (r.left, r.right)))
     letters = {**meanings, **{t: read_graph(g) for t, g in evidence.get("letters", {}).items()}}
@@ -133,6 +150,10 @@ def _certificate(
     used |= {token for token, expr in meanings.items() if expr.key in keys}
     others = evidence.get("other symbols", ())
     used |= {token for token in others if symbols_of(meanings[token]) <= {*boxes}}
+    shown = symbols_of(*(letters[token] for token in used & letters.keys()))
+    for token in evidence.get("of the filter", ()):
+        if any(OF_MODEL.fullmatch(n) and n in shown for n in symbols_of(letters[token])):
+            used |= {token}  # by what other symbols are defined
     letters = {
         token: expr
         for token, expr in letters.items()
@@ -147,8 +168,7 @@ def _certificate(
         if not any(OF_MODEL.fullmatch(name) for name in symbols_of(letters[token])):
             raise NoCertificateError(f"that {token} is of the filter is not kept")
     of_filter = {meanings[token].key for token in evidence.get("of the filter", ())}
-    sides = [side for r in statement.domain for side in (r.left, r.right)]
-    if any(node.key in of_filter for node in walk(*sides)):
+    if any(node.key in of_filter for r in statement.domain for node in walk(r.left, r.right)):
         raise NoCertificateError("a condition on quantities of the filter")
     model: dict[str, list[list[Expr]]] = {}
     if any(OF_MODEL.fullmatch(name) for name in symbols_of(*letters.values())):
@@ -158,30 +178,46 @@ def _certificate(
         }
         boxes = {**boxes_from(evidence["domain of the model"]), **boxes}
     entries = [entry for rows in model.values() for row in rows for entry in row]
-    spoken = symbols_of(*statement.exprs(), *letters.values(), *entries)
+    asked = statement.exprs()
+    if "region" in model:  # of gains, in which coordinates are not kept
+        asked = tuple(side for r in relations for side in (r.left, r.right)) + tuple(needed)
+    spoken = symbols_of(*asked, *letters.values(), *entries) - letters.keys()
     boxes = {name: boxes[name] for name in sorted(spoken) if not OF_MODEL.fullmatch(name)}
+    if "region" in model and any(name.startswith("step.") for name in spoken):
+        raise NoCertificateError("a part of the formula in coordinates of the gains")
+    if "region" in model and claim["verdict"] == "proved" and "stable" not in claim["domain"]:
+        raise NoCertificateError("gains that are not stable too")
+    region, inside = (model.pop(name, [[]])[0] for name in ("region", "inside"))
     names = [labels.get(name, name) for name in boxes]
+    functions = _functions(claim["latex"], evidence.get("functions", {}))
+    given = [_turned(r) for r in statement.domain]
+    given += [r for e in region if (r := Rel(">", e, number(0))) not in given]
     said = Said(
         typed=claim["typed"],
         # the statement is that under the first convention
         convention=(claim["convention"] or "").removeprefix("any of: ").partition("; ")[0],
         partial=any(word in (claim["domain"] or "") for word in PARTIAL),
         boxes={labels.get(name, name): box for name, box in boxes.items()},
-        given=tuple(_turned(r) for r in statement.domain),
+        given=given,
         model=model,
         letters=letters,
         relations=tuple(relations),
         needed=tuple(needed),
         labels=labels,
+        functions=[*functions.values()],
     )
-    for rel in relations if not model else ():
-        meant = letters.get(str(rel.left.value), rel.left) if rel.left.kind == "symbol" else None
-        if rel.left.key == rel.right.key and meant and meant.kind not in ("symbol", "number"):
-            raise NoCertificateError(f"only that it is itself is kept of {rel.left.value}")
-    if left := unexplained(claim["latex"], (*said.boxes, *said.letters)):
+    if left := unexplained(claim["latex"], (*said.boxes, *said.letters, *functions)):
         raise NoCertificateError(f"{UNKEPT}: {left}")
     refutes = claim["verdict"] == "refuted"
-    points = _inner_points(said.boxes)
+    if "N" in model:
+        if refutes:
+            raise NoCertificateError("what is false of a memory")
+        return memory_certificate(said)
+    gains = {labels.get(f"filter_gain.{i}", f"filter_gain.{i}"): e for i, e in enumerate(inside, 1)}
+    points: Iterator[dict[str, str]] = (
+        point | {name: str(e.value) for name, e in gains.items()}
+        for point in _inner_points(said.boxes)
+    )
     if refutes:
         points = _points((claim["evidence"]["witness"] or {}).get("point", {}), boxes, names)
     reason, latest = "no point was found", process_time() + SECONDS
@@ -197,6 +233,21 @@ def _certificate(
         except ValueError as error:
             reason = str(error)
     raise ValueError(reason)
+
+
+def _functions(latex: str, defined: Mapping[str, str]) -> dict[str, str]:
+    """Those that a formula calls, and that these call, by their definitions."""
+    called: dict[str, str] = {}
+    while True:
+        text = " ".join([latex, *called.values()])
+        more = {
+            name: said
+            for name, said in defined.items()
+            if name not in called and re.search(rf"(?<![A-Za-z_\\]){re.escape(name)}\(", text)
+        }
+        if not more:
+            return called
+        called |= more
 
 
 PARTIAL = "has a value", "not zero", "!="
@@ -253,9 +304,11 @@ def _inner_points(boxes: Mapping[str, Box]) -> Iterator[dict[str, str]]:
 def _points(
     witness: Mapping[str, str], boxes: Mapping[str, Box], names: Sequence[str]
 ) -> Iterator[dict[str, str]]:
-    """That of the witness if it is in these variables and rational, then simple ones."""
-    with contextlib.suppress(KeyError, ValueError):  # it may be told in other variables
-        yield {name: str(Fraction(witness[name])) for name in names}
+    """That of the witness if it is rational, 1 for what it does not tell; then simple ones."""
+    with contextlib.suppress(ValueError):  # it may be told in other variables, or be no number
+        told = {name: str(Fraction(witness[name])) for name in names if name in witness}
+        if told:
+            yield {name: told.get(name, "1") for name in names}
     for values in free_values(tuple(boxes), boxes):
         yield _named(names, values)
 

@@ -1,90 +1,46 @@
-"""Statements as lines of a certificate, with symbols as the file `check_answer.py` names them."""
+"""Statements as lines of a certificate, with their proof, as `check_answer.py` reads them."""
 
 from __future__ import annotations
 
 import ast
-import re
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass
 from fractions import Fraction
-from keyword import iskeyword
 from typing import Any
 
 from gainproof.verify import check_answer
 from gainproof.verify.check_answer import VALUE, ZERO, Poly
 from gainproof.verify.judge.answer_polynomials import pair, text_of
 from gainproof.verify.judge.answer_proof import Proof
+from gainproof.verify.judge.certificate_text import ATOM, PRODUCT, SUM, Said, Text
 from gainproof.verify.judge.exact.box import Box
 from gainproof.verify.judge.exact.expression import Expr, symbols_of, walk
 from gainproof.verify.judge.exact.statement import Rel
 from gainproof.verify.judge.exact.work_limits import Malformed
 
-OF_MODEL = re.compile(r"[PKSX]\[\d,\d\]")
-"""Entries of a filter's matrices, as the file names them."""
 PI = "245850922/78256779", 10**15
 """A number, and how many parts of 1: it is closer to pi than one of them."""
-SUM, PRODUCT, POWER, ATOM = 0, 1, 2, 3
-"""How tightly the last operation of a text binds."""
 
 
-@dataclass(frozen=True)
-class Said:
-    """A statement, with variables as the source calls them where they have a label."""
-
-    typed: str
-    """The formula as it was typed."""
-    convention: str
-    partial: bool
-    """Whether the domain of the verdict is where its parts have values."""
-    boxes: Mapping[str, Box]
-    """The ranges of the variables."""
-    given: Sequence[Rel]
-    """Conditions beside the ranges."""
-    model: Mapping[str, Sequence[Sequence[Expr]]]
-    """F, H, Q, R, P, K of a filter; empty where the formula is of none."""
-    letters: Mapping[str, Expr]
-    """What other symbols of the source stand for."""
-    relations: Sequence[Rel]
-    """What is claimed; if it is refuted, one of it."""
-    needed: Sequence[Expr]
-    """Parts of the formula, no longer in the relations, that have to have a value."""
-    labels: Mapping[str, str]
-    """Names of variables in the judge, and in the source."""
-
-
-class Writer:
+class Writer(Text):
     """A statement as lines with their proof, at a point of its domain."""
 
     def __init__(self, said: Said, point: Mapping[str, str], refutes: bool, latest: float) -> None:
-        self.said, self.point, self.refutes = said, point, refutes
+        own = {*check_answer.FUNCTIONS, "pi", "S", "X", *said.model}
+        super().__init__(said, own)
+        self.point, self.refutes = point, refutes
         self.first = ""
-        self.names: dict[str, str] = {}
-        self.texts: dict[bytes, tuple[str, int]] = {}
-        self.parts = 0
         self.later: list[str] = []
-        for token in sorted((*said.boxes, *said.letters), key=lambda token: "[" in token):
-            self.name(token)
         called = {self.names[n]: pair(Fraction(v)) for n, v in point.items()}
         self.proof = Proof(({} if refutes else called) | {"pi": pair(Fraction(PI[0]))}, latest)
 
-    def name(self, token: str) -> str:
-        """How the file calls a symbol."""
-        if token not in self.names:
-            plain = re.sub("[^A-Za-z0-9]+", "_", token.replace("'", "_prime")).strip("_")
-            plain = plain if plain[:1].isalpha() else f"x_{plain}"
-            if "[" in token and plain in self.names.values():
-                plain = f"entry_of_{plain}"  # D[1, 2] beside a number D_{1,2}
-            taken = {*self.names.values(), *check_answer.FUNCTIONS, "pi", "S", "X"}
-            taken |= {*"FHQRPK"} if self.said.model else set()
-            while plain in taken or iskeyword(plain) or re.fullmatch(r"part\d+", plain):
-                plain += "_"
-            self.names[token] = plain
-        return self.names[token]
+    def say(self, title: str, text: str) -> None:
+        self.proof.say(title, text)
 
     def written(self) -> dict[str, Any]:
         """Format apart. Raises ValueError where something is not shown."""
         proof, said = self.proof, self.said
-        proof.say("typed", said.typed)
+        for text in (said.typed, *said.functions):
+            proof.say("typed", " ".join(text.split()))
         if said.convention:
             proof.say("convention", " ".join(said.convention.split()))
         for token, plain in self.names.items():
@@ -198,10 +154,12 @@ class Writer:
         if not self.said.model:
             return
         proof = self.proof
-        for name in "FHQRPK":
-            rows = [", ".join(self.text(e) for e in row) for row in self.said.model[name]]
+        for name, matrix in self.said.model.items():
+            rows = [", ".join(self.text(e) for e in row) for row in matrix]
             proof.say("with", f"{name} = [{', '.join(f'[{row}]' for row in rows)}]")
-        proof.say("filter", check_answer.FILTER)
+        laws = {"A": check_answer.KALMAN_BUCY, "L": check_answer.GAINS}
+        law = next((laws[name] for name in laws if name in self.said.model), check_answer.FILTER)
+        proof.say("filter", law)
 
     def box(self, name: str, box: Box) -> None:
         if box.lower is not None:
@@ -218,61 +176,6 @@ class Writer:
             self.proof.say("where", text)
         else:
             self.later.append(text)
-
-    def relation(self, rel: Rel) -> str:
-        left, right = self.text(rel.left), self.text(rel.right)
-        if rel.operator in ("<", "<="):
-            left, right = right, left
-        operator = {"=": "==", "<": ">", "<=": ">="}.get(rel.operator, rel.operator)
-        return f"{left} {operator} {right}"
-
-    # expressions as text
-
-    def text(self, expr: Expr) -> str:
-        for node in walk(expr):
-            if node.key not in self.texts:
-                text, level = self.node(node, [self.texts[part.key] for part in node.parts])
-                if len(text) > 120:
-                    self.parts += 1
-                    self.proof.say("with", f"part{self.parts} = {text}")
-                    text, level = f"part{self.parts}", ATOM
-                self.texts[node.key] = text, level
-        return self.texts[expr.key][0]
-
-    def node(self, node: Expr, parts: Sequence[tuple[str, int]]) -> tuple[str, int]:
-        match node.kind:
-            case "number":
-                value = Fraction(str(node.value))
-                return str(value), SUM if value < 0 else PRODUCT if value.denominator > 1 else ATOM
-            case "symbol":
-                name = str(node.value)
-                if OF_MODEL.fullmatch(name):
-                    return name, ATOM
-                return self.name(self.said.labels.get(name, name)), ATOM
-            case "add":
-                text = parts[0][0]
-                for part, _ in parts[1:]:
-                    text += f" - {part[1:]}" if part[0] == "-" else f" + {part}"
-                return text, SUM
-            case "mul":
-                return "*".join(_bracketed(part, PRODUCT) for part in parts), PRODUCT
-            case "neg":
-                return f"-{_bracketed(parts[0], PRODUCT)}", SUM
-            case "div":
-                return f"{_bracketed(parts[0], PRODUCT)}/{_bracketed(parts[1], ATOM)}", PRODUCT
-            case "pow":
-                e = Fraction(str(node.value))
-                if e.denominator > 2:
-                    raise Malformed(f"not known: a power {e}")
-                base = _bracketed(parts[0], ATOM)
-                base = base if e.denominator == 1 else f"sqrt({parts[0][0]})"
-                text = base if abs(e) in (1, Fraction(1, 2)) else f"{base}**{abs(e.numerator)}"
-                return (
-                    (text, POWER) if e > 0 else (f"1/{_bracketed((text, POWER), POWER)}", PRODUCT)
-                )
-            case "call":
-                return self.function(node.name, parts)
-        raise Malformed(f"not known: {node.kind}")
 
     def function(self, name: str, parts: Sequence[tuple[str, int]]) -> tuple[str, int]:
         """Of an argument whose first term is positive."""
@@ -291,8 +194,3 @@ class Writer:
             return f"cos({text})", ATOM
         sine = f"sin({text})" if name == "sin" else f"sin({text})/cos({text})"
         return (f"-{sine}", SUM) if negative else (sine, PRODUCT)
-
-
-def _bracketed(part: tuple[str, int], least: int) -> str:
-    text, level = part
-    return text if level >= least else f"({text})"

@@ -96,6 +96,10 @@ class Proof(Polynomials):
         if all(kind != "real" for kind, _ in self.checker.letters.values()):
             return self.shows(p, ">", [])
         sign = ">" if strict else ">="
+        for root, (sort, inner) in self.checker.letters.items() if strict else ():
+            positive = self.fact(letter(root), ">") if sort == "sqrt" and inner == p else None
+            if positive is not None and (square := self.relation(root)[1]) is not None:
+                return self.shows(p, sign, [[[1], [positive, positive]], [[-1], [square]]])
         name = self.eliminable(p)
         kind, number, relation = self.relation(name) if name else ("", None, ZERO)
         if name and kind == "over":

@@ -123,6 +123,7 @@ def with_conventions(environment: Environment, chosen: Chosen) -> Environment:
         before = {SAMPLE: symbol(SAMPLE) - 1}
         quantities = _replaced(quantities, before) | {SAMPLE: symbol(SAMPLE)}
         continued = _replaced(continued, before)
+        model = {**model, "first": ((number(1),),)} if model else model
     if chosen.noise == "ratio":
         quantities = _replaced(quantities, {DEVIATION: number(1)})
         model = {

@@ -11,13 +11,14 @@ from urllib.parse import quote
 
 from gainproof.bad_input import BadInputError
 from gainproof.files import atomic_file, places
-from gainproof.verify import check_matrices
+from gainproof.verify import check_matrices, check_memory
 from gainproof.verify.judge.answer_certificate import NoCertificateError, answer_certificate
 
 WITHOUT = "without.txt"
 """In a folder of certificates: claims that have none, and why."""
 DECIDED = "decided by `python -m gainproof.verify.check_answer`, or a copy of it"
-MATRICES = DECIDED.replace("check_answer", "check_matrices")
+OTHERS = {check_matrices.FORMAT: "check_matrices", check_memory.FORMAT: "check_memory"}
+"""Other files by the format of what they decide."""
 
 
 def certificate_text(claim: Mapping[str, Any], formula: str = "") -> str:
@@ -66,9 +67,9 @@ def write_folder(folder: Path, judged: Sequence[Mapping[str, Any]]) -> str:
         for sort, count in sorted(settled.items(), key=lambda item: (-item[1], item[0]))
     ]
     total = f"certificates: {sum(written.values())} of {sum(settled.values())} settled claims"
-    matrices = f"those about matrices of any size {MATRICES}"
     head = f"{total}, in {places.shown(folder)}; by verdict and kind:"
-    return "\n".join([head, *lines, DECIDED, matrices])
+    others = "those about matrices of any size by check_matrices, about memories by check_memory"
+    return "\n".join([head, *lines, f"{DECIDED};", others])
 
 
 def write_one(name: str, claim: Mapping[str, Any], formula: str) -> str:
@@ -79,5 +80,8 @@ def write_one(name: str, claim: Mapping[str, Any], formula: str) -> str:
     except NoCertificateError as reason:
         raise BadInputError(f"no certificate: {reason}") from None
     write(path, text)
-    decided = MATRICES if f'"{check_matrices.FORMAT}"' in text[:80] else DECIDED
+    other = next(
+        (file for name, file in OTHERS.items() if f'"{name}"' in text[:80]), "check_answer"
+    )
+    decided = DECIDED.replace("check_answer", other)
     return f"certificate: {places.shown(path)}, {decided}"

@@ -6,9 +6,12 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
+from fractions import Fraction
+from math import factorial
 
 from gainproof.verify.judge.exact.box import Box
 from gainproof.verify.judge.exact.calculus import substituted
+from gainproof.verify.judge.exact.constant_value import constant_value
 from gainproof.verify.judge.exact.expression import Expr, add, number, power, symbol, whole_power
 from gainproof.verify.judge.exact.polynomial import Poly, fraction, terms
 from gainproof.verify.judge.fixed_gain.closed_loop import Loop, closed_loop, steps_of_gains
@@ -89,12 +92,53 @@ def fixed_gain(model: GainModel) -> Environment:
     facts = loop_facts()
     plain = _environment(parts, model, lambda expr: expr, loop.gains)
     charted = _environment(parts, model, _over_steps(loop), loop.steps)
-    charted = replace(charted, facts=(*facts, *chart_facts(loop)))
+    matrices = _matrices(loop, model, plain.quantities)
+    charted = replace(charted, facts=(*facts, *chart_facts(loop)), model=matrices)
     boxes = dict.fromkeys(loop.gains, ANY_REAL)
     region = StableRegion(
         loop.region, (*STEADY, *LAGS), loop.gains, loop.steps, steps_of_gains(loop), charted
     )
-    return replace(plain, boxes={**plain.boxes, **boxes}, facts=facts, region=region)
+    boxes = {**plain.boxes, **boxes}
+    return replace(plain, boxes=boxes, facts=facts, region=region, model=matrices)
+
+
+def _matrices(
+    loop: Loop, model: GainModel, quantities: Mapping[str, Expr]
+) -> dict[str, Sequence[Sequence[Expr]]]:
+    """The filter over its gains, in the source's units: D is what a motion of the order of the
+    number of states adds, L the lag of the prediction; `region` is positive where it is stable, and
+    `inside` are gains there.
+    """
+    size = range(loop.size)
+    zero, motion = number(0), symbol(f"target_motion.{loop.size}")
+    f, pairs = loop.transition, model.noise
+
+    def scaled(value: Fraction, exponent: int) -> Expr:
+        unit = _scale(exponent)
+        return zero if not value else unit if value == 1 else number(value) * unit
+
+    gains = [symbol(name) for name in loop.gains]
+    ones = {name: number(1) for name in loop.steps}
+    inside = [constant_value(substituted(e, ones)) for e in dict(loop.chart).values()]
+    lags = [quantities.get(f"predicted_lag.{i + 1}.{loop.size}", zero) for i in size]
+    driven = [
+        number(Fraction(1, factorial(loop.size - i))) * motion * _scale(loop.size - i) for i in size
+    ]
+    return {
+        "F": tuple(tuple(scaled(f[i][j], j - i) for j in size) for i in size),
+        "H": (tuple(scaled(loop.measurement[j], j) for j in size),),
+        "Q": tuple(tuple(pairs.get((min(i, j), max(i, j)), zero) for j in size) for i in size),
+        "R": ((power(symbol(DEVIATION), 2),),),
+        "P": tuple(
+            tuple(quantities[f"predicted_covariance.{i + 1}.{j + 1}"] for j in size) for i in size
+        ),
+        "K": tuple((gain * _scale(-i) if i else gain,) for i, gain in enumerate(gains)),
+        "L": tuple((lag,) for lag in lags),
+        "D": tuple((value,) for value in driven),
+        "units": (tuple(_scale(i) for i in size),),
+        "region": (tuple(rel.left for rel in loop.region),),
+        "inside": (tuple(number(v) for v in inside if v is not None),),
+    }
 
 
 def _over_steps(loop: Loop) -> Change:

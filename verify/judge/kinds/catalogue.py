@@ -114,30 +114,39 @@ def symbols_data(scope: Scope) -> dict[str, Any]:
     meanings, environment = _meanings(scope), scope.environment
     used = {token: value for token, value in scope.used.items() if isinstance(value, Expr)}
     several = Counter(value.key for value in used.values())
+    others = {
+        token: value
+        for token, value in used.items()
+        if token not in meanings and (value.kind != "symbol" or several[value.key] > 1)
+    }
+    symbols = scope.setting.symbols
+    for token, matrix in scope.used.items():
+        named = symbols[token].role == "quantity" or token in environment.assigned
+        if not named and not isinstance(matrix, Expr) and len(entries(matrix)) <= MOST_ENTRIES:
+            for i, row in enumerate(matrix, 1):
+                others |= {f"{token}[{i}, {j}]": e for j, e in enumerate(row, 1)}
     found: dict[str, Any] = {}
     if meanings:
         parameters = {expr.key for expr in common_quantities().values()}
         found["quantities"] = {token: graph_of(expr) for token, expr in meanings.items()}
-        found |= model_data(environment, meanings)
+        quantities = {token: symbols[token].quantity or "" for token in meanings}
+        found |= model_data(environment, {**meanings, **others}, quantities)
         found["of the filter"] = [
             token
             for token, expr in meanings.items()
             if token not in environment.assigned and expr.key not in parameters
         ]
-    others = {
-        token: graph_of(value)
-        for token, value in used.items()
-        if token not in meanings and (value.kind != "symbol" or several[value.key] > 1)
-    }
-    symbols = scope.setting.symbols
     means = [token for token in scope.used if "expectation" in definition_uses(symbols[token])]
     found |= {"means": means} if means else {}
-    for token, value in scope.used.items():
-        named = symbols[token].role == "quantity" or token in environment.assigned
-        if not named and not isinstance(value, Expr) and len(entries(value)) <= MOST_ENTRIES:
-            for i, row in enumerate(value, 1):
-                others |= {f"{token}[{i}, {j}]": graph_of(e) for j, e in enumerate(row, 1)}
-    return {**found, "other symbols": others} if others else found
+    functions = {
+        token: entry.definition.latex
+        for token, entry in symbols.items()
+        if entry.arguments and entry.definition is not None
+    }
+    found |= {"functions": functions} if functions else {}
+    if others:
+        found["other symbols"] = {token: graph_of(value) for token, value in others.items()}
+    return found
 
 
 def _meanings(scope: Scope) -> dict[str, Expr]:

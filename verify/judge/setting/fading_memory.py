@@ -44,10 +44,13 @@ THETA = symbol(WEIGHT)
 class FadingMemory:
     """In units T = 1, measurement noise variance 1; expressions of theta. Lags are those of a
     target whose derivative of the order of the number of states is 1; `closed_loop` are the
-    coefficients of z^0 and so on in the polynomial of the poles.
+    coefficients of z^0 and so on in the polynomial of the poles; `information` is J, `squared` N.
     """
 
     transition: Exprs
+    information: Exprs
+    inverse: Exprs
+    squared: Exprs
     gain: tuple[Expr, ...]
     updated: Exprs
     predicted: Exprs
@@ -105,7 +108,10 @@ def fading_memory(degree: int) -> FadingMemory:
             minus(tuple((e,) for e in updated_lag), after),
         ),
     )
-    return FadingMemory(f, gain, updated, predicted, updated_lag, predicted_lag, closed, facts)
+    matrices = f, j, back, other
+    return FadingMemory(
+        *matrices, gain, updated, predicted, updated_lag, predicted_lag, closed, facts
+    )
 
 
 def _power_sums(count: int) -> list[Expr]:

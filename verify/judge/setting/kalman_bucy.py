@@ -118,7 +118,9 @@ def kalman_bucy(setting: Setting) -> Environment:
         for i in range(len(gain))
         for j in range(len(gain))
     }
-    return Environment("a Kalman-Bucy filter", quantities, facts=facts, rests=said)
+    units = (tuple(ONE for _ in gain),)
+    model = {"A": a, "H": h, "Q": q, "R": r, "P": covariance, "K": gain, "units": units}
+    return Environment("a Kalman-Bucy filter", quantities, facts=facts, rests=said, model=model)
 
 
 def _said(scope: Scope) -> tuple[Rel, ...]:

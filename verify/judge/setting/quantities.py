@@ -23,7 +23,7 @@ from gainproof.verify.judge.exact.expression import (
     whole_power,
 )
 from gainproof.verify.judge.exact.graph_writing import graph_of
-from gainproof.verify.judge.exact.statement import Statement
+from gainproof.verify.judge.exact.statement import Rel, Statement
 from gainproof.verify.judge.exact.work_limits import Undecided
 from gainproof.verify.judge.setting.environment import (
     ANY_REAL,
@@ -36,9 +36,17 @@ from gainproof.verify.judge.setting.environment import (
     Environment,
 )
 from gainproof.verify.judge.setting.fading_memory import WITHIN, fading_memory
-from gainproof.verify.judge.setting.growing_memory import first, growing_memory
-from gainproof.verify.judge.setting.matrices import Exprs, model_matrices, times, transposed
+from gainproof.verify.judge.setting.growing_memory import first, growing_memory, taylor
+from gainproof.verify.judge.setting.matrices import (
+    Exprs,
+    exprs,
+    minus,
+    model_matrices,
+    times,
+    transposed,
+)
 from gainproof.verify.judge.setting.steady_state import SteadyState, solve
+from gainproof.verify.judge.setting.steady_state_conditions import characteristic
 
 T, SIGMA = symbol(INTERVAL), symbol(DEVIATION)
 POLYNOMIALS = ("mean", "line", "parabola", "cubic")
@@ -115,34 +123,38 @@ def _model(model: Mapping[str, Any], quantities: Mapping[str, Expr]) -> dict[str
     }
 
 
-def model_data(environment: Environment, meanings: Mapping[str, Expr]) -> dict[str, Any]:
-    """The matrices of a steady state as graphs, and what symbols of the source stand for in terms
-    of gain K, covariances P and X = P - K H P, and innovation variance S; empty without a model.
+def model_data(
+    environment: Environment, meanings: Mapping[str, Expr], named: Mapping[str, str]
+) -> dict[str, Any]:
+    """The matrices of a filter as graphs, and what symbols of the source stand for in terms of gain
+    K, covariances P and X, innovation variance S and lag L; empty without a model. `named` are the
+    quantities that symbols are.
     """
     if not environment.model:
         return {}
-    quantities, size = environment.quantities, len(environment.model["F"])
-    known = {quantities["innovation_variance"].key: symbol("S[1,1]")}
-    columns = [symbol(f"K[{i + 1},1]") for i in range(size)]
-    for i, unit in enumerate(environment.model["units"][0]):
-        gain = mul(columns[i], unit) if i else columns[i]
-        known[quantities[f"filter_gain.{i + 1}"].key] = gain
-        row = environment.model["F"][i]
-        moved = add(*(mul(f, k) for f, k in zip(row, columns, strict=True)), number(0))
-        known.setdefault(quantities[f"predictor_gain.{i + 1}"].key, mul(moved, unit))
-        for j in range(size):
-            for name, which in (("P", "predicted"), ("X", "updated")):
-                entry = quantities[f"{which}_covariance.{i + 1}.{j + 1}"]
-                known.setdefault(entry.key, symbol(f"{name}[{i + 1},{j + 1}]"))
+    known = _of_matrices(environment)
     letters = {
         token: rebuilt(expr, lambda node, _: known.get(node.key))
         for token, expr in meanings.items()
     }
+    model = {name: rows for name, rows in environment.model.items() if name != "units"}
+    if "L" in model:
+        lags = {
+            t: name.split(".")[1:] for t, name in named.items() if name.startswith("predicted_lag")
+        }
+        orders = {order for _, order in lags.values()}
+        if orders != {str(len(model["L"]))}:
+            # beside no motion, or one that the states follow, there is no lag
+            model |= dict.fromkeys("LD", ((number(0),),) * len(model["L"]))
+        if len(orders) == 1 and int(min(orders)) <= len(model["L"]):
+            letters |= {token: symbol(f"L[{i},1]") for token, (i, _) in lags.items()}
     if all(letters[token] == expr for token, expr in meanings.items()):
         return {}
-    model = {name: rows for name, rows in environment.model.items() if name != "units"}
-    entries = [entry for rows in environment.model.values() for row in rows for entry in row]
-    boxes = {name: environment.boxes[name] for name in symbols_of(*entries)}
+    entries = [entry for rows in model.values() for row in rows for entry in row]
+    names = symbols_of(*entries)
+    boxes = {n: ANY_REAL for n in names if n.startswith("filter_gain.")}
+    boxes |= {n: POSITIVE for n in names if Rel(">", symbol(n), number(0)) in environment.rests}
+    boxes |= {n: box for n, box in environment.boxes.items() if n in names}
     return {
         "model": {
             name: [[graph_of(entry) for entry in row] for row in rows]
@@ -151,6 +163,42 @@ def model_data(environment: Environment, meanings: Mapping[str, Expr]) -> dict[s
         "domain of the model": statement_data(Statement(()), boxes, None, {})["domain"],
         "letters": {token: graph_of(expr) for token, expr in letters.items()},
     }
+
+
+def _of_matrices(environment: Environment) -> dict[bytes, Expr]:
+    """Entries of K, P, X and S for the quantities that they are, by the keys of these."""
+    quantities, model = environment.quantities, environment.model
+    (units,) = model["units"]
+    size = range(len(units))
+    columns = [symbol(f"K[{i + 1},1]") for i in size]
+    gains = [
+        mul(k, unit) if i else k for i, (k, unit) in enumerate(zip(columns, units, strict=True))
+    ]
+    entries = {f"filter_gain.{i + 1}": gain for i, gain in enumerate(gains)}
+    if "A" in model:
+        entries = {f"continuous_gain.{i + 1}": gain for i, gain in enumerate(gains)}
+    elif "R" in model:
+        entries["innovation_variance"] = symbol("S[1,1]")
+    if "F" in model:
+        f, h = (tuple(map(tuple, model[name])) for name in "FH")
+        for i, unit in enumerate(units):
+            moved = add(*(mul(e, k) for e, k in zip(f[i], columns, strict=True)), number(0))
+            entries[f"predictor_gain.{i + 1}"] = mul(moved, unit)
+    covariances = {"predicted_covariance": "P", "updated_covariance": "X", "covariance": "P"}
+    if "n" in model:
+        del covariances["predicted_covariance"]  # of another sample than the matrices
+    for which, name in covariances.items():
+        places = [(i + 1, j + 1) for i in size for j in size]
+        entries |= {f"{which}.{i}.{j}": symbol(f"{name}[{i},{j}]") for i, j in places}
+    if "F" in model and len(h) == 1:
+        kept = minus(exprs(taylor(len(size), 0)), times(tuple((k,) for k in columns), h))
+        for j, value in enumerate(characteristic(times(f, kept))):
+            entries[f"closed_loop_coefficient.{j}"] = value
+    found: dict[bytes, Expr] = {}
+    for name, entry in entries.items():
+        if name in quantities and quantities[name].kind != "number":
+            found.setdefault(quantities[name].key, entry)
+    return found
 
 
 def memory(degree: int) -> Environment:
@@ -175,7 +223,9 @@ def memory(degree: int) -> Environment:
     }
     continued = {f"filter_gain.{i + 1}": gain for i, gain in enumerate(fit.continued_gain)}
     name = f"least squares, {POLYNOMIALS[degree]}"
-    return Environment(name, quantities, boxes, SAMPLE, fit.facts, missing, continued)
+    sums = {"N": fit.information, "V": fit.updated}
+    model = _fitted_model(fit.transition, sums, n=symbol(SAMPLE))
+    return Environment(name, quantities, boxes, SAMPLE, fit.facts, missing, continued, model=model)
 
 
 def fading(degree: int) -> Environment:
@@ -199,7 +249,39 @@ def fading(degree: int) -> Environment:
     boxes = {WEIGHT: WITHIN, f"target_motion.{size}": ANY_REAL, **base_boxes(size)}
     missing = {INDEX: "a fading memory has no tracking index"}
     name = f"fading memory, {POLYNOMIALS[degree]}"
-    return Environment(name, quantities, boxes, WEIGHT, fit.facts, missing)
+    sums = {"N": fit.information, "V": fit.inverse, "Z": fit.squared}
+    model = _fitted_model(fit.transition, sums, w=symbol(WEIGHT))
+    return Environment(name, quantities, boxes, WEIGHT, fit.facts, missing, model=model)
+
+
+def _fitted_model(
+    transition: Exprs, sums: Mapping[str, Exprs], **parameter: Expr
+) -> dict[str, Exprs]:
+    """Sums of squares N (with the weight squared Z) and the inverse V of N in the source's units,
+    the variance r of a sample, and the parameter; `units` of the gains.
+    """
+    states = range(len(transition))
+
+    def scaled(rows: Exprs, sign: int) -> Exprs:
+        return tuple(
+            tuple(_times(rows[i][j], whole_power(T, sign * (i + j))) for j in states)
+            for i in states
+        )
+
+    return {
+        "F": tuple(
+            tuple(
+                _times(transition[i][j], whole_power(T, j - i)) if j >= i else number(0)
+                for j in states
+            )
+            for i in states
+        ),
+        "H": first(len(transition)),
+        **{name: scaled(rows, -1 if name == "V" else 1) for name, rows in sums.items()},
+        "r": ((power(SIGMA, 2),),),
+        **{name: ((value,),) for name, value in parameter.items()},
+        "units": (tuple(whole_power(T, i) for i in states),),
+    }
 
 
 def _fitted(
