@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import sympy as sp
 
-from gainproof.derive.quantity import METRE, SAMPLING_INTERVAL, Unit
+from gainproof.derive.model_checks import require_written_well
+from gainproof.derive.quantity import SAMPLING_INTERVAL, Unit
 from gainproof.derive.state_space import Model, ModelError, Parameter, Ratio, ScaledModel
 
 __all__ = [
@@ -16,7 +17,6 @@ __all__ = [
     "noise_at_zero_frequency",
     "scale",
     "unit_length",
-    "units_checked",
 ]
 
 
@@ -26,9 +26,10 @@ def scale(model: Model) -> ScaledModel:
     One unit of a state or measurement of unit m^a s^b is sigma_v^a T^b: the scaling is read off the
     units, and so is each ratio.
 
-    Raises ModelError when a scaled matrix still depends on a quantity.
+    Raises ModelError for a model that is not written well, and when a scaled matrix still depends
+    on a quantity.
     """
-    units_checked(model)
+    require_written_well(model)
     states = tuple(unit_length(model, unit) for unit in model.state_units)
     measurements = tuple(unit_length(model, unit) for unit in model.measurement_units)
     forward = sp.diag(*states)
@@ -83,26 +84,6 @@ def unit_length(model: Model, unit: Unit) -> sp.Expr:
     """One unit of a quantity once T and the reference deviation are 1."""
     step, deviation = SAMPLING_INTERVAL.symbol, model.deviation.symbol
     return deviation ** sp.Rational(unit.metre) * step ** sp.Rational(unit.second)
-
-
-def units_checked(model: Model) -> None:
-    """Raise ModelError unless there is a unit for each state and measurement, and a reference."""
-    if model.deviation.unit != METRE:
-        raise ModelError(
-            f"model {model.name}: the reference deviation should be a length, "
-            f"{model.deviation.name} has the unit {model.deviation.unit}; of an angle or anything "
-            "else write METRE instead of its unit, also in those of the states: gains and "
-            "kernels are numbers without units, and stay what they are"
-        )
-    for label, units, size in (
-        ("state", model.state_units, model.transition.rows),
-        ("measurement", model.measurement_units, model.measurement.rows),
-    ):
-        if len(units) != size:
-            raise ModelError(
-                f"model {model.name}: a unit for each of {size} entries of the {label} is wanted, "
-                f"there are {len(units)}"
-            )
 
 
 def _measurement_noise(model: Model, seen: sp.MatrixBase) -> sp.MatrixBase:

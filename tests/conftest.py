@@ -8,6 +8,7 @@ import sys
 from collections.abc import Iterator
 from functools import cache
 
+import forked_children
 import kept_processes
 import one_of_each
 import pytest
@@ -21,7 +22,7 @@ from gainproof.pages import citing
 from gainproof.verify.judge.claim import file
 
 AS_ASKED = sys.dont_write_bytecode
-COLLECTED = 20_000
+COLLECTED = 100_000
 """New objects after which cycles are looked for. What tests derive is kept for others, and there is
 much of it: after every 700, as is usual, looking took an eighth of the time.
 """
@@ -86,8 +87,9 @@ def shared_cache(tmp_path_factory: pytest.TempPathFactory) -> Iterator[None]:
         changed.setattr(citing, "read_claim_text", read_once)
         keeper = kept_processes.Keeper()
         changed.setattr(workers, "Process", keeper.process())
-        yield
-        keeper.close()
+        with forked_children.forked():
+            yield
+            keeper.close()
 
 
 @pytest.fixture(scope="session")

@@ -5,7 +5,8 @@ from __future__ import annotations
 import sympy as sp
 
 from gainproof.derive.any_two_state.domain import shown
-from gainproof.derive.model import Model, ModelError, ScaledModel, unit_length, units_checked
+from gainproof.derive.model import Model, ModelError, ScaledModel, unit_length
+from gainproof.derive.model_checks import require_units
 from gainproof.derive.quantity import SAMPLING_INTERVAL
 
 
@@ -15,7 +16,7 @@ def scale_free(model: Model) -> ScaledModel:
     Raises ModelError where more than numbers and the model's parameters is left of a matrix, or
     the process noise is no single strength times a matrix.
     """
-    units_checked(model)
+    require_units(model)
     states = tuple(unit_length(model, unit) for unit in model.state_units)
     seen = tuple(unit_length(model, unit) for unit in model.measurement_units)
     forward, backward = sp.diag(*states), sp.diag(*(1 / entry for entry in states))

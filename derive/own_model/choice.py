@@ -15,7 +15,8 @@ from gainproof.derive.any_two_state.model_numbers import require_first_measured
 from gainproof.derive.any_two_state.scaling import scale_free
 from gainproof.derive.derivation import PageError
 from gainproof.derive.model import Model, ModelError, ScaledModel, scale
-from gainproof.derive.own_model.checks import require_steady_state, require_written_well
+from gainproof.derive.model_checks import require_written_well
+from gainproof.derive.own_model.checks import require_steady_state
 from gainproof.derive.own_model.one_state import derive_one_state
 from gainproof.derive.printer.module_bounds import prove_all
 from gainproof.derive.quantity import METRE, SECOND

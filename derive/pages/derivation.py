@@ -15,7 +15,7 @@ from gainproof.derive.algebra.tower import Generator, NoValue, Parameter, Tower
 from gainproof.derive.derivation import Step
 from gainproof.derive.expression import real
 from gainproof.derive.pages.evaluation import Definition, Meanings
-from gainproof.derive.pages.formula import NAME, Formula, FormulaError, read_formula
+from gainproof.derive.pages.formula import NAME, Formula, FormulaError, nearest, read_formula
 from gainproof.derive.pages.matrices import Letters, letters_of
 from gainproof.derive.pages.page import (
     Block,
@@ -100,7 +100,8 @@ def written(name: str, given: Given, folder: Path = FOLDER) -> Written:
     shown = {step.id for step in steps if step.shown}
     for place, name in making.references:
         if name not in shown:
-            raise place.error(f"no step {name!r} is shown on this page")
+            hint = "".join(f"; near it: {near}" for near in nearest(name, shown))
+            raise place.error(f"no step {name!r} is shown on this page{hint}")
     settings = {name: letters.setting for name, letters in making.letters.items()}
     return Written(head.head, head.text, steps, making.towers, making.latex, settings)
 

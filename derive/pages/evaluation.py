@@ -8,12 +8,11 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
-from difflib import get_close_matches
 from typing import Any
 
 import sympy as sp
 
-from gainproof.derive.pages.formula import RESERVED, Formula, FormulaError, read_formula
+from gainproof.derive.pages.formula import RESERVED, Formula, FormulaError, nearest, read_formula
 
 MAXIMUM_SIZE = 20_000
 """Nodes of a value, definitions written out."""
@@ -63,7 +62,7 @@ class Meanings:
     def slot(self, name: str) -> Any:
         """The value of a slot. Raises FormulaError for another name."""
         if name not in self.slots:
-            near = get_close_matches(name, self.slots, 3) if len(self.slots) > FEW else None
+            near = nearest(name, self.slots, 3) if len(self.slots) > FEW else None
             known = ", ".join(near or self.slots)
             raise FormulaError(f"no slot {name!r}; {'near it' if near else 'known'}: {known}")
         return self.slots[name]
@@ -174,7 +173,7 @@ class Meanings:
             return self.defined[name]
         if name in self.functions:
             raise FormulaError(f"{name!r} is a function: {name}(...) is wanted")
-        near = get_close_matches(name, [*self.symbols, *self.defined], 1)
+        near = nearest(name, [*self.symbols, *self.defined])
         hint = f"; {near[0]!r} is one" if near else ""
         raise FormulaError(f"{name!r} is neither a quantity nor a definition of this page{hint}")
 

@@ -12,8 +12,9 @@ the formula is refused.
 from __future__ import annotations
 
 import re
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
 from dataclasses import dataclass, field
+from difflib import get_close_matches
 from typing import TypeVar
 
 Read = TypeVar("Read")
@@ -44,6 +45,7 @@ RESERVED = frozenset(
 )
 """What may stand behind a formula; no quantity has such a name."""
 NAME = r"[A-Za-z][A-Za-z0-9]*(?:_[A-Za-z0-9]+)*"
+CLOSED = {")": "(", "]": "[", "}": "{"}
 _TOKEN = re.compile(rf"(?P<blank> *)(?P<text>{NAME}|\d+|->|>=|[-+/^()\[\],;'{{}}=>])")
 
 
@@ -53,6 +55,12 @@ class FormulaError(ValueError):
     def __init__(self, text: str, wanted: str = "") -> None:
         super().__init__(text)
         self.wanted = wanted
+
+
+def nearest(name: str, known: Iterable[str], most: int = 1) -> list[str]:
+    """Known names that resemble one, best first, whatever is written large: `beta` of `Beta`."""
+    folded = {each.casefold(): each for each in sorted(known)}
+    return [folded[each] for each in get_close_matches(name.casefold(), folded, most)]
 
 
 @dataclass(frozen=True)
@@ -141,8 +149,11 @@ class Reader:
     def error(self, wanted: str) -> FormulaError:
         """What was wanted here, and what came."""
         came = repr(self.next) if self.next else "the end of the line"
-        after = " ".join(each.text for each in self.tokens[max(0, self.place - 3) : self.place])
-        behind = f" after {after!r}" if after else ""
+        before = [each.text for each in self.tokens[: self.place]]
+        behind = f" after {' '.join(before[-3:])!r}" if before else ""
+        opening = CLOSED.get(self.next, "")
+        if opening and before.count(opening) <= before.count(self.next):
+            return FormulaError(f"{self.next!r} without {opening!r}{behind}", wanted)
         return FormulaError(f"wanted {wanted}{behind}, came {came}", wanted)
 
     def formula(self) -> Formula:

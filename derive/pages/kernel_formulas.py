@@ -38,6 +38,7 @@ TURN = "_turn"
 FIRST, SECOND = "d_", "dd_"
 """Begin the names of formulas of derivatives."""
 _LINE = re.compile(rf"({NAME}) = (.+)")
+_NEARLY = re.compile(r"#+\s*where\b", re.IGNORECASE)
 _RELATIONS: Mapping[str, Callable[[Any, Any], bool]] = {"=": operator.eq, "<": operator.lt}
 Value = Any
 """A node or an expression of SymPy, or a Fraction."""
@@ -50,6 +51,10 @@ class Condition:
     left: Formula
     relation: str
     right: Formula
+
+    def __str__(self) -> str:
+        """As it is written."""
+        return f"{self.left} {self.relation} {self.right}"
 
 
 @dataclass(frozen=True)
@@ -101,6 +106,10 @@ def _joined(text: str) -> list[tuple[int, str]]:
             found[-1] = (first, f"{start} {line.strip()}")
         elif line.startswith((INDENT, WHERE)):
             found.append((number, line.strip()))
+        elif line.startswith((" ", "\t")):
+            raise FormulaError(f"line {number}: a formula begins with four blanks, prose with none")
+        elif _NEARLY.match(line):
+            raise FormulaError(f"line {number}: wanted a heading `{WHERE}...`, came {line!r}")
     return found
 
 
@@ -156,12 +165,15 @@ def formula_graph(
 def page_values(page: Path, known: Mapping[str, Value], names: Iterable[str]) -> dict[str, Value]:
     """What `kernel_values` makes of the formulas of a file.
 
-    Raises PageError, with the file, where that raises FormulaError.
+    Raises PageError, with the file, where that raises FormulaError, and ArithmeticError as that
+    does.
     """
     try:
         return kernel_values(page_sections(page), known, names)
     except FormulaError as error:
         raise PageError(f"{place_of(page)}: {error}") from None
+    except ArithmeticError as error:
+        raise ArithmeticError(f"{place_of(page)}: {error}") from None
 
 
 def kernel_values(
@@ -170,8 +182,9 @@ def kernel_values(
     """The values of some names over known nodes or symbols, and numbers; those without a formula
     are left out.
 
-    Raises ArithmeticError where a number that stands with a node is negative: a form that is not
-    for this model; FormulaError for what a formula cannot hold.
+    Raises ArithmeticError where a number that stands with a node is negative, and for a quotient by
+    0: a form that is not for this model; FormulaError for what a formula cannot hold. What is known
+    is taken before a formula of that name, which another kernel may have.
     """
     formulas = formulas_that_hold(sections, known)
     found = _Values(known, formulas)
@@ -183,15 +196,19 @@ def formulas_that_hold(
 ) -> dict[str, Formula]:
     """Formulas by name, in the order of the page, of sections whose conditions known values meet.
 
-    Raises FormulaError for a condition over an unknown name.
+    Raises FormulaError for a condition over what is no known number.
     """
     formulas: dict[str, Formula] = {}
     given = _Values(known, {})
+
+    def holds(condition: Condition) -> bool:
+        sides = [_value(side, given) for side in (condition.left, condition.right)]
+        if any(isinstance(side, Node) for side in sides):
+            raise FormulaError(f"a condition is about numbers: {condition}")
+        return _RELATIONS[condition.relation](*sides)
+
     for section in sections:
-        if all(
-            _RELATIONS[each.relation](_value(each.left, given), _value(each.right, given))
-            for each in section.conditions
-        ):
+        if all(map(holds, section.conditions)):
             formulas |= section.formulas
     return formulas
 
@@ -225,15 +242,18 @@ def _value(formula: Formula, known: Mapping[str, Value]) -> Value:
         return -found
     if formula.kind == "pow":
         return reduce(_product, [found] * int(formula.text))
-    for other in others:
-        found = _OPERATIONS[formula.kind](found, _value(other, known))
+    for part in others:
+        other = _value(part, known)
+        if formula.kind == "div" and other == 0:
+            raise ZeroDivisionError(f"no form: {formula} divides by 0")
+        found = _OPERATIONS[formula.kind](found, other)
     return found
 
 
 def _call(function: str, values: Sequence[Value]) -> Node:
     """A function of nodes: what it makes of numbers is no exact number, or needs no function."""
     if len(values) != CALLS[function]:
-        raise FormulaError(f"{function} has {CALLS[function]} arguments, {len(values)} came")
+        raise FormulaError(f"{function}: {CALLS[function]} wanted in brackets, {len(values)} came")
     nodes = [value for value in values if isinstance(value, Node)]
     if len(nodes) < len(values):
         raise FormulaError(f"{function} of a number: write its value")

@@ -8,14 +8,13 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
-from difflib import get_close_matches
 from fractions import Fraction
 from functools import reduce
 from operator import add, matmul
 from types import MappingProxyType
 from typing import Any
 
-from gainproof.derive.pages.formula import Formula, FormulaError, read_formula
+from gainproof.derive.pages.formula import Formula, FormulaError, nearest, read_formula
 from gainproof.derive.pages.statement import Statement
 from gainproof.derive.relation import Relation, definition
 from gainproof.derive.words import hypotheses, statement
@@ -175,7 +174,7 @@ class Letters:
 
     def _known(self, name: str) -> str:
         if name not in self.names:
-            near = get_close_matches(name, self.names, 1)
+            near = nearest(name, self.names)
             hint = f"; {near[0]!r} is one" if near else ""
             raise FormulaError(f"{name!r} is no letter of setting {self.setting.name}{hint}")
         return self.names[name]

@@ -374,7 +374,7 @@ class _Reading:
         )
         if mark is None or str(mark) != text:
             wanted = "id (in NAME, if SLOT, hidden, essential)"
-            self._at_error(number, f"{wanted!r} is wanted, {text!r} came")
+            self._at_error(number, f"{wanted!r} is wanted, in this order, {text!r} came")
         return mark
 
     def _items(self, chunk: Numbered) -> Iterator[Item]:

@@ -40,7 +40,8 @@ def page_graphs(page: Path, inputs: Inputs, named: str = "") -> dict[str, Graph]
 
     `inputs`: what a kernel may use; what it does not need is left out. `named`: a regular
     expression of what is named in graphs besides values of functions.
-    Raises PageError for what is no formula, a name without one, and a kernel without outputs.
+    Raises PageError for what is no formula, a name without one, a negative number that stands with
+    a node, and a kernel without outputs.
     """
     sections = read_page(page)
     rows = dict.fromkeys(
@@ -56,7 +57,7 @@ def page_graphs(page: Path, inputs: Inputs, named: str = "") -> dict[str, Graph]
                 name = f"{kernel}{PLANE * plane}"
                 try:
                     found[name] = _graph(sections, row, numbers, inputs(kernel), named)
-                except ValueError as error:
+                except (ValueError, ArithmeticError) as error:
                     raise PageError(f"{place_of(page)}: {name}: {error}") from None
     return found
 

@@ -8,7 +8,7 @@
     inverse = prove_invertible("i", Search(setting, given, [positive]), "S", positive)
 
 `search.Search` rewrites with the equations at hand; a statement keeps the hypotheses that its proof
-needed, and its cofactors. Nothing here is trusted: `gainproof.verify.certificate.words` expands
-them and compares. What is not found by rewriting is helped by `multiples`, `taken`, `rounds` and
-`heavy`, or by a statement on the way.
+needed, and its cofactors. Nothing here is trusted: `gainproof.verify.certificate.matrix_words`
+expands them and compares. What is not found by rewriting is helped by `multiples`, `taken`,
+`rounds` and `heavy`, or by a statement on the way.
 """

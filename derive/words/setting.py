@@ -15,7 +15,7 @@ from gainproof.derive.words.polynomial import Polynomial, Shape, ShapeError
 @dataclass(frozen=True)
 class Setting:
     """What is spoken of; the format and the meaning of each field are those of
-    `gainproof.verify.certificate.words.setting`.
+    `gainproof.verify.certificate.matrix_words.setting`.
 
     `parameters`: positive numbers by name; `free`: real ones. `matrices`: letters with "rows
     columns". `elements`: what letters stand for. `inverses`: letters that have a named inverse,

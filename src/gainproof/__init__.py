@@ -4,9 +4,10 @@
     gainproof.ask(r"\\beta = \\frac{\\alpha^2}{2 - \\alpha}")   # the verdict on a formula
     gainproof.derivation("random-velocity")   # a derivation, each step with the checker's word
     gainproof.check("my-paper.toml")          # verdicts on the claims of a file
+    gainproof.steady_state(F, H, Q, R)        # gains of a model in numbers, with proved errors
 
-All show themselves in a notebook and print as the commands `gainproof ask`, `gainproof derive` and
-`gainproof check` do; `Judge` answers many formulas. Kernels are plain
+The first three show themselves in a notebook and print as the commands `gainproof ask`, `gainproof
+derive` and `gainproof check` do; `Judge` answers many formulas. Kernels are plain
 functions, with docstrings, in `gainproof.generated`.
 
 Three folders lie under this name: `gainproof.derive` (what is true, and why), `gainproof.generated`
@@ -19,15 +20,25 @@ from gainproof.version import VERSION as __version__
 
 TYPE_CHECKING = False  # to checkers of types it is true; `typing` takes a while to import
 if TYPE_CHECKING:
-    from collections.abc import Mapping, Sequence
+    from collections.abc import Iterable, Mapping, Sequence
+    from typing import Any
 
     from gainproof.answers.answer import Answer
     from gainproof.answers.judge import Judge as Judge
     from gainproof.bad_input import BadInputError as BadInputError
     from gainproof.notebook.front_door import Derivation
     from gainproof.notebook.judged_file import JudgedFile
+    from gainproof.steady.state import SteadyState
 
-__all__ = ["BadInputError", "Judge", "__version__", "ask", "check", "derivation"]
+__all__ = [
+    "BadInputError",
+    "Judge",
+    "__version__",
+    "ask",
+    "check",
+    "derivation",
+    "steady_state",
+]
 
 
 def __getattr__(name: str) -> object:
@@ -124,3 +135,41 @@ def check(file: str, *, seconds: float | None = None, fresh: bool = False) -> Ju
 
     limit = DEFAULT if seconds is None else seconds
     return front_door.check(file, seconds=limit, fresh=fresh)
+
+
+def steady_state(
+    transition: Iterable[Iterable[Any]],
+    measurement: Iterable[Iterable[Any]],
+    process_noise: Iterable[Iterable[Any]],
+    measurement_noise: Iterable[Iterable[Any]],
+    cross_noise: Iterable[Iterable[Any]] | None = None,
+) -> SteadyState:
+    """The Kalman filter's steady state for x(k+1) = F x(k) + w(k), y(k) = H x(k) + v(k), proved.
+
+    Parameters
+    ----------
+    transition, measurement : matrix
+        F (n by n) and H (m by n): rows of numbers, or arrays. Whole numbers, fractions, decimals
+        and texts ("1/3", "1e-22") are taken exactly, a float as the binary number that it is.
+    process_noise, measurement_noise : matrix
+        The covariances Q (n by n) of w and R (m by m) of v; both may be singular.
+    cross_noise : matrix, optional
+        The covariance E[w(k) v(k)'] (n by m); None: 0.
+
+    Returns
+    -------
+    SteadyState
+        filter_gain, predictor_gain, predicted_covariance, updated_covariance, each with `values`
+        (doubles), `errors` (proved bounds), `centre` and `radius` (exact); poles; certificate.
+
+    Raises
+    ------
+    gainproof.BadInputError
+        Where a matrix cannot be used, or there is no steady state with a stable filter: which mode
+        is not seen or not driven.
+    """
+    from gainproof.steady import state
+
+    return state.steady_state(
+        transition, measurement, process_noise, measurement_noise, cross_noise
+    )

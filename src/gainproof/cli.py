@@ -34,6 +34,7 @@ from gainproof.commands import (
     locate,
     run,
     serve,
+    steady,
     track,
 )
 from gainproof.jobs.resource_limits import lack
@@ -44,6 +45,7 @@ COMMANDS: Mapping[str, ModuleType] = {
     "check": check,
     "explain": explain,
     "design": design,
+    "steady": steady,
     "generate": generate,
     "derive": derive,
     "list": listing,
@@ -69,7 +71,10 @@ noises, shows derivations step by step, each step checked, and prints kernels wh
 To begin with:  gainproof ask 'beta = alpha^2/(2 - alpha)'"""
 
 
-PLACES = ("out", "report", "state", "plot", "html", "new", "draft", "covariance", "example", "save")
+PLACES = (
+    *("out", "report", "state", "plot", "html", "new", "draft", "covariance", "example", "save"),
+    "certificate",
+)
 """Options that name a file or folder: of an empty name the working folder would come."""
 FULL = (errno.ENOSPC, errno.EDQUOT, errno.EFBIG)
 """What is wrong with an output that takes no more."""

@@ -4,7 +4,7 @@
                                            [--executor WHERE] [--state FILE]
 
 Every number of every certificate of generated/ is altered and every field deleted, one at a time
-(`gainproof.verify.certificate.altered` says how). Each certificate is offered for every other
+(`gainproof.verify.certificate.alterations` says how). Each certificate is offered for every other
 subject, as a whole and with one part alone expected: its model, claims or programs. And the domain
 of each parameter is made smaller, which may leave everything true. What is expected comes from a
 derivation made afresh. All of this takes most of a day; with --sample only some of each 500
@@ -38,9 +38,9 @@ from gainproof.files import places
 from gainproof.subjects.deriving import build, plain_subject
 from gainproof.subjects.rechecking import expected_of, recheck
 from gainproof.verify.certificate import check
-from gainproof.verify.certificate.alteration import Campaign as Altered
-from gainproof.verify.certificate.altered import alterations
-from gainproof.verify.certificate.plain import plain
+from gainproof.verify.certificate.alteration_campaign import Campaign as Altered
+from gainproof.verify.certificate.alterations import alterations
+from gainproof.verify.certificate.plain_data import plain
 
 HELP = "every printed certificate altered in all ways, and offered for something else"
 CERTIFICATES = places.certificates()

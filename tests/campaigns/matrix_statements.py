@@ -27,9 +27,9 @@ from altered_statements import altered_claims
 
 from gainproof.files import places
 from gainproof.verify.certificate import check
-from gainproof.verify.certificate.alteration import Campaign
+from gainproof.verify.certificate.alteration_campaign import Campaign
 from gainproof.verify.certificate.document import read_document, read_statement
-from gainproof.verify.certificate.plain import plain
+from gainproof.verify.certificate.plain_data import plain
 from gainproof.verify.certificate.rejection import MalformedError, Meter, RejectedError
 
 HELP = "statements on matrices of every size: number, seconds, corrupted certificates rejected"

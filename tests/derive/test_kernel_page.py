@@ -87,6 +87,8 @@ def test_what_is_said_of_kernels(tmp_path: Path) -> None:
             "far: .* has no formula, or one that needs itself",
         ),
         ("    twice = log(r)", "far: .*function that is known"),
+        ("    r = (1 - 3) x", "near: no form without a subtraction: -2 stands with a node"),
+        ("    r = x/(1 - 1)", "near: no form: x/.1 - 1. divides by 0"),
         ("    twice = z^2", "far_in_plane: a graph needs at least one output"),
         ("    twice = (r)", "page.md, line 8: read as"),
     ],

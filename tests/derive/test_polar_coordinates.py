@@ -15,8 +15,8 @@ from gainproof.derive.sensors.polar_module import graphs
 from gainproof.verify.certificate import check, check_statement
 from gainproof.verify.certificate.checker import decide
 from gainproof.verify.certificate.document import Document, read_document, read_statement
-from gainproof.verify.certificate.expectation import Expectation
-from gainproof.verify.certificate.plain import plain
+from gainproof.verify.certificate.expected_claims import Expectation
+from gainproof.verify.certificate.plain_data import plain
 from gainproof.verify.certificate.rejection import Meter
 
 Plain = dict[str, Any]

@@ -8,7 +8,13 @@ import sympy as sp
 
 from gainproof.derive.catalogue import CATALOGUE
 from gainproof.derive.model import Model, ModelError, ScaledModel
-from gainproof.derive.quantity import MEASUREMENT_DEVIATION, METRE, SECOND
+from gainproof.derive.quantity import (
+    MEASUREMENT_DEVIATION,
+    METRE,
+    SAMPLING_INTERVAL,
+    SECOND,
+    Quantity,
+)
 from gainproof.derive.steady_state.context import context
 from gainproof.derive.steady_state.spectrum import V, factorise
 
@@ -46,8 +52,12 @@ def test_gain_relation_meets_the_line_alpha_one_where_the_index_is_infinite(name
     assert min(roots.real) == pytest.approx(RELATION_AT_ALPHA_ONE[name], abs=1e-12)
 
 
+SHAKE = Quantity("shake", "w", "deviation of the velocity's change", METRE / SECOND)
+SHIFT = Quantity("shift", "s", "deviation of the position's change", METRE)
+
+
 def _model(noise: list[list[sp.Expr]], units=(METRE, METRE / SECOND)) -> Model:  # type: ignore[no-untyped-def]
-    step, deviation = sp.Symbol("sampling_interval", real=True), MEASUREMENT_DEVIATION.symbol
+    step, deviation = SAMPLING_INTERVAL.symbol, MEASUREMENT_DEVIATION.symbol
     return Model(
         "trial",
         "Trial",
@@ -55,27 +65,23 @@ def _model(noise: list[list[sp.Expr]], units=(METRE, METRE / SECOND)) -> Model: 
         sp.ImmutableDenseMatrix(noise),
         sp.ImmutableDenseMatrix([[1, 0]]),
         sp.ImmutableDenseMatrix([[deviation**2]]),
-        (),
+        (SAMPLING_INTERVAL, MEASUREMENT_DEVIATION, SHAKE, SHIFT),
         units,
     )
 
 
 def test_units_that_do_not_fit_are_refused() -> None:
     with pytest.raises(ModelError, match="the transition should hold numbers"):
-        context(
-            _model([[sp.Integer(0), sp.Integer(0)], [sp.Integer(0), sp.Integer(1)]], (METRE, METRE))
-        )
+        context(_model([[sp.Integer(0)] * 2, [sp.Integer(0), SHIFT.symbol**2]], (METRE, METRE)))
 
 
 def test_two_noise_strengths_are_refused() -> None:
-    first, second = sp.symbols("first second", real=True)
     with pytest.raises(ModelError, match="one strength times a matrix"):
-        context(_model([[first, sp.Integer(0)], [sp.Integer(0), second]]))
+        context(_model([[SHIFT.symbol**2, sp.Integer(0)], [sp.Integer(0), SHAKE.symbol**2]]))
 
 
 def test_a_noise_outside_the_method_is_named() -> None:
-    step, sigma = sp.symbols("sampling_interval sigma", real=True)
-    noise = sigma**2 * sp.Matrix([[5 * step**2, 0], [0, 1]])
+    noise = SHAKE.symbol**2 * sp.Matrix([[5 * SAMPLING_INTERVAL.symbol**2, 0], [0, 1]])
     with pytest.raises(ModelError, match=r"noise\(4\)/noise\(0\)"):
         context(_model(noise.tolist()))
 
@@ -89,7 +95,6 @@ def test_a_noise_outside_the_method_is_named() -> None:
     ],
 )
 def test_what_is_no_covariance_is_refused(noise: list[list[int]], message: str) -> None:
-    step, sigma = sp.symbols("sampling_interval sigma", real=True)
-    scale = sp.diag(step, 1)
+    scale = sp.diag(SAMPLING_INTERVAL.symbol, 1)
     with pytest.raises(ModelError, match=message):
-        context(_model((sigma**2 * scale * sp.Matrix(noise) * scale).tolist()))
+        context(_model((SHAKE.symbol**2 * scale * sp.Matrix(noise) * scale).tolist()))

@@ -17,8 +17,8 @@ from gainproof.derive.catalogue import CATALOGUE
 from gainproof.verify.certificate import check
 from gainproof.verify.certificate.checker import decide
 from gainproof.verify.certificate.document import read_document, read_statement
-from gainproof.verify.certificate.expectation import Expectation
-from gainproof.verify.certificate.plain import plain
+from gainproof.verify.certificate.expected_claims import Expectation
+from gainproof.verify.certificate.plain_data import plain
 from gainproof.verify.certificate.rejection import Meter
 
 UNDECIDABLE = {"definition", "cited"}

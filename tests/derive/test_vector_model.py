@@ -91,7 +91,7 @@ def _noise(*rows: list[Any]) -> dict[str, Any]:
             _noise([FIRST**2, FIRST * SECOND_], [FIRST * SECOND_, SECOND_**2]),
             "covariances are wanted",
         ),
-        (_noise([FIRST**2, SECOND_ * FIRST / 2], [0, SECOND_**2]), "covariances are wanted"),
+        (_noise([FIRST**2, SECOND_ * FIRST / 2], [0, SECOND_**2]), "should be symmetric"),
         (_noise([FIRST**2, 0], [0, (FIRST / STEP) ** 2]), "do not occur"),
         (_noise([FIRST**2, 0], [0, SECOND_**2 * STEP]), "it holds"),
     ],

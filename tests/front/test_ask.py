@@ -434,6 +434,25 @@ def test_a_model_of_ones_own(tmp_path: Path, capsys: pytest.CaptureFixture[str])
         assert told in capsys.readouterr().err
 
 
+@pytest.mark.parametrize(
+    ("model", "formula", "words"),
+    [
+        ("tank_level.py", r"\alpha = P_{11}/(P_{11} + R)", ["state 1", "the measurement"]),
+        ("held_pointer.py", r"\beta < \alpha", ["state 1", "state 2"]),
+        ("half_intervals.py", r"\beta < \alpha", ["the position", "the velocity"]),
+    ],
+)
+def test_states_of_a_model_of_ones_own_have_numbers_unless_they_are_a_position_and_its_rates(
+    model: str, formula: str, words: list[str], capsys: pytest.CaptureFixture[str]
+) -> None:
+    main(["ask", formula, "--model", str(MODELS / model)])
+    told = capsys.readouterr().out
+    assert f"in its steady state, model {model[:4]}" in told
+    for word in ("the position", "measured position", "the velocity", "state 1", "state 2"):
+        assert (word in told) is (word in words), told
+    assert all(word in told for word in words), told
+
+
 def test_certificates_are_written_and_decided_by_their_file(
     tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
@@ -513,7 +532,7 @@ def test_formulas_made_to_do_harm_do_none() -> None:
 
 def test_models_that_are_shipped_have_strengths_that_are_known() -> None:
     """A model of measured position that comes new needs its line in the table of noises."""
-    from gainproof.verify.judge.claim.letters import NOISE_ORDERS
+    from gainproof.verify.judge.claim.usual_letters import NOISE_ORDERS
 
     positions = [m["name"] for m in shipped_models() if len(m["measurement"]) == 1]
     assert set(positions) == set(NOISE_ORDERS)

@@ -94,6 +94,9 @@ def judge() -> Iterator[Judge]:
         ("(AB)' = B'A'", {}, "A: n x m"),
         ("(eye(n) - K*H)*P = P - K*H*P", {"model": "matrices"}, "identity matrix"),
         ("(A^T + I_2)^T = A + I_2", {"symbols": {"A": "2 x 2"}}, "identity matrix"),
+        ("A >= 0", {"given": ("A = B^T B",)}, "B: "),  # a hypothesis says what it is about too
+        ("A^T B A >= 0", {"given": ("B >= 0",)}, "B: n x n"),  # what has an order is square
+        ("2 A > A", {"given": ("A > 0",), "model": "matrices"}, "A: n x n"),
         # its identity matrices have the size that the gain gives them
         ("K^T (I + K K^T) K = (I + K^T K) S^{-1} H P P H^T S^{-1}", {}, "K = P H^T S^{-1}"),
     ],
@@ -105,6 +108,22 @@ def test_what_is_true_is_proved(
     assert found.verdict == "proved", found
     assert assumed in "; ".join(f"{each.of}: {each.meaning}" for each in found.assumed)
     tomllib.loads(found.text)
+
+
+@pytest.mark.parametrize("letter", ["P", "Q_k", r"\Sigma", "S"])
+def test_a_hypothesis_about_a_letter_counts_more_than_what_it_usually_is(
+    judge: Judge, letter: str
+) -> None:
+    """A covariance is usually taken for definite; zero is a matrix that is none, and >= 0."""
+    found = judge.ask(f"{letter} > 0", given=[f"0 <= {letter}"], model="matrices")
+    assert found.verdict == "refuted"
+    (meaning,) = (each.meaning for each in found.assumed if each.of == letter)
+    assert meaning in ("n x n", "m x m")
+    turned = judge.ask(f"x^T {letter} x >= 0", given=[f"{letter} = {letter}^T"])
+    assert turned.verdict != "proved"  # of a symmetric matrix
+    other = judge.ask(f"{letter} >= 0", given=[f"{letter} > 0"], model="matrices")
+    assert other.verdict == "proved"
+    assert judge.ask(f"{letter} >= 0", model="matrices").verdict != "proved"  # by a guess
 
 
 def _definite(rng: np.random.Generator, size: int) -> Any:

@@ -16,6 +16,7 @@ from pathlib import Path
 from typing import Any
 
 import pytest
+from one_of_each import further
 from samples import samples
 
 from gainproof import cli
@@ -119,7 +120,13 @@ def paused_for_a_moment(pid: int) -> None:
 
 
 @pytest.mark.sampled
-@pytest.mark.parametrize("harm", [lambda pid: os.kill(pid, signal.SIGKILL), paused_for_a_moment])
+@pytest.mark.parametrize(
+    "harm",
+    [
+        lambda pid: os.kill(pid, signal.SIGKILL),
+        further(paused_for_a_moment),  # by default those of the judge are: `test_accidents.py`
+    ],
+)
 def test_children_are_killed_and_paused(
     harm: Callable[[int], None], many: Path, capsys: Capture
 ) -> None:

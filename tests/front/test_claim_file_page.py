@@ -9,23 +9,23 @@ from pathlib import Path
 
 import pytest
 
+from gainproof.verify.judge.claim import claims as claim_list
 from gainproof.verify.judge.claim import (
     declarations,
-    kinds,
     models,
     settings,
 )
 from gainproof.verify.judge.claim import (
     file as claim_file,
 )
-from gainproof.verify.judge.claim import (
-    list as claim_list,
-)
-from gainproof.verify.judge.claim.vocabulary import CLAIM_KINDS, LOCATIONS, TRENDS
+from gainproof.verify.judge.kinds.catalogue import KINDS
+from gainproof.verify.judge.kinds.kind import Kind
+from gainproof.verify.judge.kinds.location import LOCATIONS
+from gainproof.verify.judge.kinds.monotone import SIGNS
+from gainproof.verify.judge.kinds.stability import SENSES
 from gainproof.verify.judge.quantity_names import quantity_names
 
 PAGE = (Path(__file__).resolve().parents[2] / "docs" / "claim-files.md").read_text("utf-8")
-KIND_FIELDS = {name for names in kinds.OWN_FIELDS.values() for name in names}
 
 
 def part(title: str) -> str:
@@ -80,17 +80,24 @@ def test_fields_of_settings() -> None:
 
 
 def test_fields_of_claims() -> None:
-    assert set(rows(part("[[claims]]"), "field")) == set(claim_list.FIELDS) - KIND_FIELDS
+    assert set(rows(part("[[claims]]"), "field")) == set(claim_list.FIELDS) - set(
+        claim_list.KIND_FIELDS
+    )
 
 
-def test_kinds_of_claims_with_their_fields() -> None:
-    shown = rows(part("[[claims]]"), "kind")
-    assert list(shown) == list(CLAIM_KINDS)
-    for kind, names in kinds.OWN_FIELDS.items():
-        own = shown[kind].split(" | ")[1]
-        assert all(f"`{name}`" in own for name in names), kind
-    assert all(f"`{trend}`" in shown["monotone"] for trend in TRENDS)
-    assert all(f"`{place}`" in shown["location"] for place in LOCATIONS)
+def test_kinds_of_claims_are_told_as_their_records_say() -> None:
+    words = [(kind, kind.own_words and f" {kind.own_words}") for kind in KINDS]
+    told = [f"| `{kind.name}` | {kind.meaning} |{own} |" for kind, own in words]
+    table = PAGE.split("| kind | claims that | fields of its own |\n")[1].split("\n\n")[0]
+    assert table.splitlines()[1:] == told
+
+
+@pytest.mark.parametrize("kind", KINDS, ids=lambda kind: kind.name)
+def test_a_kind_names_its_fields(kind: Kind) -> None:
+    assert all(f"`{name}`" in kind.own_words for name in kind.own)
+    words = {"trend": SIGNS, "where": LOCATIONS, "sense": SENSES}
+    for name in words.keys() & set(kind.own):
+        assert all(f"`{word}`" in kind.own_words for word in words[name])
 
 
 @pytest.mark.parametrize(

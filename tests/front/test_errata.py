@@ -14,7 +14,7 @@ from gainproof.bad_input import BadInputError
 from gainproof.claims.source_words import Said, claims_said
 from gainproof.errata import errata_sheet
 from gainproof.errata.errata_entries import entries
-from gainproof.verify.judge.claim.vocabulary import ORIGINS
+from gainproof.verify.judge.claim.usual_meanings import ORIGINS
 
 Capture = pytest.CaptureFixture[str]
 CLAIMS = Path(__file__).parents[2] / "verify" / "claims"

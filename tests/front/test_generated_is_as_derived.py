@@ -30,16 +30,17 @@ def test_every_byte_is_as_derived(
     made.mkdir()
     shutil.copy(committed / bounds_ledger.NAME, made)
     monkeypatch.setattr(places, "generated_folder", lambda: made)
-    assert cli.main(["generate", "--check"]) == 1
+    one = ["generate", "random-velocity", "--check"]
+    assert cli.main(one) == 1
     assert "missing" in capsys.readouterr().out
     assert cli.main(["generate"]) == 0
-    assert cli.main(["generate", "--check"]) == 0
+    assert cli.main(one) == 0
     fresh = {name: (made / name).read_bytes() for name in drift.files_in(made)}
     found = [difference.text() for difference in drift.compare(fresh, committed)]
     assert not found, f"{found}; {drift.CURE}"
     path = made / "random_velocity.py"
     path.write_bytes(path.read_bytes().replace(b"0.5", b"0.6", 1))
-    assert cli.main(["generate", "--check"]) == 1
+    assert cli.main(one) == 1
     text = capsys.readouterr().out
     assert "random_velocity.py: different, first in line" in text
     assert "`gainproof generate`" in text

@@ -11,7 +11,7 @@ from gainproof import cli
 from gainproof.claims.template import template
 from gainproof.verify.judge.claim.file import read_claim_file
 from gainproof.verify.judge.claim.settings import SETTING_KINDS
-from gainproof.verify.judge.claim.vocabulary import CLAIM_KINDS
+from gainproof.verify.judge.kinds.catalogue import KINDS
 
 Capture = pytest.CaptureFixture[str]
 TEX = r"\begin{equation} \beta = \frac{\alpha^2}{2 - \alpha} \end{equation}"
@@ -50,7 +50,7 @@ def test_the_template_names_every_kind() -> None:
     begun = template("paper")
     words = begun.replace("\n# ", " ")
     assert all(f"\n#   {kind} " in begun for kind in SETTING_KINDS)
-    assert f"kind is one of {', '.join(CLAIM_KINDS)};" in words
+    assert f"kind is one of {', '.join(kind.name for kind in KINDS)};" in words
 
 
 def test_a_claim_file_is_no_paper(tmp_path: Path, capsys: Capture) -> None:

@@ -37,6 +37,15 @@ kind = "inequality"
 setting = "s"
 plain = 'x^2 >= 1'
 """
+MODEL = """
+format = "gainproof model 1"
+title = "a level"
+transition = [[1]]
+process_noise = [["q"]]
+measurement = [[1]]
+measurement_noise = [[1]]
+symbols = { q = { unit = "1", meaning = "strength" } }
+"""
 SLOW = "((((9^64)^64)^64)^64)^64 = 1"
 """It takes all the time that it has."""
 
@@ -63,9 +72,10 @@ def test_tools_answer_as_the_commands_do(tmp_path: Path) -> None:
             await tools.check_file(SHORT),
             await tools.check_file(SHORT, "2"),
             await tools.list_models(),
+            await tools.steady_state(MODEL, "q=1/2"),
         ]
 
-    first, second, page, judged, one, listed = asked(calls)
+    first, second, page, judged, one, listed, steady = asked(calls)
     assert {n: v for n, v in first.items() if n not in ("format", "seconds")} == {
         n: v for n, v in gainproof.ask(formula).plain().items() if n != "seconds"
     }
@@ -78,6 +88,9 @@ def test_tools_answer_as_the_commands_do(tmp_path: Path) -> None:
     assert [c["id"] for c in one["claims"]] == ["2"]
     assert one["explanation"].startswith("2: conditional")
     assert json.dumps(judged)
+    # P^2 = q (P + 1)
+    (value,), (error,) = (steady["predicted_covariance"][x][0] for x in ("values", "errors"))
+    assert 1 - error <= value <= 1 + error
     assert {"random-velocity", "least-squares-line"} <= {s["name"] for s in listed["subjects"]}
 
 
@@ -93,6 +106,9 @@ def test_tools_answer_as_the_commands_do(tmp_path: Path) -> None:
         (lambda tools: tools.check_file(SHORT, "3"), "no claim of text is called '3'"),
         (lambda tools: tools.derivation("random-velocty"), "random-velocity"),
         (lambda tools: tools.derivation("own.py"), "no derivation is called"),
+        (lambda tools: tools.steady_state(MODEL), "q has no value"),
+        (lambda tools: tools.steady_state(MODEL, "q=0"), "not driven"),
+        (lambda tools: tools.steady_state("title = 1"), "format: this field is missing"),
         (lambda tools: tools.check_formula("x = x", model="own.py"), "no model is called 'own.py'"),
     ],
 )
@@ -152,7 +168,8 @@ def test_a_client_of_the_protocol_asks() -> None:
         async with mcp.Client(command) as client:
             tools = {tool.name: tool for tool in (await client.list_tools()).tools}
             assert set(tools) == {
-                *("check_formula", "explain", "check_file", "derivation", "list_models")
+                *("check_formula", "explain", "check_file", "derivation", "list_models"),
+                "steady_state",
             }
             assert tools["check_formula"].input_schema["required"] == ["formula"]
             assert "assumed" in tools["check_formula"].description

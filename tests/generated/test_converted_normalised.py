@@ -14,7 +14,7 @@ from converted_definite import definite, definite_correlated, is_definite
 from converted_monte_carlo import Normalised, Scene, normalised
 from samples import samples
 
-from gainproof.verify.oracles import converted
+from gainproof.verify.oracles import converted_enclosure
 
 DEGREE = math.radians(1)
 FLAT = Scene((400e3, 0.0, 0.7), (50.0, 0.0, DEGREE))
@@ -109,7 +109,9 @@ def test_moments_of_noises_correlated_in_space() -> None:
         [au - ahead * rising, cu - across * rising, uu - rising * rising],
     ]
     at, noises = [Fraction(*pair) for pair in NUMBERS[:2]], [Fraction(*p) for p in NUMBERS[2:5]]
-    found = converted.correlated_in_space(at, noises, [Fraction(*p) for p in NUMBERS[5:]], 24)
+    found = converted_enclosure.correlated_in_space(
+        at, noises, [Fraction(*p) for p in NUMBERS[5:]], 24
+    )
     with flint.ctx.workprec(300):
         for value, true in zip((ahead, across, rising), found.mean, strict=True):
             assert abs(flint.arb(str(value)) - true) < abs(true) * flint.arb(10) ** -30
@@ -123,11 +125,11 @@ def test_the_oracle_is_what_it_says() -> None:
     without noise nothing moves.
     """
     at, noises = (5000.0, 0.4, 0.0), (120.0, 0.2, 0.3)
-    one = converted.given_truth(at, noises)
-    flat = converted.given_truth((at[0], 0.0, 0.7), (noises[0], 0.0, noises[2]))
-    plane = converted.correlated((at[0], 0.7), (noises[0], noises[2]), 0.0, 1, 30)
-    space = converted.correlated_in_space(at[:2], noises, (0.0, 0.0), 24)
-    still = converted.given_measurement(at, (0.0, 0.0, 0.0))
+    one = converted_enclosure.given_truth(at, noises)
+    flat = converted_enclosure.given_truth((at[0], 0.0, 0.7), (noises[0], 0.0, noises[2]))
+    plane = converted_enclosure.correlated((at[0], 0.7), (noises[0], noises[2]), 0.0, 1, 30)
+    space = converted_enclosure.correlated_in_space(at[:2], noises, (0.0, 0.0), 24)
+    still = converted_enclosure.given_measurement(at, (0.0, 0.0, 0.0))
     with flint.ctx.workprec(300):
         room = flint.arb(10) ** -25
         for first, second in ((flat, plane), (one, space)):
@@ -137,6 +139,8 @@ def test_the_oracle_is_what_it_says() -> None:
                 for j in range(size):
                     off = first.covariance[i][j] - second.covariance[i][j]
                     assert abs(off) < room * at[0] ** 2
-        for place, mean in zip(converted.place_of([*map(flint.arb, at)]), still.mean, strict=True):
+        for place, mean in zip(
+            converted_enclosure.place_of([*map(flint.arb, at)]), still.mean, strict=True
+        ):
             assert abs(place - mean) < room
         assert all(abs(value) < room for row in still.covariance for value in row)

@@ -26,7 +26,7 @@ from gainproof.verify.oracles import ball, doubling, quantities, recursion, solv
 from gainproof.verify.oracles.matrices import Matrix, product
 from gainproof.verify.oracles.multiprecision import fraction
 from gainproof.verify.oracles.state_space import state_space
-from gainproof.verify.oracles.truth import SteadyStateTruth
+from gainproof.verify.oracles.true_values import SteadyStateTruth
 
 NAMES = ("gains", "predictor_gains", "predicted_covariance", "updated_covariance")
 FAMILIES = cases(sorted(STEADY_STATES), lambda family: family == "continuous_white_acceleration")

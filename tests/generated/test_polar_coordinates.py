@@ -16,7 +16,7 @@ from polar_points import EPSILON, misses, points, promises, signature
 from polar_truth import terms, truth
 
 from gainproof.generated import polar_coordinates
-from gainproof.verify.oracles import polar
+from gainproof.verify.oracles import polar_enclosure
 
 KERNELS = [getattr(polar_coordinates, n) for n in polar_coordinates.__all__ if n[0].islower()]
 EACH = pytest.mark.parametrize("kernel", KERNELS, ids=lambda kernel: kernel.__name__)
@@ -138,11 +138,11 @@ def test_no_noise_no_bias() -> None:
 
 def test_the_oracle_is_what_it_says() -> None:
     """Its quadrature integrates powers of a normal variable; its turns keep lengths."""
-    with flint.ctx.workprec(polar.BITS):
+    with flint.ctx.workprec(polar_enclosure.BITS):
         for power, exact in ((0, 1), (2, 1), (4, 3), (6, 15), (8, 105), (10, 945)):
-            found = sum((w * x**power for x, w in polar.nodes(40)), flint.arb(0))
+            found = sum((w * x**power for x, w in polar_enclosure.nodes(40)), flint.arb(0))
             assert abs(found - exact) < 1e-100
-        x, y, z = polar.place(2.0, 0.7, -2.5)
+        x, y, z = polar_enclosure.place(2.0, 0.7, -2.5)
         assert abs(x * x + y * y + z * z - 4) < 1e-100
     assert x < 0
     assert y < 0

@@ -17,7 +17,7 @@ from sight_pair_truth import is_pair, pair_terms, pair_truth
 from sight_truth import is_shift, motions, moves, terms, truth
 
 from gainproof.generated import range_doppler
-from gainproof.verify.oracles import sight
+from gainproof.verify.oracles import range_and_rate
 
 KERNELS = [getattr(range_doppler, n) for n in range_doppler.__all__ if n[0].islower()]
 EACH = pytest.mark.parametrize("kernel", KERNELS, ids=lambda kernel: kernel.__name__)
@@ -239,11 +239,13 @@ def test_never_nan(kernel: Callable[..., Any], dtype: str) -> None:
 
 def test_the_oracle_is_what_it_says() -> None:
     """Of a circle of radius f: rates 0, second derivative of the distance across it 1/f."""
-    with flint.ctx.workprec(sight.BITS):
-        still = sight.rate((3, 4), (-4, 3), (0, 0), (0, 0))
+    with flint.ctx.workprec(range_and_rate.BITS):
+        still = range_and_rate.rate((3, 4), (-4, 3), (0, 0), (0, 0))
         assert abs(still) < 1e-100
-        passing = sight.rate((1, 5), (0, 2), (1, 0), (3, 0))  # a coordinate goes through 0
+        passing = range_and_rate.rate((1, 5), (0, 2), (1, 0), (3, 0))  # a coordinate goes through 0
         assert abs(passing - 2) < 1e-100
-        bend = sight.curvatures(lambda place: sight.distance(place, (0, 0)), (0, 5), 5)
+        bend = range_and_rate.curvatures(
+            lambda place: range_and_rate.distance(place, (0, 0)), (0, 5), 5
+        )
         assert abs(bend[0][0] - flint.arb(1) / 5) < 1e-100
         assert abs(bend[1][1]) < 1e-100

@@ -9,7 +9,7 @@ from fractions import Fraction
 import flint
 from pole_places import ball, turning_places
 
-from gainproof.verify.oracles.truth import SteadyStateTruth, Truth, steady_state_truth
+from gainproof.verify.oracles.true_values import SteadyStateTruth, Truth, steady_state_truth
 
 
 @dataclass(frozen=True)

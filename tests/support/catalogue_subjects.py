@@ -45,7 +45,16 @@ ALIKE = frozenset(
         "alpha-beta-gamma",  # like alpha-beta
     }
 )
-"""Subjects derived in the way of another: those that a session takes from the user's cache."""
+"""Subjects derived in the way of another."""
+LONG = frozenset(
+    {
+        "position-velocity-random-velocity",
+        "interacting-gains",
+        "bearings-only",
+        "multipath-location",
+    }
+)
+"""The only ones of their way that take more than a second: `-m thorough` derives all anew."""
 LONGEST_WAIT = 3600.0  # seconds: only for a process that hangs; one that ends lets others go on
 
 
@@ -92,10 +101,11 @@ def models() -> list[Mapping[str, Any]]:
 def prepare_all() -> None:
     """Every subject with its files is in the shared cache, put there by one process only.
 
-    One of each way of derivation is derived here, with another hash seed than `gainproof run` has:
-    that both come to the committed files shows that no order of a set is in them. The others are
-    what the user's cache holds under the keys of this very code and these versions, as it does
-    after `gainproof run`, and are derived here if it does not. What fails is not tried again.
+    One of most ways of derivation is derived here, with another hash seed than `gainproof run` has:
+    that both come to the committed files shows that no order of a set is in them. The others, ALIKE
+    and LONG, are what the user's cache holds under the keys of this very code and these versions,
+    as it does after `gainproof run`, and are derived here if it does not; so is what the checker
+    says of all. What fails is not tried again.
     """
     failure = _preparing()
     if failure is not None:
@@ -115,9 +125,12 @@ def _prepare() -> None:
     session = open_session(quiet=True)
     with _one_process_at_a_time(default_folder() / "deriving.lock"):
         names = derivations.catalogue()
-        assert set(names) >= ALIKE
-        derive_with_another_seed(session, [name for name in names if name not in ALIKE])
+        assert set(names) >= ALIKE | LONG
+        here = [name for name in names if name not in ALIKE | LONG]
+        derive_with_another_seed(session, here)
         derive_with_another_seed(with_the_users(session), names)
+        # whatever the seed was, a certificate is the same: so is what the checker said of it
+        take_over("recheck", session.cache)
 
 
 def with_the_users(session: Session) -> Session:
@@ -126,9 +139,9 @@ def with_the_users(session: Session) -> Session:
     return Session(both, session.progress, session.code)
 
 
-def take_over_trials(cache: Cache) -> None:
-    """What the user's cache holds of claims is in this one too, under the same keys."""
-    for path in USERS_CACHE.glob("trial-*.json"):
+def take_over(kind: str, cache: Cache) -> None:
+    """What the user's cache holds of one kind of job is in this one too, under the same keys."""
+    for path in USERS_CACHE.glob(f"{kind}-*.json"):
         if not (cache.folder / path.name).exists():
             shutil.copy(path, cache.folder)
 

@@ -11,15 +11,15 @@ import flint
 from random_surfaces import Point, Trial, trial
 
 from gainproof.verify.judge.cells import decision as decision_module
-from gainproof.verify.judge.cells.ground import value_at
-from gainproof.verify.judge.cells.piece import Part
-from gainproof.verify.judge.cells.pieces import parts
-from gainproof.verify.judge.cells.region import separating
-from gainproof.verify.judge.cells.task import Budget
+from gainproof.verify.judge.cells.cell_statement import Budget
+from gainproof.verify.judge.cells.cell_truth import Part
+from gainproof.verify.judge.cells.cells_and_borders import parts
+from gainproof.verify.judge.cells.parameter_polynomials import value_at
+from gainproof.verify.judge.cells.sign_conditions import separating
 from gainproof.verify.judge.exact.expression import Expr, walk
-from gainproof.verify.judge.exact.limits import Limits, Undecided
 from gainproof.verify.judge.exact.statement import Rel, Statement
 from gainproof.verify.judge.exact.truth import FALSE, NO_VALUE, SKIPPED, TRUE
+from gainproof.verify.judge.exact.work_limits import Limits, Undecided
 
 BITS = 400
 LIMITS = Limits(cells=150, borders=30, projection_degree=40, projection_factors=40)

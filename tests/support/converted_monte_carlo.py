@@ -16,7 +16,7 @@ from converted_truth import NAMES
 from numpy.typing import NDArray
 
 from gainproof.generated import converted_measurements
-from gainproof.verify.oracles import converted
+from gainproof.verify.oracles import converted_enclosure
 
 Floats = NDArray[np.float64]
 CONDITIONS = ("truth", "measurement")
@@ -110,7 +110,7 @@ def normalised(scene: Scene, draws: int, seed: int) -> list[Normalised]:
 
 def _given_measurement(scene: Scene, name: str) -> float:
     """From mean and covariance of the truth."""
-    true = converted.given_measurement(scene.place, scene.deviations)
+    true = converted_enclosure.given_measurement(scene.place, scene.deviations)
     size = scene.size
     places, matrices = converted_by(name, size, np.array(scene.place)[:, None], scene.deviations)
     off = places[0] - np.array([float(value) for value in true.mean[:size]])

@@ -15,8 +15,8 @@ from signed_graphs import with_terms
 
 from gainproof.derive.sensors.converted_module import graphs
 from gainproof.generated import converted_measurements
-from gainproof.verify.oracles import converted
-from gainproof.verify.oracles.converted import BITS, Moments
+from gainproof.verify.oracles import converted_enclosure
+from gainproof.verify.oracles.converted_enclosure import BITS, Moments
 
 Values = Mapping[str, flint.arb]
 Vector = list[flint.arb]
@@ -35,19 +35,22 @@ def arguments(kernel: str) -> list[str]:
 def conversion(name: str, polar: Vector, deviations: Vector) -> Moments:
     """Place and covariance that a conversion should state for a measurement."""
     if name == "classical":
-        return converted.first_order(polar, deviations)
+        return converted_enclosure.first_order(polar, deviations)
     with flint.ctx.workprec(BITS):
-        given = converted.given_measurement(polar, deviations)
+        given = converted_enclosure.given_measurement(polar, deviations)
         if name == "modified_unbiased":
             return given
-        measured = converted.place_of(polar)
+        measured = converted_enclosure.place_of(polar)
         if name == "debiased":
-            found = converted.averaged(polar, deviations)
+            found = converted_enclosure.averaged(polar, deviations)
             place = [a - b for a, b in zip(measured, found.mean, strict=True)]
             return Moments(place, found.covariance)
         # what noise leaves of any place ahead and of its height
         at = [flint.arb(1), flint.arb(1), flint.arb(0)]
-        (ahead, _, up), mean = converted.place_of(at), converted.given_truth(at, deviations).mean
+        (ahead, _, up), mean = (
+            converted_enclosure.place_of(at),
+            converted_enclosure.given_truth(at, deviations).mean,
+        )
         shares = mean[0] / ahead, mean[0] / ahead, mean[2] / up
         place = [value / share for value, share in zip(measured, shares, strict=True)]
         bias = [a - b for a, b in zip(place, given.mean, strict=True)]
@@ -86,13 +89,13 @@ def correlated(kernel: str) -> Callable[..., Values]:
     def found(*given: float) -> Values:
         r, a, sr, sa, rho = (flint.arb(value) for value in given)
         count = 30
-        here = converted.correlated((r, a), (sr, sa), rho, -1, count)
+        here = converted_enclosure.correlated((r, a), (sr, sa), rho, -1, count)
         if kernel.startswith("correlated_modified"):
             place, off = here.mean, [flint.arb(0), flint.arb(0)]
         else:
             # at azimuth 0 the mean of the measured place should be moved to the true one
             with flint.ctx.workprec(BITS):
-                there = converted.correlated((r, 0), (sr, sa), rho, 1, count).mean
+                there = converted_enclosure.correlated((r, 0), (sr, sa), rho, 1, count).mean
                 kept, beside = there[0] / r, there[1]
                 turn = flint.acb(0, a).exp() * flint.acb(r, -beside / kept) / kept
                 place = [turn.real, turn.imag]

@@ -13,7 +13,7 @@ from fractions import Fraction
 
 import flint
 
-from gainproof.verify.oracles.truth import Truth
+from gainproof.verify.oracles.true_values import Truth
 
 BITS = 400
 

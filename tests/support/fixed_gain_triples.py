@@ -16,9 +16,9 @@ from functools import cache
 import flint
 from fixed_gain_truth import BITS, WORKING, acceleration
 
-from gainproof.verify.oracles.crossing import between
 from gainproof.verify.oracles.fixed_gain import ball, predicted
-from gainproof.verify.oracles.truth import Truth
+from gainproof.verify.oracles.true_values import Truth
+from gainproof.verify.oracles.zero_crossing import between
 
 Gains = tuple[Fraction, ...]
 Ends = tuple[Gains, Gains]

@@ -14,14 +14,14 @@ from functools import cache
 
 import flint
 
-from gainproof.verify.oracles.crossing import between
 from gainproof.verify.oracles.fixed_gain import (
     ball,
     predicted,
     updated,
     variance_slope,
 )
-from gainproof.verify.oracles.truth import Truth
+from gainproof.verify.oracles.true_values import Truth
+from gainproof.verify.oracles.zero_crossing import between
 
 BITS = 75  # of a place: far beyond a double
 WORKING = 700  # 1/(alpha beta) is up to 1e45, the slope near its place 2^-150 of its terms

@@ -1,9 +1,10 @@
-"""Worker processes that stay for the next test: an interpreter with SymPy takes 0.6 s to start.
+"""Worker processes that stay for the next test, and are forked: an interpreter with SymPy takes
+0.6 s to start.
 
 They are those of the product, asked in the same way; in it too one takes job after job, and what it
-keeps of a job is kept by its whole content. What only the test of a process needs (how it starts,
-breaks off, is ended) is tested with the product's own `Process`, which is what everybody gets whose
-worker, hash seed or executed file is an unusual one.
+keeps of a job is kept by its whole content. One that executed a file is not kept. What only the
+test of a process needs (how it starts, breaks off, is ended) is tested with the product's own
+`Process`, which is what everybody gets whose worker or hash seed is an unusual one.
 """
 
 from __future__ import annotations
@@ -19,6 +20,8 @@ import tempfile
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 from typing import Any
+
+from forked_children import CAN_FORK, ForkedWorker
 
 from gainproof.jobs import workers
 from gainproof.jobs.cache import FOLDER_VARIABLE
@@ -38,7 +41,7 @@ MOST_JOBS = 25
 class _Interpreter:
     """A process that waits for requests."""
 
-    process: subprocess.Popen[bytes]
+    process: subprocess.Popen[bytes] | ForkedWorker
     errors: Any
     key: tuple[object, ...]
     jobs: int = 0
@@ -46,6 +49,8 @@ class _Interpreter:
     @classmethod
     def made(cls, key: tuple[object, ...], settings: Mapping[str, str]) -> _Interpreter:
         errors = tempfile.TemporaryFile()  # noqa: SIM115 (it goes with the process)
+        if CAN_FORK:
+            return cls(ForkedWorker(settings, errors), errors, key)
         process = subprocess.Popen(
             [sys.executable, "-P", "-m", OWN_WORKER],
             stdin=subprocess.PIPE,
@@ -66,12 +71,15 @@ class _Interpreter:
         return self.process.stdout.readline()
 
     def end(self) -> None:
-        """With all that it has started."""
+        """With all that it has started; once more does nothing."""
+        if self.errors.closed:
+            return
         with contextlib.suppress(ProcessLookupError):
             if sys.platform == "win32":
                 self.process.kill()
             else:
                 os.killpg(self.process.pid, signal.SIGKILL)
+        self.process.kill()  # one that had no group yet
         self.process.communicate()
         self.errors.close()
 
@@ -131,7 +139,7 @@ class _Kept:
     def __init__(self, settings: Mapping[str, str]) -> None:
         self._settings = settings
         self._one: _Interpreter | None = None
-        self._new: Process | None = None
+        self._executing: _Interpreter | None = None
 
     @classmethod
     async def started(cls, module: str, settings: Mapping[str, str]) -> Any:
@@ -140,48 +148,52 @@ class _Kept:
         return cls(settings)
 
     async def ask(
-        self, request: Mapping[str, Any], tell: Callable[[str], object], *, last: bool = False
+        self,
+        request: Mapping[str, Any],
+        tell: Callable[[str], object],
+        *,
+        last: bool = False,  # noqa: ARG002 (of the product's)
     ) -> dict[str, Any]:
         task = str(request["task"])
         if task in TASKS and TASKS[task].executes:  # after which a process is not what it was
-            if self._new is None:
-                self._new = await Process.started(OWN_WORKER, self._settings)
-            return await self._new.ask(request, tell, last=last)
-        if self._one is None:
-            self._one = self.of.taken(self._settings, derives=derives(task))
-        self.of.asked += 1
-        self._one.jobs += 1
+            if self._executing is None:
+                self._executing = _Interpreter.made((), self._settings)
+            one = self._executing
+        else:
+            if self._one is None:
+                self._one = self.of.taken(self._settings, derives=derives(task))
+            one = self._one
+            self.of.asked += 1
+        one.jobs += 1
         loop, said = asyncio.get_running_loop(), json.dumps(request).encode() + b"\n"
         while True:
-            line = await loop.run_in_executor(None, self._one.exchange, said)
+            line = await loop.run_in_executor(None, one.exchange, said)
             said = b""
             try:
                 answer = json.loads(line)
             except ValueError:
-                raise BrokenOffError(self._how_it_ended()) from None
+                raise BrokenOffError(_how_it_ended(one)) from None
             if "progress" not in answer:
                 return dict(answer)
             tell(str(answer["progress"]))
 
-    def _how_it_ended(self) -> str:
-        assert self._one is not None
-        one, self._one = self._one, None
-        status = one.process.wait()
-        one.errors.seek(0)
-        text = one.errors.read().decode(errors="replace").strip()
-        one.end()
-        return f"the process ended with status {status}\n{text}"
-
     async def finish(self) -> None:
-        if self._new is not None:
-            await self._new.finish()
+        if self._executing is not None:
+            self._executing.end()
         if self._one is not None:
             self.of.put_back(self._one)
-            self._one = None
+        self._executing = self._one = None
 
     async def end(self) -> None:
-        if self._new is not None:
-            await self._new.end()
-        if self._one is not None:
-            self._one.end()
-            self._one = None
+        for one in (self._executing, self._one):
+            if one is not None:
+                one.end()
+        self._executing = self._one = None
+
+
+def _how_it_ended(one: _Interpreter) -> str:
+    status = one.process.wait()
+    one.errors.seek(0)
+    text = one.errors.read().decode(errors="replace").strip()
+    one.end()
+    return f"the process ended with status {status}\n{text}"

@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 from printed_kernels import EPSILON, LARGEST, LEAST_NORMAL, PrintedKernel, common_domain
 
 from gainproof.verify.oracles import distance
-from gainproof.verify.oracles.truth import Truth
+from gainproof.verify.oracles.true_values import Truth
 
 
 @dataclass(frozen=True)

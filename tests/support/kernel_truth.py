@@ -20,7 +20,12 @@ from fixed_gain_truth import AlphaBetaTruth
 from shared_variances import PositionGainTruth
 from updated_gains_truth import UpdateLimitsTruth
 
-from gainproof.verify.oracles.truth import FitTruth, SteadyStateTruth, Truth, steady_state_truth
+from gainproof.verify.oracles.true_values import (
+    FitTruth,
+    SteadyStateTruth,
+    Truth,
+    steady_state_truth,
+)
 
 
 def position_velocity(noise: list[list[str]]) -> dict[str, Any]:

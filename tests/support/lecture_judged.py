@@ -8,7 +8,7 @@ import os
 from functools import cache
 from typing import Any
 
-from catalogue_subjects import prepare_all, take_over_trials
+from catalogue_subjects import prepare_all, take_over
 
 from gainproof.claims import judgements
 from gainproof.jobs.session import open_session
@@ -27,7 +27,7 @@ def claims_of(source: str) -> list[dict[str, Any]]:
     if "PYTEST_XDIST_WORKER" in os.environ:
         prepare_all()
     session = open_session(quiet=True)
-    take_over_trials(session.cache)
+    take_over("trial", session.cache)
     (judged,) = judgements.judge([judgements.find(source)], session)
     claims: list[dict[str, Any]] = judged["claims"]
     return claims

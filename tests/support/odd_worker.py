@@ -9,11 +9,12 @@ import subprocess
 import sys
 import time
 
+from gainproof.bad_input import BadInputError
 from gainproof.jobs import tasks, worker
 from gainproof.jobs.tasks import Task
 from gainproof.jobs.worker_state import WorkerState
 
-NAMES = ("environment", "wait", "process", "imported", "several", "start_another")
+NAMES = ("environment", "wait", "process", "imported", "several", "refuse", "start_another")
 
 
 def environment(names: list[str]) -> dict[str, str | None]:
@@ -45,6 +46,11 @@ def note(state: WorkerState, key: str, value: int) -> int:
 def several() -> list[object]:
     """What `wait` would answer, and something that it would not."""
     return [0, "known"]
+
+
+def refuse() -> None:
+    """Have been asked for what there is not."""
+    raise BadInputError("there is no such thing")
 
 
 def start_another(seconds: float) -> float:

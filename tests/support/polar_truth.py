@@ -10,7 +10,7 @@ import flint
 from signed_graphs import with_terms
 
 from gainproof.derive.sensors.polar_module import graphs
-from gainproof.verify.oracles import polar
+from gainproof.verify.oracles import polar_enclosure
 
 Values = Mapping[str, flint.arb]
 PLACES, POLAR = ("x", "y", "z"), ("slant_range", "elevation", "bearing")
@@ -18,37 +18,37 @@ PLANE = "_in_plane"
 
 
 def to_cartesian(r: float, e: float, b: float) -> Values:
-    return dict(zip(PLACES, polar.place(r, e, b), strict=True))
+    return dict(zip(PLACES, polar_enclosure.place(r, e, b), strict=True))
 
 
 def to_polar(x: float, y: float, z: float) -> Values:
-    return dict(zip(POLAR, polar.polar(x, y, z), strict=True))
+    return dict(zip(POLAR, polar_enclosure.polar(x, y, z), strict=True))
 
 
 def cartesian_derivatives(r: float, e: float, b: float) -> Values:
-    return _named(PLACES, POLAR, polar.slopes(polar.place, (r, e, b)))
+    return _named(PLACES, POLAR, polar_enclosure.slopes(polar_enclosure.place, (r, e, b)))
 
 
 def polar_derivatives(x: float, y: float, z: float) -> Values:
-    return _named(POLAR, PLACES, polar.polar_slopes((x, y, z)))
+    return _named(POLAR, PLACES, polar_enclosure.polar_slopes((x, y, z)))
 
 
 def noise_covariance(*given: float) -> Values:
-    rows = polar.covariance(given[:3], given[3:])
+    rows = polar_enclosure.covariance(given[:3], given[3:])
     return {f"covariance_{a}{b}": value for (a, b), value in _table(PLACES, PLACES, rows)}
 
 
 def mean_of_converted(r: float, e: float, b: float, *deviations: float) -> Values:
-    true, mean = polar.place(r, e, b), polar.mean_place((r, e, b), deviations)
+    true, mean = polar_enclosure.place(r, e, b), polar_enclosure.mean_place((r, e, b), deviations)
     found = {f"mean_{name}": value for name, value in zip(PLACES, mean, strict=True)}
-    with flint.ctx.workprec(polar.BITS):
+    with flint.ctx.workprec(polar_enclosure.BITS):
         for name, value, at in zip(PLACES, mean, true, strict=True):
             found[f"bias_{name}"] = value - at
     return found
 
 
 def straight_course_rates(*given: float) -> Values:
-    first, second = polar.rates(given[:3], given[3:])
+    first, second = polar_enclosure.rates(given[:3], given[3:])
     names = ("range", "elevation", "bearing")
     rates = {f"{name}_rate": value for name, value in zip(names, first, strict=True)}
     return rates | {f"{name}_acceleration": v for name, v in zip(names, second, strict=True)}

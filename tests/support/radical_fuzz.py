@@ -9,16 +9,16 @@ from random import Random
 
 from random_radicals import NoValue, Unclear, X, equal_pair, expression, near_pair, value
 
-from gainproof.verify.judge.exact.algebraic import compare
+from gainproof.verify.judge.exact.algebraic_numbers import compare
 from gainproof.verify.judge.exact.box import Box
 from gainproof.verify.judge.exact.calculus import roots_made_prime
 from gainproof.verify.judge.exact.decision import decide
 from gainproof.verify.judge.exact.expression import Expr
-from gainproof.verify.judge.exact.limits import DEFAULT_LIMITS, Limits, Undecided
-from gainproof.verify.judge.exact.place import Place
+from gainproof.verify.judge.exact.places import Place
 from gainproof.verify.judge.exact.statement import Rel, Statement
-from gainproof.verify.judge.exact.survey import Work, survey
 from gainproof.verify.judge.exact.truth import FALSE, NO_VALUE, TRUE
+from gainproof.verify.judge.exact.truth_survey import Work, survey
+from gainproof.verify.judge.exact.work_limits import DEFAULT_LIMITS, Limits, Undecided
 
 BOXES = (
     Box(stated=False),

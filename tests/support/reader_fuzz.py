@@ -10,9 +10,9 @@ from declared import Declared
 
 from gainproof.verify.judge.formula import Formula
 from gainproof.verify.judge.reader.errors import ReaderError
-from gainproof.verify.judge.reader.latex import reading_to_latex
-from gainproof.verify.judge.reader.names import canonical_token
-from gainproof.verify.judge.reader.plain import reading_to_plain
+from gainproof.verify.judge.reader.latex_printer import reading_to_latex
+from gainproof.verify.judge.reader.plain_printer import reading_to_plain
+from gainproof.verify.judge.reader.printed_names import canonical_token
 from gainproof.verify.judge.reader.reader import read_formula, read_plain
 
 NUMBERS = (r"\alpha", r"\alpha_k", r"\beta", "k", "T", "x_{sk-1}", r"\dot{x}_{ok}", "By", "x^{-}")

@@ -11,7 +11,7 @@ from fractions import Fraction
 
 import flint
 
-from gainproof.verify.oracles.truth import Truth
+from gainproof.verify.oracles.true_values import Truth
 
 BITS = 300
 

@@ -1,4 +1,4 @@
-"""Commands as the documentation shows them: run here where no shell is asked for, else in one."""
+"""Commands as the documentation shows them: ours run here, what they are piped into in a shell."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ from pathlib import Path
 from gainproof import cli
 
 PYTHON = re.compile(r"python -c '([^']*)'")
-OWN = re.compile(r"gainproof [^|<>&;$*`]*")
+OWN = re.compile(r"(gainproof (?:[^|<>&;$*`']|'[^']*')*?)(?: \| (.*))?")
 
 
 def run(command: str, folder: Path) -> tuple[str, str]:
@@ -27,16 +27,19 @@ def run(command: str, folder: Path) -> tuple[str, str]:
     with contextlib.chdir(folder), streams[0], streams[1]:
         if program is not None:
             exec(program[1], {})  # noqa: S102 (a line of our own documentation)
-        else:
-            cli.main(shlex.split(command)[1:])
-    return out.getvalue(), errors.getvalue()
+        elif own is not None:
+            cli.main(shlex.split(own[1])[1:])
+    if own is None or own[2] is None:
+        return out.getvalue(), errors.getvalue()
+    filtered, more = _in_a_shell(own[2], folder, out.getvalue())
+    return filtered, errors.getvalue() + more
 
 
-def _in_a_shell(command: str, folder: Path) -> tuple[str, str]:
+def _in_a_shell(command: str, folder: Path, given: str = "") -> tuple[str, str]:
     path = f"{Path(sys.executable).parent}{os.pathsep}{os.environ['PATH']}"
     environment = {**os.environ, "PATH": path}
     done = subprocess.run(
         command, shell=True, capture_output=True, text=True, check=False, cwd=folder,
-        env=environment,
+        env=environment, input=given,
     )  # fmt: skip
     return done.stdout, done.stderr

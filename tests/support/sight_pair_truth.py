@@ -8,7 +8,7 @@ from functools import partial
 import flint
 from sight_truth import Values, axes_of, terms, truth
 
-from gainproof.verify.oracles import sight
+from gainproof.verify.oracles import range_and_rate
 
 PAIRS = ("bistatic_range_doppler", "range_doppler_difference")
 
@@ -26,7 +26,7 @@ def pair_truth(kernel: str) -> Callable[..., Mapping[str, flint.arb]]:
 def _combined(kernel: str, sign: int, *given: float) -> Values:
     single = truth(_single(kernel))
     one, other = (single(*motion) for motion in _sights(kernel, given))
-    with flint.ctx.workprec(sight.BITS):
+    with flint.ctx.workprec(range_and_rate.BITS):
         return {_named(kernel, name): value + sign * other[name] for name, value in one.items()}
 
 
@@ -38,7 +38,7 @@ def pair_terms(kernel: str) -> Callable[..., Mapping[str, flint.arb]]:
 def _sum_terms(kernel: str, *given: float) -> Values:
     values, sizes = truth(_single(kernel)), terms(_single(kernel))
     found: Values = {}
-    with flint.ctx.workprec(sight.BITS):
+    with flint.ctx.workprec(range_and_rate.BITS):
         for motion in _sights(kernel, given):
             one = {name: abs(value) for name, value in values(*motion).items()}
             for name, size in (one | dict(sizes(*motion))).items():
@@ -51,7 +51,7 @@ def _difference_terms(kernel: str, *given: float) -> Values:
     first, second = _sights(kernel, given)
     single, sizes = truth(_single(kernel)), terms(_single(kernel))
     one, other, bent = single(*first), single(*second), sizes(*second)
-    with flint.ctx.workprec(sight.BITS):
+    with flint.ctx.workprec(range_and_rate.BITS):
         (baseline, drift), (near, _), (far, fast) = (
             _apart(a, b, len(axes))
             for a, b in (

@@ -8,7 +8,7 @@ from typing import Any
 
 import flint
 
-from gainproof.verify.oracles import sight
+from gainproof.verify.oracles import range_and_rate
 
 Values = dict[str, flint.arb]
 PLANE = "_in_plane"
@@ -23,21 +23,25 @@ def truth(kernel: str) -> Callable[..., Mapping[str, flint.arb]]:
 
     def found(*given: float) -> Values:
         target, velocity, station, moving = motions(kernel, given)
-        with flint.ctx.workprec(sight.BITS):
-            size = sight.distance(target, station)
-            by = _slopes(lambda place: sight.distance(place, station), target, size)
+        with flint.ctx.workprec(range_and_rate.BITS):
+            size = range_and_rate.distance(target, station)
+            by = _slopes(lambda place: range_and_rate.distance(place, station), target, size)
             values = {"slant_range": size} | _named("range_D_", axes, by)
             if "hessian" in kernel:
                 function = partial(_rate, velocity, station, moving)
                 if not moves(kernel):
                     function = partial(_range, station)
-                return _square(kernel, axes, sight.curvatures(function, target, size))
+                return _square(kernel, axes, range_and_rate.curvatures(function, target, size))
             if not moves(kernel):
                 return values
-            values["range_rate"] = sight.rate(target, velocity, station, moving)
-            by = _slopes(lambda place: sight.rate(place, velocity, station, moving), target, size)
+            values["range_rate"] = range_and_rate.rate(target, velocity, station, moving)
+            by = _slopes(
+                lambda place: range_and_rate.rate(place, velocity, station, moving), target, size
+            )
             values |= _named("range_rate_D_", axes, by)
-            by = _slopes(lambda fast: sight.rate(target, fast, station, moving), velocity, 1)
+            by = _slopes(
+                lambda fast: range_and_rate.rate(target, fast, station, moving), velocity, 1
+            )
             return values | _named("range_rate_D_velocity_", axes, by)
 
     return found
@@ -51,9 +55,9 @@ def terms(kernel: str) -> Callable[..., Mapping[str, flint.arb]]:
 
     def found(*given: float) -> Values:
         target, velocity, station, moving = motions(kernel, given)
-        with flint.ctx.workprec(sight.BITS):
-            size = sight.distance(target, station)
-            unit = _slopes(lambda place: sight.distance(place, station), target, size)
+        with flint.ctx.workprec(range_and_rate.BITS):
+            size = range_and_rate.distance(target, station)
+            unit = _slopes(lambda place: range_and_rate.distance(place, station), target, size)
             fast = [abs(flint.arb(a) - flint.arb(b)) for a, b in zip(velocity, moving, strict=True)]
             along = sum((abs(u) * w for u, w in zip(unit, fast, strict=True)), flint.arb(0))
             by = [(w + abs(u) * along) / size for u, w in zip(unit, fast, strict=True)]
@@ -84,7 +88,7 @@ def _shifted(rates: Callable[..., Mapping[str, flint.arb]]) -> Callable[..., Val
 
     def found(*given: float) -> Values:
         *motion, carrier = given
-        with flint.ctx.workprec(sight.BITS):
+        with flint.ctx.workprec(range_and_rate.BITS):
             waves = -flint.arb(carrier) / 299792458
             return {
                 name.replace("range_rate", "doppler_shift"): value * waves
@@ -115,13 +119,13 @@ def motions(kernel: str, given: Sequence[float]) -> Motions:
 
 
 def _range(station: Sequence[Any], place: Sequence[Any]) -> flint.arb:
-    return sight.distance(place, station)
+    return range_and_rate.distance(place, station)
 
 
 def _rate(
     velocity: Sequence[Any], station: Sequence[Any], moving: Sequence[Any], place: Sequence[Any]
 ) -> flint.arb:
-    return sight.rate(place, velocity, station, moving)
+    return range_and_rate.rate(place, velocity, station, moving)
 
 
 def _square(kernel: str, axes: str, rows: Sequence[Sequence[flint.arb]]) -> Values:
@@ -135,7 +139,7 @@ def _square(kernel: str, axes: str, rows: Sequence[Sequence[flint.arb]]) -> Valu
 
 
 def _slopes(function: Callable[[Any], flint.arb], at: Sequence[Any], size: Any) -> list[flint.arb]:
-    return sight.slopes(function, at, size)
+    return range_and_rate.slopes(function, at, size)
 
 
 def _named(start: str, axes: str, values: Sequence[flint.arb]) -> Values:

@@ -16,11 +16,11 @@ from typing import NamedTuple
 import flint
 
 from gainproof.verify.oracles.ball import enclose
-from gainproof.verify.oracles.crossing import between
 from gainproof.verify.oracles.fixed_gain import ball, predicted, updated
 from gainproof.verify.oracles.spectrum import Spectrum, spectrum
 from gainproof.verify.oracles.state_space import state_space
-from gainproof.verify.oracles.truth import Truth
+from gainproof.verify.oracles.true_values import Truth
+from gainproof.verify.oracles.zero_crossing import between
 
 BITS, DIGITS = 75, 45
 WORKING = 500

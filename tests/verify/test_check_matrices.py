@@ -22,7 +22,7 @@ import pytest
 from matrix_claims import SYMBOLS, judged_matrices
 
 from gainproof.verify import check_matrices
-from gainproof.verify.certificate.words import proof as words
+from gainproof.verify.certificate.matrix_words import proof as words
 from gainproof.verify.check_matrices import FORMAT, Certificate, main
 from gainproof.verify.judge.answer_certificate import (
     NoCertificateError,

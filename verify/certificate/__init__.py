@@ -34,15 +34,15 @@ Polynomial
 Fraction
     {"num": polynomial, "den": polynomial}; "den" manifestly positive.
 Tower
-    {"parameters": [...], "generators": [...], "elements": {name: fraction, ...}}.
-    Parameter: {"symbol", "above": "0"} is p > 0, {"symbol", "from": number} is k >= number.
-    Generator: {"symbol", "power": n, "radicand": polynomial in earlier variables}: the positive
-    real y with y^n = radicand; the radicand must be manifestly positive. Or {"coupled": [x, y],
-    "free": [a, c], "slopes": [b, e]}: the two positive reals with x^2 = a + b y, y^2 = c + e x;
-    polynomials in earlier variables, a, c manifestly nonnegative, b, e positive (`coupled`).
-    Elements are fractions with names of their own. No name is given twice in a tower.
-    An entry with "matrices" is a setting of matrices of every size; see `words` for it and for its
-    kinds: matrix_equal, matrix_order, matrix_invertible, matrix_trace (definition, cited as below).
+    {"parameters": [...], "generators": [...], "elements": {name: fraction, ...}}. Parameter:
+    {"symbol", "above": "0"} is p > 0, {"symbol", "from": number} is k >= number. Generator:
+    {"symbol", "power": n, "radicand": polynomial in earlier variables}: the positive real y with
+    y^n = radicand; the radicand must be manifestly positive. Or {"coupled": [x, y], "free": [a, c],
+    "slopes": [b, e]}: the two positive reals with x^2 = a + b y, y^2 = c + e x; polynomials in
+    earlier variables, a, c manifestly nonnegative, b, e positive (`coupled`). Elements are
+    fractions with names of their own. No name is given twice in a tower. An entry with "matrices"
+    is a setting of matrices of every size; see `matrix_words` for it and for its kinds:
+    matrix_equal, matrix_order, matrix_invertible, matrix_trace (definition, cited as below).
 Graph
     {"nodes": [node, ...], "outputs": {name: node number}}; a node refers to earlier nodes, each
     node serves an output. Single expressions have the one output "value". Nodes: ["number", q],
@@ -82,9 +82,9 @@ Root in a claim
     ["pow", i, "m/n"]: the base must be zero, a perfect n-th power of one term over factors, or
     equal to the radicand of a generator of power n.
 Derivative
-    By a parameter (generators follow: y' = radicand'/(n y^(n-1)), pairs as in `coupled`; the other
-    parameters held) or a free symbol; by an element x in which one parameter p occurs and no other,
-    also inside generators: (dE/dp)/(dx/dp), the other parameters held.
+    By a parameter (generators follow: y' = radicand'/(n y^(n-1)), pairs as in `coupled_roots`; the
+    other parameters held) or a free symbol; by an element x in which one parameter p occurs and no
+    other, also inside generators: (dE/dp)/(dx/dp), the other parameters held.
 At
     The expression evaluated anew with another value of a parameter or free symbol, in elements too,
     every divisor shown nonzero there. Only in towers without generators; no derivative inside.
@@ -108,7 +108,7 @@ limit {"expression": graph, "variable": name, "point": "0" | "infinity", "value"
     [{"symbol", "power", "radicand"}, ...]: positive roots over the other parameters and earlier
     constants, exponents over the other parameters, then all constants. "boundary": {generator:
     polynomial over these}: the value of Y at x = 0, manifestly nonnegative and a root of the
-    rescaled relation at x = 0, which may hold no negative power of x (pairs: `pair_boundary`).
+    rescaled relation at x = 0, which may hold no negative power of x (pairs: `coupled_boundary`).
     Weights and boundary name every generator. The lowest powers of x above and below the line give
     the limit; their coefficients at the boundary must have plain signs (positive or negative for
     all values of the other parameters, manifestly). A "form" equals the expression and takes its
@@ -184,8 +184,8 @@ certificate that have a model have the same one.
 
 from __future__ import annotations
 
+from gainproof.verify.certificate.certificate_file import read_certificate
 from gainproof.verify.certificate.checker import check, check_statement
-from gainproof.verify.certificate.read import read_certificate
 from gainproof.verify.certificate.rejection import MalformedError, RejectedError
 from gainproof.verify.certificate.report import CertificateReport, StatementResult
 

@@ -1,12 +1,11 @@
 """The value of a quotient at an end of one parameter's domain, exactly.
 
-The tending parameter p is written as a distance x -> 0: ``p = lower + x`` at the lower end,
-``p = 1/x`` at infinity; each generator as ``y = Y x^(-weight)`` so that the rescaled relation
-``Y^n = x^(n weight) radicand`` has no negative power of x. The other parameters are held, at any
-point of their domains. Then Y is continuous up to x = 0, where it is the nonnegative root of the
-relation at x = 0 (of a coupled pair see `pair_boundary`): the certificate states it over constants
-(which are positive roots over the other parameters), and the relation confirms it at every point of
-them.
+The tending parameter p is written as a distance x -> 0: ``p = lower + x`` at the lower end, ``p =
+1/x`` at infinity; each generator as ``y = Y x^(-weight)`` so that the rescaled relation ``Y^n =
+x^(n weight) radicand`` has no negative power of x. The other parameters are held, at any point of
+their domains. Then Y is continuous up to x = 0, where it is the nonnegative root of the relation at
+x = 0 (of a coupled pair see `coupled_boundary`): the certificate states it over constants (which
+are positive roots over the other parameters), and the relation confirms it at every point of them.
 
 The limit is read from the lowest powers of x above and below the line. If their coefficients are
 not manifestly positive or negative for all values of the other parameters, nothing can be
@@ -20,11 +19,11 @@ from collections.abc import Callable
 from dataclasses import dataclass, replace
 from fractions import Fraction
 
-from gainproof.verify.certificate import schema, written
+from gainproof.verify.certificate import schema, written_polynomials
+from gainproof.verify.certificate.coupled_boundary import require_pair, require_root
 from gainproof.verify.certificate.field import Field
 from gainproof.verify.certificate.generator import read_constants
-from gainproof.verify.certificate.pair_boundary import require_pair, require_root
-from gainproof.verify.certificate.plain import Plain
+from gainproof.verify.certificate.plain_data import Plain
 from gainproof.verify.certificate.polynomial import Exponents, Polynomial
 from gainproof.verify.certificate.ratio import Ratio, number, polynomial
 from gainproof.verify.certificate.rejection import RejectedError
@@ -170,7 +169,7 @@ def read_boundary(
     boundary = Boundary(field, position, at_infinity, scaled, constants, ())
     roots: list[Polynomial] = []
     for generator_name in names:
-        root = written.polynomial(
+        root = written_polynomials.polynomial(
             entries[generator_name], constants.ring, f"{place}.boundary.{generator_name}"
         )
         if not constants.nonnegative(root):

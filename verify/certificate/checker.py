@@ -7,8 +7,8 @@ from time import perf_counter
 from typing import Any
 
 from gainproof.verify.certificate.document import Document, Statement, read_document
-from gainproof.verify.certificate.expectation import Expectation, read_expectation
-from gainproof.verify.certificate.plain import plain
+from gainproof.verify.certificate.expected_claims import Expectation, read_expectation
+from gainproof.verify.certificate.plain_data import plain
 from gainproof.verify.certificate.rejection import GivenUpError, Meter, RejectedError
 from gainproof.verify.certificate.report import CertificateReport, StatementResult
 

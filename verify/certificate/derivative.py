@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from fractions import Fraction
 
-from gainproof.verify.certificate.coupled import Pair
+from gainproof.verify.certificate.coupled_roots import Pair
 from gainproof.verify.certificate.field import Field
-from gainproof.verify.certificate.nonzero import Nonzero
+from gainproof.verify.certificate.nonzero_divisors import Nonzero
 from gainproof.verify.certificate.polynomial import Polynomial
 from gainproof.verify.certificate.ratio import Ratio, number, polynomial, total
 from gainproof.verify.certificate.rejection import RejectedError

@@ -6,7 +6,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 
 from gainproof.verify.certificate import schema
-from gainproof.verify.certificate.case import Case, Program
+from gainproof.verify.certificate.checked_statement import Case, Program
 from gainproof.verify.certificate.graph import (
     AtNode,
     DerivativeNode,
@@ -16,19 +16,10 @@ from gainproof.verify.certificate.graph import (
     read_graph,
 )
 from gainproof.verify.certificate.kinds import KINDS
-from gainproof.verify.certificate.plain import Plain
-from gainproof.verify.certificate.rejection import (
-    MAXIMUM_STATEMENTS,
-    MalformedError,
-    Meter,
-    RejectedError,
-)
-from gainproof.verify.certificate.steepness import require_bound
-from gainproof.verify.certificate.tower import Tower, read_tower
-from gainproof.verify.certificate.words import (
+from gainproof.verify.certificate.matrix_words import (
     KINDS as WORD_KINDS,
 )
-from gainproof.verify.certificate.words import (
+from gainproof.verify.certificate.matrix_words import (
     STATED,
     Setting,
     is_setting,
@@ -36,6 +27,15 @@ from gainproof.verify.certificate.words import (
     read_setting,
     stated,
 )
+from gainproof.verify.certificate.plain_data import Plain
+from gainproof.verify.certificate.program_fixed_points import require_bound
+from gainproof.verify.certificate.rejection import (
+    MAXIMUM_STATEMENTS,
+    MalformedError,
+    Meter,
+    RejectedError,
+)
+from gainproof.verify.certificate.tower import Tower, read_tower
 
 FORMAT = "gainproof certificate 1"
 

@@ -14,7 +14,7 @@ from collections.abc import Iterable
 from dataclasses import dataclass
 from fractions import Fraction
 
-from gainproof.verify.certificate.coupled import Pair
+from gainproof.verify.certificate.coupled_roots import Pair
 from gainproof.verify.certificate.monomials import DIGIT, beyond
 from gainproof.verify.certificate.polynomial import Polynomial, Ring
 from gainproof.verify.certificate.rejection import MAXIMUM_EXPONENT, RejectedError

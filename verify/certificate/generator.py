@@ -4,11 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from gainproof.verify.certificate import schema, written
-from gainproof.verify.certificate.coupled import Pair
+from gainproof.verify.certificate import schema, written_polynomials
+from gainproof.verify.certificate.coupled_roots import Pair
 from gainproof.verify.certificate.field import Field, Generator
 from gainproof.verify.certificate.monomials import WIDTH
-from gainproof.verify.certificate.plain import Plain
+from gainproof.verify.certificate.plain_data import Plain
 from gainproof.verify.certificate.polynomial import Polynomial, Ring
 from gainproof.verify.certificate.rejection import MAXIMUM_ROOT, RejectedError
 
@@ -100,7 +100,7 @@ def _two(value: Plain, place: str) -> list[Plain]:
 
 def _earlier(value: Plain, field: Field, place: str) -> Polynomial:
     """A polynomial in the variables that the field has so far."""
-    found = written.polynomial(value, field.ring, place)
+    found = written_polynomials.polynomial(value, field.ring, place)
     for position in range(field.position(len(field.generators)), field.ring.size):
         if found.occurs(position):
             raise RejectedError(f"{place}: only earlier variables may occur")

@@ -8,7 +8,7 @@ from fractions import Fraction
 from typing import TypeAlias
 
 from gainproof.verify.certificate import schema
-from gainproof.verify.certificate.plain import Plain
+from gainproof.verify.certificate.plain_data import Plain
 from gainproof.verify.certificate.rejection import (
     MAXIMUM_NODES,
     MAXIMUM_ORDER,

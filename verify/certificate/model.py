@@ -6,10 +6,10 @@ from dataclasses import dataclass
 from fractions import Fraction
 
 from gainproof.verify.certificate import schema
-from gainproof.verify.certificate.case import Case
+from gainproof.verify.certificate.checked_statement import Case
 from gainproof.verify.certificate.field import Field
 from gainproof.verify.certificate.matrix import determinant
-from gainproof.verify.certificate.plain import Plain
+from gainproof.verify.certificate.plain_data import Plain
 from gainproof.verify.certificate.ratio import Ratio, number
 from gainproof.verify.certificate.rejection import MAXIMUM_ORDER, RejectedError
 

@@ -24,7 +24,6 @@ from gainproof.verify.certificate.monomials import (
     in_every_digit,
     monomial_of,
 )
-from gainproof.verify.certificate.products import product_of
 from gainproof.verify.certificate.rejection import (
     MAXIMUM_COEFFICIENT_BITS,
     MAXIMUM_EXPONENT,
@@ -32,6 +31,7 @@ from gainproof.verify.certificate.rejection import (
     Meter,
     RejectedError,
 )
+from gainproof.verify.certificate.term_products import product_of
 
 TOO_LONG = f"given up: a number of more than {MAXIMUM_COEFFICIENT_BITS} bits"
 # What any operation costs, however short, in products of two terms.

@@ -9,7 +9,7 @@ from __future__ import annotations
 import re
 from fractions import Fraction
 
-from gainproof.verify.certificate.plain import Plain
+from gainproof.verify.certificate.plain_data import Plain
 from gainproof.verify.certificate.rejection import (
     MAXIMUM_NUMBER_TEXT,
     GivenUpError,

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from fractions import Fraction
 
-from gainproof.verify.certificate import schema, written
+from gainproof.verify.certificate import schema, written_polynomials
 from gainproof.verify.certificate.field import Field, Parameter
 from gainproof.verify.certificate.generator import (
     extended,
@@ -13,7 +13,7 @@ from gainproof.verify.certificate.generator import (
     lifted_generators,
     number_of_variables,
 )
-from gainproof.verify.certificate.plain import Plain
+from gainproof.verify.certificate.plain_data import Plain
 from gainproof.verify.certificate.polynomial import Polynomial, Ring
 from gainproof.verify.certificate.ratio import Ratio, polynomial
 from gainproof.verify.certificate.rejection import (
@@ -22,7 +22,7 @@ from gainproof.verify.certificate.rejection import (
     Meter,
     RejectedError,
 )
-from gainproof.verify.certificate.written import WrittenFraction
+from gainproof.verify.certificate.written_polynomials import WrittenFraction
 
 
 class Tower:
@@ -128,7 +128,7 @@ def read_tower(value: Plain, meter: Meter, place: str) -> Tower:
     values: dict[str, Ratio] = {}
     fractions: dict[str, WrittenFraction] = {}
     for name, entry in elements.items():
-        fraction = written.read_fraction(entry, field.ring, f"{place}.elements.{name}")
+        fraction = written_polynomials.read_fraction(entry, field.ring, f"{place}.elements.{name}")
         tower.mark(fraction.numerator)
         tower.mark(fraction.denominator)
         values[name], fractions[name] = fraction.ratio(field), fraction

@@ -1,240 +1,25 @@
-"""Proofs that `gainproof.verify.check_answer` multiplies out: zeros, signs, that parts have values.
-
-The checker reads each line as it is written here, so that what it does not accept is found at once.
-Polynomials are those of its letters, on python-flint; the last letter is eliminated by what defines
-it, until a polynomial in variables is left.
-"""
+"""Proofs that `gainproof.verify.check_answer` multiplies out: zeros, signs, parts with values."""
 
 from __future__ import annotations
 
-import ast
-from collections.abc import Iterator, Mapping, Sequence
 from fractions import Fraction
-from itertools import product
 from math import gcd, lcm
-from time import process_time
 from typing import Any
 
-import flint
-
-from gainproof.verify.check_answer import FORMAT, ONE, VALUE, ZERO, Certificate, Poly
-
-Flint = Any
-"""A polynomial of python-flint, which has no types."""
-ELEVATIONS = (0, 1, 3, 8, 20)
-"""Powers of what is positive that are tried as a factor of a polynomial in one variable."""
-SMALL = (Fraction(1), Fraction(1, 8), Fraction(1, 1000))
-
-
-def constant(value: Fraction | int) -> Poly:
-    return Poly({(): value}) if value else ZERO
+from gainproof.verify.check_answer import ONE, VALUE, ZERO, Poly
+from gainproof.verify.judge.answer_coefficients import by_coefficients
+from gainproof.verify.judge.answer_polynomials import (
+    Polynomials,
+    constant,
+    letter,
+    pair,
+    said,
+    text_of,
+)
 
 
-def letter(name: str, power: int = 1) -> Poly:
-    return Poly({(name,) * power: 1})
-
-
-class Proof:
-    """Lines of a certificate so far, as the checker has read them."""
-
-    def __init__(self, point: Mapping[str, list[int]], latest: float) -> None:
-        self.latest = latest
-        self.checker = Certificate({"format": FORMAT, "point": point})
-        self.lines: list[list[Any]] = []
-        self.indexed = 0
-        self.index: dict[tuple[frozenset[Any], str], int] = {}
-        self.bounds: list[int] = []
-        self.values: dict[str, Flint] = {}
-        self.known: dict[Any, int | None] = {}
-        self.of_sums: dict[str, int] = {}
-        self.solved: dict[str, tuple[int | None, Poly]] = {}
-        self.angles_done: set[str] = set()
-        self.order: list[str] = []
-        self.context: Any = None
-
-    # lines
-
-    def say(self, *line: Any) -> int:
-        """The number of the last fact once the checker has read it. Raises ValueError."""
-        if process_time() > self.latest:
-            raise TimeoutError("no proof was found in time")
-        self.checker.line(*line)
-        self.lines.append([*line])
-        for k in range(self.indexed, len(self.checker.facts)):
-            p, sign = self.checker.facts[k]
-            self.index.setdefault((frozenset(p.items()), sign), k)
-        self.indexed = len(self.checker.facts)
-        if line[0] == "where":
-            k = len(self.checker.facts) - 1
-            if self.checker.facts[k][1] == "==":
-                self.solve(self.checker.facts[k][0], k)
-            else:
-                self.bounds.append(k)
-            self.known = {key: found for key, found in self.known.items() if found is not None}
-        return len(self.checker.facts) - 1
-
-    def read(self, text: str) -> Any:
-        """The polynomial of a relation and its sign."""
-        return self.checker.value(text, ast.Compare)
-
-    def shows(
-        self, p: Poly, sign: str, terms: Sequence[Any], times: Any = None, by: Poly | None = None
-    ) -> int | None:
-        """The number of the fact, None where the checker does not see it."""
-        if (found := self.fact(p, sign)) is not None:
-            return found
-        line = ["shows", said(p), sign, times or [[1], []], terms]
-        try:
-            return self.say(*line, *([said(by)] if by is not None else []))
-        except ValueError:
-            return None
-
-    def fact(self, p: Poly, *signs: str) -> int | None:
-        key = frozenset(p.items())
-        return next((self.index[key, s] for s in signs if (key, s) in self.index), None)
-
-    # polynomials of python-flint, the last letter first
-
-    def to_flint(self, p: Poly) -> Flint:
-        self.sort()
-        place = {name: k for k, name in enumerate(self.order)}
-        terms = {}
-        for m, c in p.items():
-            powers = [0] * len(self.order)
-            for name in m:
-                powers[place[name]] += 1
-            terms[tuple(powers)] = flint.fmpq(Fraction(c).numerator, Fraction(c).denominator)
-        return self.context.from_dict(terms)
-
-    def from_flint(self, f: Flint) -> Poly:
-        found = Poly()
-        for powers, c in f.to_dict().items():
-            m = tuple(
-                sorted(name for name, e in zip(self.order, powers, strict=True) for _ in range(e))
-            )
-            found[m] = Fraction(int(c.p), int(c.q))
-        return found
-
-    def sort(self) -> None:
-        """Letters after those that they are made of come first."""
-        letters = self.checker.letters
-        if len(self.order) == len(letters) and self.context is not None:
-            return
-        done: list[str] = []
-
-        def visit(name: str) -> None:
-            if name in done:
-                return
-            below = {k for m in letters[name][1] for k in m}
-            if letters[name][0] == "sin":
-                below |= {f"cos{name[3:]}"} & {*letters}
-            if name in self.of_sums:
-                below |= {k for m in self.checker.facts[self.of_sums[name]][0] for k in m}
-            if name in self.solved:
-                below |= {k for m in self.solved[name][1] for k in m}
-            for other in sorted(below - {name}):
-                visit(other)
-            done.append(name)
-
-        for name in letters:
-            visit(name)
-        self.order = done[::-1]
-        self.context = flint.fmpq_mpoly_ctx.get(("x", max(1, len(done))), "lex")
-
-    def relation(self, name: str) -> tuple[str, int | None, Poly]:
-        """How it is eliminated ("", "monic" or "over"), the number and polynomial of the fact."""
-        kind, inner = self.checker.letters[name]
-        me = letter(name)
-        if name in self.solved:
-            return "over", *self.solved[name]
-        if name in self.of_sums:
-            p = self.checker.facts[self.of_sums[name]][0]
-            return ("monic" if (name,) in p else "over"), self.of_sums[name], p
-        if kind == "over":
-            p = me * inner - ONE
-            return "over", self.fact(p, "=="), p
-        if kind == "part":
-            p = me - inner
-            return "monic", self.fact(p, "=="), p
-        if kind == "sqrt":
-            p = me * me - inner
-            return "monic", self.fact(p, "=="), p
-        if kind == "sin":
-            p = me * me + letter(f"cos{name[3:]}", 2) - ONE
-            return "monic", self.fact(p, "=="), p
-        return "", None, ZERO
-
-    def eliminable(self, p: Poly) -> str | None:
-        """The last letter that something defines by others."""
-        self.sort()
-        used = {k for m in p for k in m}
-        for name in self.order:
-            if name in used and self.relation(name)[0]:
-                kind, _, relation = self.relation(name)
-                powers = max(m.count(name) for m in p)
-                alone = kind == "monic" and powers < max(m.count(name) for m in relation)
-                if not (alone and self.checker.letters[name][0] == "sin"):
-                    return name
-        return None
-
-    def by_degree(self, p: Poly, name: str) -> dict[int, Poly]:
-        found: dict[int, Poly] = {}
-        for m, c in p.items():
-            e = m.count(name)
-            found.setdefault(e, Poly())[tuple(k for k in m if k != name)] = c
-        return found
-
-    def solve(self, p: Poly, number: int | None) -> None:
-        """Uses p = 0, a fact if it has a number, for a variable that is of degree 1 in it."""
-        while (name := next((k for m in p for k in m if self.is_short(k)), None)) is not None:
-            _, own, relation = self.relation(name)
-            e, bottom, other, cofactor = self.cleared(p, name, relation)
-            if number is not None:
-                power = self.from_flint(self.to_flint(bottom) ** e)
-                terms = [[[1], [number], said(power)], [[-1], [own], said(cofactor)]]
-                number = self.shows(other, "==", terms)
-            p = other
-        letters = self.checker.letters
-        bounded = {k for b in self.bounds for m in self.checker.facts[b][0] for k in m}
-        for name in sorted({k for m in p for k in m}, key=lambda k: (k in bounded, k)):
-            parts = self.by_degree(p, name)
-            below = {k for m in p for k in m if self.rests_on(k, name)}
-            alone = letters[name][0] == "real" and max(parts) == 1 and below == {name}
-            if alone and self.seen(parts[1]):
-                self.solved[name] = number, p
-                self.order = []
-                return
-
-    def is_short(self, name: str) -> bool:
-        return name in self.solved or self.checker.letters[name][0] == "part"
-
-    def rests_on(self, name: str, other: str) -> bool:
-        inner = {k for m in self.checker.letters[name][1] for k in m}
-        return name == other or any(self.rests_on(k, other) for k in inner)
-
-    def divided(self, p: Poly, relation: Poly) -> tuple[Poly, Poly]:
-        quotient, rest = divmod(self.to_flint(p), self.to_flint(relation))
-        return self.from_flint(quotient), self.from_flint(rest)
-
-    def cleared(self, p: Poly, name: str, relation: Poly) -> tuple[int, Poly, Poly, Poly]:
-        """Of p with u = a/b: e, b and b^e p = other + cofactor relation."""
-        top = ZERO - self.by_degree(relation, name).get(0, ZERO)
-        bottom = self.by_degree(relation, name)[1]
-        parts = self.by_degree(p, name)
-        e = max(parts)
-        a, b = self.to_flint(top), self.to_flint(bottom)
-        other = sum((self.to_flint(q) * a**k * b ** (e - k) for k, q in parts.items()), 0 * a)
-        cofactor = divmod(b**e * self.to_flint(p) - other, self.to_flint(relation))[0]
-        return e, bottom, self.from_flint(other), self.from_flint(cofactor)
-
-    def conjugate(self, p: Poly, name: str) -> tuple[Poly, Poly, Poly, Poly]:
-        """Of p = A + B r with r^2 = a: A, B, A - B r and A^2 - B^2 a."""
-        parts = self.by_degree(p, name)
-        one, other = parts.get(0, ZERO), parts.get(1, ZERO)
-        a, b = self.to_flint(one), self.to_flint(other)
-        inner = self.to_flint(self.checker.letters[name][1])
-        norm = self.from_flint(a * a - b * b * inner)
-        return one, other, one - self.from_flint(b * self.to_flint(letter(name))), norm
+class Proof(Polynomials):
+    """What is looked for: each answer is the number of a fact that the checker has."""
 
     # what vanishes
 
@@ -283,23 +68,6 @@ class Proof:
                 found = self.shows(p, "==", terms)
         return found
 
-    def seen(self, p: Poly) -> int:
-        """Its sign at the point; 0 where it is not seen."""
-        total = flint.arb(0)
-        try:
-            with flint.ctx.workprec(400):
-                for m, c in p.items():
-                    term = flint.arb(_ball(Fraction(c)))
-                    for name in m:
-                        if name not in self.values:
-                            low, high = self.checker.enclosed(letter(name))
-                            self.values[name] = _ball(low).union(_ball(high))
-                        term *= self.values[name]
-                    total += term
-        except (KeyError, ValueError, ZeroDivisionError):
-            return 0
-        return int(total > 0) - int(total < 0)
-
     # signs
 
     def nonzero(self, p: Poly) -> int | None:
@@ -338,7 +106,7 @@ class Proof:
                 rest = self.sign(other, strict)
                 terms = [[[1], [number], said(quotient)], [[1], [rest]]]
                 return None if rest is None else self.shows(p, sign, terms)
-        found = self.by_coefficients(p, strict)
+        found = by_coefficients(self, p, strict)
         if found is None:
             found = self.by_factors(p, strict)
         if found is None and name and number is not None and kind == "monic":
@@ -389,144 +157,6 @@ class Proof:
                 square = square * q
         term = [pair(scale), facts, said(square)]
         return self.shows(p, ">" if strict else ">=", [term]) if scale > 0 else None
-
-    def by_coefficients(self, p: Poly, strict: bool) -> int | None:
-        """Since all coefficients have one sign once variables are moved to their bounds."""
-        if any(not m for m in p) and len(p) == 1:
-            return self.shows(p, ">", [[pair(p[()]), []]]) if p[()] > 0 else None
-        sign = ">" if strict else ">="
-        variables = [n for n in self.order if self.checker.letters[n][0] == "real"]
-        for chosen in self.choices(variables):
-            for power in ELEVATIONS if len({k for m in p for k in m}) == 1 else (0,):
-                moved = self.moved(p, chosen, power)
-                if moved is not None:
-                    terms, times = moved
-                    found = self.shows(p, sign, terms, times)
-                    if found is not None:
-                        return found
-                    if strict:
-                        for least in SMALL:
-                            rest = self.by_coefficients(p - constant(least), False)
-                            if rest is not None:
-                                return self.shows(p, ">", [[[1], [rest]], [pair(least), []]])
-        return None
-
-    def choices(self, variables: Sequence[str]) -> Iterator[dict[str, tuple[Any, Any]]]:
-        """For each variable a fact that bounds it from below and one from above, or none."""
-        options = []
-        for name in variables:
-            low: list[Any] = []
-            high: list[Any] = []
-            for k in self.bounds:
-                g, sign = self.checker.facts[k]
-                slope = self.by_degree(g, name)
-                fine = sign in (">", ">=") and {*slope} <= {0, 1} and [*slope.get(1, ZERO)] == [()]
-                if fine:
-                    (low if slope[1][()] > 0 else high).append(k)
-            both = [*product(low or [None], high or [None])]
-            both += [(k, None) for k in low if high] + [(None, k) for k in high if low]
-            options.append(both)
-        for count, combination in enumerate(product(*options)):
-            if count == 40:
-                return
-            yield dict(zip(variables, combination, strict=True))
-
-    def moved(
-        self, p: Poly, chosen: Mapping[str, tuple[Any, Any]], power: int
-    ) -> tuple[list[Any], list[Any]] | None:
-        """Terms of its sum, and the factor; None if some coefficient is negative."""
-        facts, scale, factor = dict[str, int](), Fraction(1), list[int]()
-        waiting = [n for n in chosen if chosen[n] != (None, None)]
-        made = False
-        while waiting:
-            met = {k for m in p for k in m}
-            below = {
-                n: {
-                    k
-                    for f in chosen[n]
-                    if f is not None
-                    for m in self.checker.facts[f][0]
-                    for k in m
-                }
-                for n in waiting
-            }
-            first = [n for n in waiting if not any(n in below[o] for o in waiting if o != n)]
-            if not first:
-                return None
-            name = first[0]
-            waiting.remove(name)
-            if name not in met:
-                continue
-            low, high = chosen[name]
-            parts, total = self.by_degree(p, name), ZERO
-            one = self.by_degree(self.checker.facts[low if low is not None else high][0], name)
-            slope, rest = one[1][()], one.get(0, ZERO)
-            if low is None or high is None:
-                # facts are slope v + rest, under the name of the variable from here on
-                value = (letter(name) - rest) * constant(1 / Fraction(slope))
-                bottom = ONE
-                facts[name] = low if low is not None else high
-                extra = ONE + letter(name)
-                grown = self.shows(
-                    ONE + self.checker.facts[facts[name]][0], ">", [[[1], []], [[1], [facts[name]]]]
-                )
-                raise_by = [grown] * power if power else []
-            else:
-                two = self.by_degree(self.checker.facts[high][0], name)
-                start = rest * constant(-1 / Fraction(slope))
-                end = two.get(0, ZERO) * constant(-1 / Fraction(two[1][()]))
-                from_start = letter(name) * constant(1 / Fraction(slope))
-                to_end = letter(f"{name}|") * constant(-1 / Fraction(two[1][()]))
-                facts |= {name: low, f"{name}|": high}
-                width = end - start
-                bottom = from_start + to_end
-                value = start * to_end + end * from_start
-                extra = bottom
-                top = max(parts) + power
-                if {*width} <= {()}:
-                    scale *= Fraction(width.get((), 0)) ** top
-                    raise_by = []
-                else:
-                    terms = [
-                        [pair(1 / Fraction(slope)), [low]],
-                        [pair(-1 / Fraction(two[1][()])), [high]],
-                    ]
-                    wide = self.shows(width, ">", terms)
-                    if wide is None:
-                        return None
-                    raise_by = [wide] * top
-            if None in raise_by:
-                return None
-            factor += raise_by  # type: ignore[arg-type]
-            powers = [ONE]
-            for _ in range(max(parts)):
-                powers.append(powers[-1] * value)
-            bottoms = [ONE]
-            for _ in range(max(parts)):
-                bottoms.append(bottoms[-1] * bottom)
-            for e, part in parts.items():
-                total += part * powers[e] * bottoms[max(parts) - e]
-            for _ in range(power):
-                total = total * extra
-            p, made = total, True
-        if scale <= 0 or (power and not made):
-            return None
-        terms = []
-        for m, c in p.items():
-            used, odd = list[int](), list[str]()
-            for name in m:
-                own = facts.get(name)
-                if own is None and self.checker.letters[name][0] in ("sqrt", "exp", "over"):
-                    own = self.fact(letter(name), ">", ">=")
-                if own is None:
-                    odd.append(name)
-                else:
-                    used.append(own)
-            if c < 0 or any(odd.count(name) % 2 for name in odd):
-                return None
-            root = tuple(name for name in sorted({*odd}) for _ in range(odd.count(name) // 2))
-            terms.append([pair(c), used, *([[[[1], *root]]] if root else [])])
-        return terms, [pair(scale), factor]
 
     # values
 
@@ -620,27 +250,3 @@ class Proof:
     def named(self, text: str) -> str:
         ((name,),) = self.checker.value(text)
         return str(name)
-
-
-def _ball(value: Fraction) -> Flint:
-    return flint.arb(flint.fmpq(value.numerator, value.denominator))
-
-
-def pair(c: Fraction | int) -> list[int]:
-    top, bottom = Fraction(c).as_integer_ratio()
-    return [top] if bottom == 1 else [top, bottom]
-
-
-def said(p: Poly) -> list[list[Any]]:
-    return [[pair(c), *m] for m, c in p.items()]
-
-
-def text_of(p: Poly) -> str:
-    """An expression of a polynomial."""
-    terms = []
-    for m, c in sorted(p.items(), key=lambda item: (item[1] < 0, item[0])):
-        factors = [f"({name})" if not name.isidentifier() else name for name in m]
-        number = [str(abs(c))] if abs(c) != 1 or not m else []
-        terms.append((" - " if c < 0 else " + ") + "*".join([*number, *factors]))
-    text = "".join(terms) or " + 0"
-    return text[3:] if text.startswith(" + ") else f"-{text[3:]}"

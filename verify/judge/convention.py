@@ -17,7 +17,7 @@ from gainproof.verify.judge.convention_effect import (
     with_units,
 )
 from gainproof.verify.judge.definition_reading import with_one_reading
-from gainproof.verify.judge.exact.limits import Malformed, Undecided
+from gainproof.verify.judge.exact.work_limits import Malformed, Undecided
 from gainproof.verify.judge.fixed_gain.environment import fixed_gain
 from gainproof.verify.judge.fixed_gain.matrices import gain_model, gain_model_key
 from gainproof.verify.judge.setting.environment import Environment, NotEstablished, algebra

@@ -10,7 +10,7 @@ from itertools import product
 
 from gainproof.verify.judge.claim.record import Setting, SymbolEntry
 from gainproof.verify.judge.dimensions.formula import reading_fault
-from gainproof.verify.judge.exact.limits import Undecided
+from gainproof.verify.judge.exact.work_limits import Undecided
 
 MOST_CHOICES = 8
 

@@ -10,10 +10,10 @@ from fractions import Fraction
 
 from gainproof.verify.judge.claim.record import Claim, Setting, Unit
 from gainproof.verify.judge.claim.units import unit_text_of
+from gainproof.verify.judge.claim_symbols import names_in
 from gainproof.verify.judge.dimensions.formula import dimension_of, reading_fault
 from gainproof.verify.judge.formula import Formula
 from gainproof.verify.judge.kinds.definition import defined_token
-from gainproof.verify.judge.reach import names_in
 from gainproof.verify.judge.verdict import ClaimVerdict
 
 NAMED = {

@@ -9,8 +9,8 @@ from fractions import Fraction
 from gainproof.verify.judge.exact.box import Box
 from gainproof.verify.judge.exact.constant_value import constant_value
 from gainproof.verify.judge.exact.expression import Expr, number
-from gainproof.verify.judge.exact.limits import Undecided
 from gainproof.verify.judge.exact.statement import TURNED, Rel
+from gainproof.verify.judge.exact.work_limits import Undecided
 from gainproof.verify.judge.setting.environment import SAMPLE
 
 

@@ -13,13 +13,14 @@ from functools import partial
 from itertools import count
 from typing import Any
 
-from gainproof.verify.judge.choice import choose, verdict_of
 from gainproof.verify.judge.claim.record import Claim, ClaimFile, Setting
+from gainproof.verify.judge.convention_choice import choose, verdict_of
 from gainproof.verify.judge.definition_use import contradicted, with_blame
 from gainproof.verify.judge.dimensions.claim import claim_readings, degrees_are_open
+from gainproof.verify.judge.kinds.catalogue import KINDS
 from gainproof.verify.judge.kinds.definition import compared_token, is_as_declared, is_compared
-from gainproof.verify.judge.matrices.decide import decide
-from gainproof.verify.judge.repair.offer import NOT_TRUE
+from gainproof.verify.judge.matrices.decision import decide
+from gainproof.verify.judge.repair.offers import NOT_TRUE
 from gainproof.verify.judge.setting.environment import Environment
 from gainproof.verify.judge.stages import (
     Done,
@@ -30,7 +31,7 @@ from gainproof.verify.judge.stages import (
 )
 from gainproof.verify.judge.task import Models, Task, TrialTask
 from gainproof.verify.judge.trial import Trial
-from gainproof.verify.judge.undefined.choice import Fixed, fixed_symbols
+from gainproof.verify.judge.undefined.defining_claim import Fixed, fixed_symbols
 from gainproof.verify.judge.verdict import ClaimVerdict, Finding
 from gainproof.verify.judge.worker import Judges, OnTrial, Workers
 
@@ -38,10 +39,7 @@ Progress = Callable[[int, int], None]
 """Called with the number of trials so far, and of the claims of which each needs one; what comes
 after these looks for repairs.
 """
-WITHOUT_DECISION = {
-    "definition": "nothing to decide but dimensions",
-    "remark": "no decidable content",
-}
+WITHOUT_DECISION = {kind.name: kind.not_decided for kind in KINDS if kind.not_decided}
 FAILED = ("refuted", "conditional")
 Lost = list[tuple[Task, str]]
 """Tasks of which nothing is known, and why."""

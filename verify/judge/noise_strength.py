@@ -12,17 +12,17 @@ from dataclasses import dataclass, replace
 from fractions import Fraction
 
 from gainproof.verify.judge.claim.record import Claim, Setting, SymbolEntry, Unit
-from gainproof.verify.judge.contradiction import CHANCE, FALSE, TRUE
+from gainproof.verify.judge.claim_symbols import reached
+from gainproof.verify.judge.contradicted_convention import CHANCE, FALSE, TRUE
 from gainproof.verify.judge.convention import Convention, conventions
 from gainproof.verify.judge.exact.expression import Expr, mul, power, symbol
 from gainproof.verify.judge.exact.free_names import free_name
-from gainproof.verify.judge.exact.limits import Malformed, Undecided
-from gainproof.verify.judge.freed.monomials import monomials, ordered
-from gainproof.verify.judge.reach import reached
+from gainproof.verify.judge.exact.work_limits import Malformed, Undecided
 from gainproof.verify.judge.setting.environment import INTERVAL, NotEstablished
-from gainproof.verify.judge.setting.factor import number_root
 from gainproof.verify.judge.setting.own_matrices import interval_symbol, read_matrices
+from gainproof.verify.judge.setting.spectral_factor import number_root
 from gainproof.verify.judge.task import Models, Solved
+from gainproof.verify.judge.transcendental.monomials import monomials, ordered
 from gainproof.verify.judge.trial import Trial, findings_of
 from gainproof.verify.judge.verdict import ClaimVerdict
 from gainproof.verify.judge.verdict_words import STRENGTH

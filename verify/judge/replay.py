@@ -13,12 +13,12 @@ from typing import Any
 from gainproof.verify.judge.cells.decision import decide_in_cells
 from gainproof.verify.judge.exact.certificate import statement_from
 from gainproof.verify.judge.exact.decision import decide
-from gainproof.verify.judge.exact.formal import decide_formally
-from gainproof.verify.judge.exact.limits import Malformed, Undecided
-from gainproof.verify.judge.exact.points import is_seen
+from gainproof.verify.judge.exact.formal_identities import decide_formally
+from gainproof.verify.judge.exact.rational_points import is_seen
 from gainproof.verify.judge.exact.statement import NEGATED, Rel, Statement
-from gainproof.verify.judge.freed.deciding import decided
+from gainproof.verify.judge.exact.work_limits import Malformed, Undecided
 from gainproof.verify.judge.setting.chart_decision import INSIDE, Plane
+from gainproof.verify.judge.transcendental.decision import decided
 from gainproof.verify.judge.verdict_words import DECIDES
 
 FIELDS = (

@@ -5,16 +5,16 @@ from __future__ import annotations
 from gainproof.verify.judge.exact.box import Box
 from gainproof.verify.judge.exact.expression import Expr, symbol, walk
 from gainproof.verify.judge.exact.free_names import token_of
-from gainproof.verify.judge.exact.limits import Undecided
 from gainproof.verify.judge.exact.statement import Rel
+from gainproof.verify.judge.exact.work_limits import Undecided
 from gainproof.verify.judge.formula import Graph, Relation
+from gainproof.verify.judge.meaning.base_variables import domains, is_whole
 from gainproof.verify.judge.meaning.bindings import Bindings
-from gainproof.verify.judge.meaning.domains import domains, is_whole
 from gainproof.verify.judge.meaning.evaluation import number_of
 from gainproof.verify.judge.meaning.noises import holds_noise
 from gainproof.verify.judge.meaning.sequences import is_term, terms_of, with_variables
+from gainproof.verify.judge.meaning.symbol_table import Table
 from gainproof.verify.judge.meaning.symbols import UndefinedSymbol
-from gainproof.verify.judge.meaning.table import Table
 from gainproof.verify.judge.meaning.value import (
     Value,
     entries,

@@ -12,7 +12,7 @@ from dataclasses import dataclass, field, replace
 from fractions import Fraction
 
 from gainproof.verify.judge.claim.record import Setting
-from gainproof.verify.judge.exact.algebraic import rational_point
+from gainproof.verify.judge.exact.algebraic_numbers import rational_point
 from gainproof.verify.judge.exact.calculus import substituted
 from gainproof.verify.judge.exact.constant_value import constant_value
 from gainproof.verify.judge.exact.decision import decide
@@ -25,12 +25,12 @@ from gainproof.verify.judge.exact.expression import (
     whole_power,
 )
 from gainproof.verify.judge.exact.expression_text import labelled
-from gainproof.verify.judge.exact.image import image, images
-from gainproof.verify.judge.exact.limits import Undecided
-from gainproof.verify.judge.exact.place import Place
-from gainproof.verify.judge.exact.region import region_text
+from gainproof.verify.judge.exact.images import image, images
+from gainproof.verify.judge.exact.places import Place
+from gainproof.verify.judge.exact.region_text import region_text
+from gainproof.verify.judge.exact.simplification import tidied
 from gainproof.verify.judge.exact.statement import Rel, Statement, Witness
-from gainproof.verify.judge.exact.tidy import tidied
+from gainproof.verify.judge.exact.work_limits import Undecided
 from gainproof.verify.judge.scope import Scope
 from gainproof.verify.judge.setting.environment import (
     DEVIATION,

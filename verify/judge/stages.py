@@ -5,13 +5,13 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
 
-from gainproof.verify.judge.choice import admitted
 from gainproof.verify.judge.claim.record import Claim, Setting
-from gainproof.verify.judge.contradiction import other_tasks, under_other_convention
+from gainproof.verify.judge.contradicted_convention import other_tasks, under_other_convention
+from gainproof.verify.judge.convention_choice import admitted
 from gainproof.verify.judge.kinds.definition import defined_token
 from gainproof.verify.judge.noise_strength import strength_tasks, with_strengths
 from gainproof.verify.judge.repair.definition import DefinitionTask, definition_task
-from gainproof.verify.judge.repair.offer import (
+from gainproof.verify.judge.repair.offers import (
     NOT_TRUE,
     explains,
     repair_tasks,

@@ -7,14 +7,15 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from typing import Any
 
-from gainproof.verify.judge.attempt import judge_claim
 from gainproof.verify.judge.claim.record import Claim, Setting
+from gainproof.verify.judge.claim_decision import judge_claim
+from gainproof.verify.judge.claim_symbols import reached
 from gainproof.verify.judge.convention import Convention, Unusable, conventions
-from gainproof.verify.judge.exact.limits import Malformed, Undecided
-from gainproof.verify.judge.matrices.decide import decide
-from gainproof.verify.judge.matrices.layers import Proofs
-from gainproof.verify.judge.pruning import seen_false
-from gainproof.verify.judge.reach import reached
+from gainproof.verify.judge.exact.work_limits import Malformed, Undecided
+from gainproof.verify.judge.kinds.catalogue import kind_named
+from gainproof.verify.judge.matrices.decision import decide
+from gainproof.verify.judge.matrices.layered_proof import Proofs
+from gainproof.verify.judge.quick_refutation import seen_false
 from gainproof.verify.judge.setting.environment import NotEstablished
 from gainproof.verify.judge.verdict import Finding
 
@@ -124,6 +125,6 @@ def _seen_by(claim: Claim, convention: Convention) -> object:
         assigned = environment.assigned.get(token)
         own = assigned and assigned.key
         used.append((token, entry.unit, quantity and quantity.key, own, texts))
-    if claim.kind == "determines" or not any(setting.symbols[t].quantity for t in tokens):
+    if kind_named(claim.kind).of_setting or not any(setting.symbols[t].quantity for t in tokens):
         used.append(environment.name)
     return tuple(used)

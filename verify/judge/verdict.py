@@ -6,9 +6,9 @@ from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field, replace
 from typing import Any
 
-from gainproof.verify.judge.exact.limits import Undecided
-from gainproof.verify.judge.exact.place import Place
+from gainproof.verify.judge.exact.places import Place
 from gainproof.verify.judge.exact.statement import Outcome, Witness
+from gainproof.verify.judge.exact.work_limits import Undecided
 from gainproof.verify.judge.verdict_words import DECIDES, SETTLED
 
 

@@ -29,12 +29,12 @@ from queue import Empty, SimpleQueue
 from types import ModuleType
 from typing import Protocol
 
-from gainproof.verify.judge.answer import MOST_BYTES, BadAnswer, read_answer
-from gainproof.verify.judge.child import READY, STAYS, serve
-from gainproof.verify.judge.known import Known, KnownTrials
+from gainproof.verify.judge.known_answers import Known, KnownTrials
 from gainproof.verify.judge.process_limits import TIMED, out_of_time
 from gainproof.verify.judge.task import Models, Task
 from gainproof.verify.judge.trial import Trial
+from gainproof.verify.judge.worker_answer import MOST_BYTES, BadAnswer, read_answer
+from gainproof.verify.judge.worker_process import READY, STAYS, serve
 
 START = 60.0
 """Seconds in which a child must be ready; those of a claim are counted from then on."""

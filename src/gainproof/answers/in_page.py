@@ -20,13 +20,13 @@ from gainproof.claims.judgements import shipped_models
 from gainproof.claims.judging import judge_text
 from gainproof.formulas.mathml import mathml
 from gainproof.verdicts.verdict_reason import repaired, repairs_of, verdict_of_repair
-from gainproof.verify.judge.answer import answer_bytes, read_answer
-from gainproof.verify.judge.child import COLLECTED, trial_of
 from gainproof.verify.judge.claim.file import ClaimFileError, read_claim_text
-from gainproof.verify.judge.known import KnownTrials
+from gainproof.verify.judge.known_answers import KnownTrials
 from gainproof.verify.judge.task import Models, Solved, Task
 from gainproof.verify.judge.trial import Trial
 from gainproof.verify.judge.worker import OnTrial
+from gainproof.verify.judge.worker_answer import answer_bytes, read_answer
+from gainproof.verify.judge.worker_process import COLLECTED, trial_of
 
 Tell = Callable[[str], None]
 LATE = "late"

@@ -34,11 +34,11 @@ from gainproof.answers.typed import Typed
 from gainproof.bad_input import BadInputError
 from gainproof.claims.template import FORMAT_LINE
 from gainproof.claims.toml_text import quoted
-from gainproof.verify.judge.claim.kinds import kind_of
 from gainproof.verify.judge.formula import Graph
-from gainproof.verify.judge.matrices.symbol import canonical
+from gainproof.verify.judge.kinds.catalogue import kind_of
+from gainproof.verify.judge.matrices.printed_names import canonical
 from gainproof.verify.judge.reader.errors import ReaderError
-from gainproof.verify.judge.reader.latex import graph_to_latex, relations_to_latex
+from gainproof.verify.judge.reader.latex_printer import graph_to_latex, relations_to_latex
 
 MATRICES = "matrices"
 """What `--model` says where a formula without a transpose is about matrices."""
@@ -174,6 +174,7 @@ def _way(parts: _Parts, filter_: Mapping[str, str]) -> _Way:
         relations = each.formula.readings[0].relations
         return with_sizes(relations_to_latex(relations) if each.plain else each.text)
 
+    spoken_of = _spoken_of(parts.asked, parts.conditions)
     entries: dict[str, tuple[str, str, bool]] = {}
     for token, (rows, columns) in shapes.letters.items():
         if NUMBERED.fullmatch(token):
@@ -187,6 +188,8 @@ def _way(parts: _Parts, filter_: Mapping[str, str]) -> _Way:
         square = size(rows) == size(columns)
         is_guess = token not in parts.reader.said
         usual = SYMMETRIC.get(base_letter(token), "") if square and is_guess else ""
+        if token in spoken_of:
+            usual = ""  # the hypothesis may be weaker, and the formula is not shown by a guess
         properties = own.properties or ((usual,) if usual else ())
         shape = f"shape = [{quoted(size(rows))}, {quoted(size(columns))}]"
         stated = f", is = [{', '.join(map(quoted, properties))}]" if properties else ""
@@ -212,6 +215,16 @@ def _way(parts: _Parts, filter_: Mapping[str, str]) -> _Way:
     )
 
 
+def _spoken_of(asked: Typed, conditions: Sequence[Typed]) -> set[str]:
+    """Letters that a formula compares with zero, and those that a hypothesis is about alone."""
+    relations = [r for each in (asked, *conditions) for r in each.formula.readings[0].relations]
+    sides = [pair for r in relations for pair in ((r.left, r.right), (r.right, r.left))]
+    ends = [one["nodes"] for one, other in sides if other["nodes"] == ZERO]
+    compared = {str(nodes[0][1]) for nodes in ends if len(nodes) == 1 and nodes[0][0] == "symbol"}
+    alone = [{*each.symbols} for each in conditions]
+    return compared.union(*(tokens for tokens in alone if len(tokens) == 1))
+
+
 def _shapes(parts: _Parts) -> Shapes:
     """The shapes of all letters; small ones are columns where that makes no other letter smaller.
     Raises BadInputError.
@@ -227,7 +240,9 @@ def _shapes(parts: _Parts) -> Shapes:
             for each in (parts.asked, *parts.conditions):
                 for relation in each.formula.readings[0].relations:
                     sides = [g for g in (relation.left, relation.right) if g["nodes"] != ZERO]
-                    shapes.alike([shapes.of(g) for g in sides], "both sides")
+                    shape = shapes.alike([shapes.of(g) for g in sides], "both sides")
+                    if relation.operator in ("<", "<=", ">", ">="):
+                        shapes.square(shape, "both sides of an order")
         return shapes
 
     any_shapes = found(frozenset())

@@ -14,9 +14,9 @@ from dataclasses import dataclass, field, replace
 
 from gainproof.bad_input import BadInputError, unknown_name
 from gainproof.claims.toml_text import quoted
-from gainproof.verify.judge.claim import letters
-from gainproof.verify.judge.claim.letters import REAL, Meaning
+from gainproof.verify.judge.claim import usual_letters
 from gainproof.verify.judge.claim.units import read_unit
+from gainproof.verify.judge.claim.usual_letters import REAL, Meaning
 from gainproof.verify.judge.formula import Formula
 from gainproof.verify.judge.quantity_names import quantity_names
 from gainproof.verify.judge.setting.growing_memory import MOST_DEGREE
@@ -84,10 +84,10 @@ def candidates(
     """The ways to understand the formula, the likeliest first; the domain speaks of the `bounded`
     symbols, sums and products run over the `counted` ones. Raises BadInputError.
     """
-    known = {**letters.filter_meanings(tokens), **said}
+    known = {**usual_letters.filter_meanings(tokens), **said}
     about_filter = (
         all(token in known for token in tokens)
-        and letters.is_sound([known[token] for token in tokens])
+        and usual_letters.is_sound([known[token] for token in tokens])
         and not _has_angles(formula)
     )
     told = any(meaning.role != "free" for meaning in said.values())
@@ -131,7 +131,7 @@ def candidates(
         declared = said_densities.symbols(meant, options.domain, bounded)
         return [Candidate(said_densities.lines(), declared, said_densities.title)]
     fading = any(each.quantity == "forgetting_factor" for each in meant.values())
-    if (fading or any(map(letters.is_numbered, tokens))) and model == SEARCH:
+    if (fading or any(map(usual_letters.is_numbered, tokens))) and model == SEARCH:
         kind = "fading_memory" if fading else "growing_memory"
         words = "fading-memory filter" if fading else "least squares over all samples"
         least = max(1, _states(meant)) - 1
@@ -145,7 +145,14 @@ def candidates(
         ]
     strengths = [token for token in tokens if meant[token].role in ("deviation", "density")]
     if not strengths:
-        words = f"process noise {model}" if model != SEARCH else SEARCHED + _searched(meant)
+        if any(model == each["name"] and not _is_kinematic(each) for each in models):
+            meant = {
+                token: usual_letters.of_any_states(meaning) for token, meaning in meant.items()
+            }
+        named = (
+            f"process noise {model}" if model in usual_letters.NOISE_ORDERS else f"model {model}"
+        )
+        words = named if model != SEARCH else SEARCHED + _searched(meant)
         steady = ('kind = "steady_state"', f'model = "{model}"', *_conventions(options, meant))
         return [Candidate(steady, meant, f"Kalman filter in its steady state, {words}")]
     if len(strengths) > 1:
@@ -158,7 +165,7 @@ def candidates(
         each
         for each in models
         if model in (SEARCH, each["name"])
-        and letters.NOISE_ORDERS.get(str(each["name"]), ("",))[0] == role
+        and usual_letters.NOISE_ORDERS.get(str(each["name"]), ("",))[0] == role
         and len(_rows(each, "transition")) >= max(orders, default=2)
     ]
     fewest = min((len(_rows(each, "transition")) for each in suited), default=0)
@@ -213,12 +220,20 @@ def _rows(model: Mapping[str, object], name: str) -> list[list[str]]:
     return rows
 
 
+def _is_kinematic(model: Mapping[str, object]) -> bool:
+    """Whether its states are a position and its rates, as far as its transition says."""
+    rows = _rows(model, "transition")
+    return rows == [["1", "1", "1/2"], ["0", "1", "1"], ["0", "0", "1"]] or (
+        rows == [["1", "1"], ["0", "1"]]
+    )
+
+
 def _with_strength(
     token: str, meant: Mapping[str, Meaning], model: Mapping[str, object], options: Options
 ) -> Candidate:
     """A model of the catalogue, written out with the symbols of its noises."""
     name = str(model["name"])
-    role, power, unit = letters.NOISE_ORDERS[name]
+    role, power, unit = usual_letters.NOISE_ORDERS[name]
 
     def symbol_of(quantity: str, usual: str) -> str:
         return next((t for t, m in meant.items() if m.quantity == quantity), usual)
@@ -236,7 +251,9 @@ def _with_strength(
         (interval, "sampling_interval"),
         *([] if variance else [(deviation, "measurement_noise_deviation")]),
     ):
-        declared.setdefault(symbol, letters.quantity(quantity, quantity_names()[quantity].meaning))
+        declared.setdefault(
+            symbol, usual_letters.quantity(quantity, quantity_names()[quantity].meaning)
+        )
 
     def matrix(field_name: str, factor: str, power_at: Callable[[int, int], int]) -> str:
         rows = [
@@ -311,7 +328,7 @@ class Densities:
         """
         names = quantity_names()
         found = {
-            token: letters.quantity(f"continuous_{name}", names[f"continuous_{name}"].meaning)
+            token: usual_letters.quantity(f"continuous_{name}", names[f"continuous_{name}"].meaning)
             if (name := each.quantity).startswith("gain.")
             else each
             for token, each in meant.items()

@@ -19,12 +19,12 @@ from gainproof.answers.typed import Typed, condition, definition, symbol_name, t
 from gainproof.bad_input import BadInputError, unknown_name
 from gainproof.claims.template import FORMAT_LINE
 from gainproof.claims.toml_text import quoted
-from gainproof.verify.judge.claim import letters
-from gainproof.verify.judge.claim.kinds import kind_of
-from gainproof.verify.judge.claim.letters import REAL, Meaning, entry_of
+from gainproof.verify.judge.claim import usual_letters
 from gainproof.verify.judge.claim.settings import CONVENTIONS
 from gainproof.verify.judge.claim.units import read_unit
+from gainproof.verify.judge.claim.usual_letters import REAL, Meaning, entry_of
 from gainproof.verify.judge.formula import Formula, Graph
+from gainproof.verify.judge.kinds.catalogue import kind_of
 from gainproof.verify.judge.quantity_names import quantity_names
 
 DEFINITION = "definition"
@@ -72,7 +72,7 @@ def question(formula: str, options: Options, models: Sequence[Mapping[str, objec
     names = {symbol_name(name): text for name, text in options.symbols.items()}
     open_ = not (options.model or options.conventions or options.domain)
     said_so = options.model == MATRICES or any(map(says_matrix, names.values()))
-    if said_so or (open_ and transposes(formula)):
+    if said_so or (open_ and any(map(transposes, (formula, *options.given)))):
         return _about_matrices(formula, names, options)
     read = typed(formula, names)
     said = {token: _meaning_of(token, text, names, read) for token, text in names.items()}
@@ -168,7 +168,7 @@ def _meaning_of(token: str, text: str, names: Collection[str], read: Typed) -> M
     if len(text) > MOST_SAID:
         raise BadInputError(f"--symbol {token}: more than {MOST_SAID} characters")
     if text in quantity_names():
-        return letters.quantity(text, quantity_names()[text].meaning)
+        return usual_letters.quantity(text, quantity_names()[text].meaning)
     if text.startswith("="):
         inner = definition(text[1:], "symbol", names, read).text
         return Meaning("free", f"short for {text[1:].strip()}", definition=inner)

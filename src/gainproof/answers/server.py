@@ -156,6 +156,16 @@ class Tools:
         kept = ("name", "title", "model")
         return {"subjects": [{field: entry[field] for field in kept} for entry in found]}
 
+    async def steady_state(self, model: str, at: str = "") -> dict[str, Any]:
+        """The Kalman filter's steady state for a linear model with any number of states and
+        measurements: gains, covariances and poles as doubles with proved errors, and a certificate.
+        `model` is the text of a model file (TOML: format = "gainproof model 1", title, transition,
+        process_noise, measurement, measurement_noise as rows of numbers and formulas, states with
+        units, symbols); `at` gives its symbols values: "T=1, q=1e-22".
+        """
+        arguments = {"text": model, "at": at}
+        return dict(await self._judging.answer(Job("model", "steady", arguments)))
+
     async def end(self) -> None:
         """End the process that judges."""
         await self._judging.end()
@@ -217,6 +227,7 @@ def server(tools: Tools) -> Any:
         tools.check_file,
         tools.derivation,
         tools.list_models,
+        tools.steady_state,
     ):
         words = inspect.getdoc(tool) or ""
         further = ARGUMENTS if "formula" in inspect.signature(tool).parameters else ""

@@ -10,14 +10,14 @@ from dataclasses import dataclass, replace
 
 from gainproof.bad_input import BadInputError
 from gainproof.claims.symbols_met import Met, symbols_met
-from gainproof.verify.judge.claim.letters import filter_meanings
 from gainproof.verify.judge.claim.notation import MARK, is_plain
+from gainproof.verify.judge.claim.usual_letters import filter_meanings
 from gainproof.verify.judge.formula import Formula
 from gainproof.verify.judge.reader.characters import meant_character
 from gainproof.verify.judge.reader.errors import ReaderError
-from gainproof.verify.judge.reader.latex import graph_to_latex, relations_to_latex
-from gainproof.verify.judge.reader.limits import MOST_CHARACTERS
-from gainproof.verify.judge.reader.names import canonical_token
+from gainproof.verify.judge.reader.formula_limits import MOST_CHARACTERS
+from gainproof.verify.judge.reader.latex_printer import graph_to_latex, relations_to_latex
+from gainproof.verify.judge.reader.printed_names import canonical_token
 from gainproof.verify.judge.reader.words import FUNCTION_COMMANDS, FUNCTION_WORDS
 
 MOST_NAME = 100

@@ -11,7 +11,7 @@ from gainproof.book.page import Finding, Page
 from gainproof.subjects import derivations
 from gainproof.verify.judge.claim.settings import CONVENTIONS
 from gainproof.verify.judge.quantity_names import quantity_names
-from gainproof.verify.judge.reader.limits import MOST_CHARACTERS
+from gainproof.verify.judge.reader.formula_limits import MOST_CHARACTERS
 from gainproof.version import VERSION
 
 TITLE = "Check a formula"

@@ -31,14 +31,14 @@ PARTS = (
         "Is this formula right?",
         ("ask", "check-a-formula", "claim-files", "reader", "conventions-and-repairs"),
     ),
-    Part("Which gains do I take?", ("design", "position-and-velocity", "time-varying")),
+    Part("Which gains do I take?", ("design", "steady", "position-and-velocity", "time-varying")),
     Part("Where does it come from?", ("follow-a-derivation", "edit-a-page", "lecture-figures")),
     Part("Code for it?", ("generate", "own-models", "stable-forms", "use-kernels")),
     Part("Radar coordinates?", ("coordinates", "converted-measurements")),
     Part("Where are the targets?", ("locate", "track")),
     Part(
         "Why should I believe it?",
-        ("what-proved-rests-on", "certify", "stability-policy", "history"),
+        ("what-proved-rests-on", "certify", "stability-policy", "moved", "history"),
     ),
 )
 """The pages in the order of a user's questions."""

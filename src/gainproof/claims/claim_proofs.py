@@ -12,7 +12,7 @@ import time
 from collections.abc import Iterator, Mapping
 from typing import Any
 
-from gainproof.verify.certificate.words.proof import rejected
+from gainproof.verify.certificate.matrix_words.proof import rejected
 
 Plain = Mapping[str, Any]
 WORDS = "words"

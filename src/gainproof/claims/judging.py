@@ -12,7 +12,7 @@ from gainproof.bad_input import BadInputError, listed, unknown_name
 from gainproof.jobs import code_digest
 from gainproof.jobs.cache import Cache, key_of
 from gainproof.jobs.worker_state import WorkerState
-from gainproof.verify.judge import child
+from gainproof.verify.judge import worker_process
 from gainproof.verify.judge.claim.file import ClaimFileError, read_claim_text
 from gainproof.verify.judge.judge import judge_file
 from gainproof.verify.judge.worker import Judges, Workers
@@ -38,12 +38,12 @@ class KeptTrials:
 
     def store(self, module: str, key: str, text: str) -> None:
         """Keep a text, unless the code was edited since its digest was taken."""
-        if code_digest.is_as_read(module, child.__name__):
+        if code_digest.is_as_read(module, worker_process.__name__):
             self.cache.store(self._key(module, key), text)
 
     def _key(self, module: str, key: str) -> str:
         if module not in self._digests:
-            self._digests[module] = self.code(module, child.__name__)
+            self._digests[module] = self.code(module, worker_process.__name__)
         versions = [f"{name} {code_digest.versions()[name]}" for name in PACKAGES]
         return key_of("trial", module, key, self._digests[module], *versions)
 

@@ -10,8 +10,7 @@ from collections.abc import Collection, Mapping
 from dataclasses import dataclass
 from typing import Any
 
-from gainproof.verify.judge.claim.usual import table_of, whole_claims
-from gainproof.verify.judge.claim.vocabulary import usual_origin
+from gainproof.verify.judge.claim.usual_meanings import table_of, usual_origin, whole_claims
 from gainproof.verify.judge.reader.plain_names import plain_name
 
 Words = Mapping[str, str]

@@ -12,7 +12,7 @@ from dataclasses import dataclass, field
 from gainproof.verify.judge.formula import Formula
 from gainproof.verify.judge.reader.alphabet import ACCENTS, GREEK, is_letter
 from gainproof.verify.judge.reader.errors import ReaderError
-from gainproof.verify.judge.reader.names import canonical_token, names_in
+from gainproof.verify.judge.reader.printed_names import canonical_token, names_in
 from gainproof.verify.judge.reader.reader import read_formula, read_plain
 
 MOST_NEW_SYMBOLS = 60

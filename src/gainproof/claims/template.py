@@ -5,7 +5,7 @@ from __future__ import annotations
 import textwrap
 
 from gainproof.claims.toml_text import quoted
-from gainproof.verify.judge.claim.vocabulary import CLAIM_KINDS
+from gainproof.verify.judge.kinds.catalogue import KINDS
 
 FORMAT_LINE = 'format = "gainproof claims 1"'
 
@@ -29,7 +29,8 @@ SYMBOLS_COMMENT = r"""# Every symbol is declared once, by its LaTeX in single qu
 """
 KINDS_COMMENT = (
     textwrap.fill(
-        f"Claims in the order of the source. kind is one of {', '.join(CLAIM_KINDS)}; "
+        "Claims in the order of the source. kind is one of "
+        f"{', '.join(kind.name for kind in KINDS)}; "
         "docs/claim-files.md says what each means.",
         width=95,
         initial_indent="# ",

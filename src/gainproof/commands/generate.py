@@ -96,6 +96,10 @@ def _own_folder(options: argparse.Namespace, session: Session) -> int:
     folder = places.generated_folder()
     derivations.require_names(options.subjects)
     chosen = options.subjects or derivations.catalogue()
+    known = bounds_ledger.usable(folder, session.cache.fresh)
+    # derived and printed in one go: each alone derives anew
+    jobs = [derivations.everything_job(name, known) for name in chosen]
+    session.ahead(jobs, lambda _: (), {"everything": "derived and printed"})
     derivations.require_accepted(chosen, derivations.derive(chosen, session), session)
     files = generated_files.fresh(options.subjects, session)
     only = bool(options.subjects)

@@ -5,12 +5,14 @@ from __future__ import annotations
 import stat
 import tempfile
 from collections.abc import Callable
+from functools import cache
 from pathlib import Path
 
 import gainproof
 from gainproof.bad_input import BadInputError
 
 
+@cache  # asked for each module that a digest of code follows
 def package_folder(name: str) -> Path:
     """The folder of `gainproof.<name>`, links resolved.
 

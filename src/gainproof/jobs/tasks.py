@@ -59,6 +59,7 @@ TASKS: Mapping[str, Task] = {
     "recheck_proofs": Task("gainproof.claims.claim_proofs", "recheck"),
     "judge": Task("gainproof.claims.judging", "judge", with_state=True),
     "ask": Task("gainproof.answers.judge", "asked", with_state=True),
+    "steady": Task("gainproof.steady.answer", "asked"),
 }
 
 

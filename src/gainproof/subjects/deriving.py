@@ -2,11 +2,15 @@
 
 from __future__ import annotations
 
+import traceback
+from pathlib import Path
 from typing import Any, Literal
 
 from gainproof.bad_input import BadInputError, unknown_name
-from gainproof.derive.catalogue import CATALOGUE
+from gainproof.derive.catalogue import CATALOGUE, Entry
 from gainproof.derive.derivation import PageError
+from gainproof.derive.model import ModelError
+from gainproof.derive.own_expressions.expressions import ExpressionError
 from gainproof.derive.printer.kernel import Kernel
 from gainproof.derive.quantity import MEASUREMENT_DEVIATION, SAMPLING_INTERVAL
 from gainproof.derive.source import SOURCES
@@ -80,8 +84,8 @@ def _sampling(kernel: Kernel) -> dict[str, Any]:
 
 
 def build(name: str) -> Subject:
-    """Derive a subject. Raises BadInputError for a name that the catalogue does not have, or for a
-    mistake on its page.
+    """Derive a subject. Raises BadInputError for a name that the catalogue does not have, and for a
+    mistake on its page or in its file.
     """
     for entry in CATALOGUE:
         if entry.name == name:
@@ -89,7 +93,29 @@ def build(name: str) -> Subject:
                 return entry.build()
             except PageError as error:
                 raise BadInputError(str(error)) from None
+            except (ModelError, ExpressionError) as error:
+                raise BadInputError(f"{entry.module}: {error}") from None
+            except Exception as error:
+                place = _place_in_its_file(entry, error)
+                if not place:
+                    raise
+                raise BadInputError(f"{place}: {type(error).__name__}: {error}") from None
     raise unknown_name("derivation", name, [entry.name for entry in CATALOGUE])
+
+
+def _place_in_its_file(entry: Entry, error: Exception) -> str:
+    """Where a subject's own file, or the catalogue's line on it, is wrong; empty where the error
+    came out of what these call of ours.
+    """
+    walked = traceback.walk_tb(error.__traceback__)
+    frames = [(f.f_globals.get("__name__", ""), f.f_code.co_filename, line) for f, line in walked]
+    ours = [each for each in frames if each[0] == entry.module or each[0].startswith("gainproof.")]
+    name, file, line = ours[-1]
+    if isinstance(error, SyntaxError):
+        name, file, line = entry.module, error.filename or "", error.lineno or 0
+    if name == entry.module:
+        return f"{'/'.join(Path(file).parts[-3:])}, line {line}"
+    return f"the catalogue's line on {entry.name}" if name == Entry.__module__ else ""
 
 
 def plain_subject(subject: Subject) -> Derived:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable, Iterator
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -50,12 +51,32 @@ def gain_sequence(
     Raises ValueError for intervals without a first axis and for lists that do not fit; else as
     `step`.
     """
+    first = update(predicted, measurement_variance)
+
+    def following(before: Factors, interval: ArrayLike, seen: ArrayLike) -> Step:
+        return step(before, interval, strength, measurement_variance, seen, process_noise)
+
+    return GainSequence(*by_samples(first, predicted, following, intervals, detected))
+
+
+def by_samples(
+    first: Any,
+    predicted: tuple[Real, ...],
+    following: Callable[[Any, Any, Any], Any],
+    intervals: ArrayLike,
+    detected: ArrayLike,
+) -> Iterator[Samples]:
+    """Gains and factors of steps of two or three states, each over the samples: from the `first`
+    update of what was predicted, and what follows from factors, an interval and what was detected.
+
+    Raises ValueError for intervals without a first axis and for lists that do not fit.
+    """
     lengths, seen = samples_of(intervals, detected)
-    steps = [where_detected(update(predicted, measurement_variance), predicted, seen[0])]
+    steps = [where_detected(first, predicted, seen[0])]
     for interval, now in zip(lengths, seen[1:], strict=True):
-        before = steps[-1].factors
-        steps.append(step(before, interval, strength, measurement_variance, now, process_noise))
-    return _together(steps)
+        steps.append(following(steps[-1].factors, interval, now))
+    columns = zip(*([*found[1:], *found.factors] for found in steps), strict=True)
+    return (np.stack(np.broadcast_arrays(*each)) for each in columns)
 
 
 def samples_of(intervals: ArrayLike, detected: ArrayLike) -> tuple[Samples, NDArray[Any]]:
@@ -70,9 +91,3 @@ def samples_of(intervals: ArrayLike, detected: ArrayLike) -> tuple[Samples, NDAr
     if len(seen) != count:
         raise ValueError(f"{count - 1} intervals need {count} samples, detected has {len(seen)}")
     return lengths, seen
-
-
-def _together(steps: list[Step]) -> GainSequence:
-    columns: list[list[Real]] = [[*found[1:], *found.factors] for found in steps]
-    stacked = (np.stack(np.broadcast_arrays(*each)) for each in zip(*columns, strict=True))
-    return GainSequence(*stacked)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Any, NamedTuple
+from typing import Any, NamedTuple, TypeVar
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -84,19 +84,24 @@ def step(
     return where_detected(found, predict(factors, interval, strength, process_noise), detected)
 
 
-def where_detected(found: Step, before: Factors, detected: ArrayLike) -> Step:
-    """An update where a position was detected, else the covariances before it and no gains.
+AnyStep = TypeVar("AnyStep", bound=tuple[Any, ...])
+
+
+def where_detected(found: AnyStep, before: tuple[Real, ...], detected: ArrayLike) -> AnyStep:
+    """An update where a position was detected, else the covariances before it and no gains; a
+    `Step` of two or of three states.
 
     Raises TypeError where `detected` is not true or false.
     """
     seen = detections(detected)
     if seen.all():
         return found
-    pairs = zip(found.factors, before, strict=True)
-    chosen = Factors(*(np.where(seen, x, y)[()] for x, y in pairs))
-    used = np.where(seen, 1.0, 0.0).astype(np.asarray(found.position_gain).dtype)
-    shown = np.broadcast_to(found.innovation_variance, np.shape(chosen.shear))
-    return Step(chosen, found.position_gain * used, found.velocity_gain * used, shown[()])
+    factors, *gains, variance = found
+    pairs = zip(factors, before, strict=True)
+    chosen = tuple.__new__(type(factors), (np.where(seen, x, y)[()] for x, y in pairs))
+    used = np.where(seen, 1.0, 0.0).astype(np.asarray(gains[0]).dtype)
+    shown = np.broadcast_to(variance, np.shape(chosen[0]))
+    return tuple.__new__(type(found), (chosen, *(gain * used for gain in gains), shown[()]))
 
 
 def detections(detected: ArrayLike) -> NDArray[np.bool_]:

@@ -18,7 +18,7 @@ from gainproof.verdicts.verdict_reason import (
     truth,
     verdict_of_repair,
 )
-from gainproof.verify.judge.explain import sections
+from gainproof.verify.judge.explanation import sections
 from gainproof.verify.judge.verdict_words import OTHERS
 
 Claim = Mapping[str, Any]

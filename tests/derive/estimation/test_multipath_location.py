@@ -22,9 +22,9 @@ import gainproof.generated
 from gainproof.derive.estimation.multipath_location import NAME, build
 from gainproof.derive.pages.derivation import FOLDER
 from gainproof.verify.certificate import check, check_statement
-from gainproof.verify.certificate.alteration import Campaign
+from gainproof.verify.certificate.alteration_campaign import Campaign
 from gainproof.verify.certificate.document import read_document, read_statement
-from gainproof.verify.certificate.plain import plain
+from gainproof.verify.certificate.plain_data import plain
 from gainproof.verify.certificate.rejection import Meter, RejectedError
 
 MATRIX = ("matrix_equal", "matrix_order", "matrix_invertible")

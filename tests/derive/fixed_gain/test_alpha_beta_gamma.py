@@ -54,7 +54,7 @@ def test_its_inner_border_too(alpha: float, part: float, share: float) -> None:
             ("implicit-second", "alpha", "gamma"),
             ("minimum-variance-value", "predicted_11", "alpha"),
         ],
-        lambda case: case[0] in ("stable", "implicit", "order-at-equal-lag"),
+        lambda case: case[0] in ("stable", "order-at-equal-lag"),
     ),
 )
 def test_a_false_statement_with_the_same_evidence_is_refused(step: str, old: str, new: str) -> None:

@@ -21,7 +21,7 @@ from word_values import completed, holds, true
 import gainproof.generated
 from gainproof.verify.certificate import check
 from gainproof.verify.certificate.document import read_document, read_statement
-from gainproof.verify.certificate.plain import plain
+from gainproof.verify.certificate.plain_data import plain
 from gainproof.verify.certificate.rejection import Meter, RejectedError
 
 MATRIX = ("matrix_equal", "matrix_order", "matrix_invertible", "matrix_trace")

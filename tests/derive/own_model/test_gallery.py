@@ -176,7 +176,7 @@ def test_kernels_are_as_true_as_they_say(name: str, tmp_path: Path) -> None:
                 assert error <= bound_of(text, output.name) * 2.0**-52, (kernel.name, output, point)
 
 
-def test_the_gallery_holds_seven_kinds_of_model() -> None:
+def test_the_gallery_holds_eight_kinds_of_model() -> None:
     assert MODELS == [
         "correlated_acceleration",
         "correlated_velocity",
@@ -184,6 +184,7 @@ def test_the_gallery_holds_seven_kinds_of_model() -> None:
         "half_intervals",
         "heaving_buoy",
         "held_pointer",
+        "tank_level",
         "towed_sled",
     ]
 

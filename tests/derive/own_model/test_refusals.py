@@ -10,7 +10,7 @@ from own_models import DEVIATION, SHAKE, T, free_number, own_model
 
 from gainproof.derive.expression import real
 from gainproof.derive.model import Model, ModelError
-from gainproof.derive.own_model.checks import require_written_well
+from gainproof.derive.model_checks import require_written_well
 from gainproof.derive.own_model.choice import derive_own_model
 from gainproof.derive.quantity import (
     MEASUREMENT_DEVIATION,

@@ -88,6 +88,34 @@ def test_a_negative_number_with_a_node_is_no_form(text: str) -> None:
         graph_of(f"    x = {text}", "x", n=-2)
 
 
+@pytest.mark.parametrize("text", ["a/n", "n/n", "a/(n b)", "a/(n - n)", "b + a (n/n)"])
+def test_a_quotient_by_zero_is_no_form(text: str) -> None:
+    with pytest.raises(ZeroDivisionError, match=r"no form: .* divides by 0"):
+        graph_of(f"    x = {text}", "x", n=0)
+
+
+@pytest.mark.parametrize("condition", ["a = 0", "a < 1", "n = 1 and b = 2"])
+def test_a_condition_over_what_is_no_number_is_refused(condition: str) -> None:
+    with pytest.raises(FormulaError, match=r"a condition is about numbers: [ab] "):
+        graph_of(f"    x = a\n## Where {condition}\n    x = b", "x", n=1)
+
+
+def test_what_is_given_is_taken_before_a_formula_of_that_name() -> None:
+    assert graph_of("    a = b\n    x = a", "x")["nodes"] == [["symbol", "a"]]
+
+
+@pytest.mark.parametrize("line", ["  x = b", "   x = b", "\tx = b", " ## Where n = 1"])
+def test_what_begins_with_other_blanks_is_no_prose(line: str) -> None:
+    with pytest.raises(FormulaError, match="line 3: a formula begins with four blanks"):
+        graph_of(f"    x = a\nProse.\n{line}", "x", n=1)
+
+
+@pytest.mark.parametrize("heading", ["## where n = 1", "##  Where n = 1", "# Where n = 1"])
+def test_a_heading_that_is_nearly_one_of_conditions_is_refused(heading: str) -> None:
+    with pytest.raises(FormulaError, match="line 2: wanted a heading `## Where"):
+        graph_of(f"    x = a\n{heading}\n    y = b", "x", n=1)
+
+
 def test_negative_numbers_among_numbers_are_numbers() -> None:
     assert values(graph_of("    x = (5 + n) a - (n n - 3) b", "x", n=-2)) == {
         "x": 3 * GIVEN["a"] - GIVEN["b"]
@@ -135,7 +163,7 @@ def test_a_name_without_a_formula_is_left_out() -> None:
         ("    x = z", "'z' has no formula, or one that needs itself"),
         ("    x = y + a\n    y = x b", "'x' has no formula, or one that needs itself"),
         ("    x = log(a)", "no sum, product, quotient or function that is known"),
-        ("    x = sqrt(a, b)", "sqrt has 1 arguments, 2 came"),
+        ("    x = sqrt(a, b)", "sqrt: 1 wanted in brackets, 2 came"),
         ("    x = atan2(a, 2)", "atan2 of a number: write its value"),
         ("    x = [a, b]", "no sum, product, quotient"),
         ("    x = a'", "no sum, product, quotient"),

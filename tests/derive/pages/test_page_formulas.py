@@ -10,7 +10,7 @@ import sympy as sp
 from gainproof.derive.expression import real
 from gainproof.derive.pages.derivation import latex_of
 from gainproof.derive.pages.evaluation import MAXIMUM_SIZE, Definition, Meanings
-from gainproof.derive.pages.formula import FormulaError, read_formula
+from gainproof.derive.pages.formula import FormulaError, nearest, read_formula
 from gainproof.derive.pages.statement import FORMS, read_statement, relation_of
 
 A, B, C, X = (real(name) for name in "abcx")
@@ -195,6 +195,11 @@ def test_every_form_of_statement_is_tried() -> None:
         ("a + __import__", "'_' is no part of a formula"),
         ("a; b", "wanted the end after 'a', came ';'"),
         ("a ** 2", "'*' is no part of a formula"),
+        ("a) + b", "')' without '(' after 'a'"),
+        ("f(a b)) + c", "')' without '(' after"),
+        ("(a + b", "wanted ')' after 'a + b', came the end of the line"),
+        ("(a]", "']' without '[' after"),
+        ("a}", "'}' without '{' after 'a'"),
     ],
 )
 def test_hostile_formulas_end_with_an_error(text: str, said: str) -> None:
@@ -202,6 +207,21 @@ def test_hostile_formulas_end_with_an_error(text: str, said: str) -> None:
         read_formula(text)
     assert said in str(caught.value)
     assert len(str(caught.value)) < 5000
+
+
+@pytest.mark.parametrize(
+    ("name", "known", "found"),
+    [
+        ("Beta", ["eta", "beta", "theta"], ["beta"]),
+        ("lambda", ["Lambda", "alpha"], ["Lambda"]),
+        ("P_21", ["P_12", "P_11", "Q_21"], ["Q_21"]),
+        ("sigma", ["zeta"], []),
+    ],
+)
+def test_the_nearest_name_is_the_same_word_first(
+    name: str, known: list[str], found: list[str]
+) -> None:
+    assert nearest(name, known) == found
 
 
 @pytest.mark.parametrize("step", ["p{0} p{0} + 1", "(2 p{0})^16", "[p{0}, p{0}; p{0}, p{0}]"])

@@ -13,6 +13,7 @@ from gainproof.derive.algebra.tower import Parameter, Tower
 from gainproof.derive.catalogue import CATALOGUE
 from gainproof.derive.derivation import PageError, Step
 from gainproof.derive.expression import real
+from gainproof.derive.pages import reflow
 from gainproof.derive.pages.derivation import FOLDER, Given, page_of, written
 from gainproof.derive.pages.page import read_page
 from gainproof.derive.printer.graph import Graph, GraphBuilder
@@ -27,6 +28,30 @@ PAGES = sorted(FOLDER.glob("*.md"))
 def test_a_page_is_printed_back_as_it_is_written(path: Path) -> None:
     text = path.read_text(encoding="utf-8")
     assert str(read_page(text, path.name, frozenset())) == text
+
+
+def test_lines_of_a_page_are_filled_anew(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """A page whose lines end elsewhere; one with a mistake stays, which is told."""
+    right = (FOLDER / "one-state.md").read_text(encoding="utf-8")
+    page, other = tmp_path / "page.md", tmp_path / "other.md"
+    page.write_text(
+        right.replace("One state is", "One state\nis").replace(
+            "s + {near}) (", "s + {near})\n      ("
+        )
+    )
+    other.write_text(right.replace("because Collect", "because `Collect", 1))
+    wrong = other.read_text()
+    assert reflow.main([str(page), str(other), str(tmp_path / "none.md")]) == 2
+    assert page.read_text(encoding="utf-8") == right
+    assert other.read_text() == wrong
+    said = capsys.readouterr()
+    assert said.out == f"{page}: filled anew\n"
+    assert "other.md, line " in said.err
+    assert "none.md: " in said.err
+    assert reflow.main([str(page)]) == 0
+    assert capsys.readouterr().out == f"{page}: as it was\n"
 
 
 WRITTEN = [
@@ -240,8 +265,10 @@ MISTAKES = [
     ("P_11 = double(a)", "P_11 = duoble(a)", 14, "'duoble' is no function"),
     ("P_11 = double(a)", "P_11 = double(a, b)", 14, "double(x) is wanted, 2 arguments came"),
     ("(essential)", "(important)", 18, "'id (in NAME, if SLOT, hidden, essential)' is wanted"),
+    ("(essential)", "(essential, hidden)", 18, "is wanted, in this order, 'first (essential,"),
     ("(essential)", "(in other)", 18, "no setting 'other' above; known: given, main"),
     ("    P_11 = 2 a\n", "    P_11 = 2 (a\n", 21, "wanted ')' after '2 ( a'"),
+    ("    P_11 = 2 a\n", "    P_11 = 2 a)\n", 21, "')' without '(' after '= 2 a'"),
     ("    P_11 = 2 a\n", "    P_11 = 2 (a)\n", 21, "read as 'P_11 = 2 a', written"),
     ("    P_11 = 2 a\n", "    P_11 = 2*a\n", 21, "'*' is no part of a formula"),
     ("    P_11 = 2 a\n", "    P_12 = 2 a\n", 21, "'P_12' has no value in setting main"),
@@ -277,7 +304,7 @@ MISTAKES = [
     ("    second (hidden)", "    first", 22, "there is a step 'first' already"),
     ("    second (hidden)", "  second (hidden)", 22, "4 blanks are wanted"),
     ("because Reason.", "Reason.", 24, "a block is wanted"),
-    ("Reason.", "Step @fist.", 18, "no step 'fist' is shown on this page"),
+    ("Reason.", "Step @fist.", 18, "no step 'fist' is shown on this page; near it: first"),
     (
         "A sentence.",
         "A sentence, unlike step @second.",

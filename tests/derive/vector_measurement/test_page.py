@@ -45,18 +45,21 @@ def status(subject: Subject, *steps: str) -> list[str]:
     return [check_statement(found, step).status for step in steps]
 
 
-@pytest.mark.parametrize(
-    "first",
-    [
-        "3/8",
-        *(
-            pytest.param(each, marks=pytest.mark.thorough)
-            for each in ("5/12", "7/16", "11/36", "5/16")
-        ),
-    ],
-)
+NOISES = ("3/8", "5/12", "7/16", "11/36", "5/16")
+"""Q11/Q22, where e = 4 Q11/Q22 - 1 is 1/2, 2/3, 3/4, 2/9, 1/4: its root is over that of 2, 6, 3, 2
+and 1.
+"""
+OF_THE_ROOT = ("riccati", "stable", "level", "rest-solved", "kernel-gains")
+
+
+@pytest.mark.parametrize("first", NOISES[:1])
 def test_a_noise_whose_root_is_another_one_is_derived(first: str) -> None:
-    """e = 4 Q11/Q22 - 1 is 1/2, 2/3, 3/4, 2/9, 1/4: its root is over that of 2, 6, 3, 2 and 1."""
+    assert status(with_noise(first), *OF_THE_ROOT) == ["proved"] * len(OF_THE_ROOT)
+
+
+@pytest.mark.thorough
+@pytest.mark.parametrize("first", NOISES)
+def test_all_of_its_statements_are_proved(first: str) -> None:
     report = check(json.loads(json.dumps(with_noise(first).certificate())))
     assert report.accepted, report.reason
     assert len(report.statements) == 162

@@ -9,15 +9,17 @@ from dataclasses import dataclass, replace
 from fractions import Fraction
 from itertools import permutations
 from random import Random
+from typing import Any
 
 from mutation.mutants import misprints, near_misses, sample
 from mutation.tree import Tree, number, symbols, to_graph, to_tree
 
 from claim_campaign.subject import Subject, calls, rel
-from gainproof.verify.judge.claim.record import Claim
-from gainproof.verify.judge.claim.vocabulary import LOCATIONS, SENSES
+from gainproof.verify.judge.claim.record import Claim, OwnField
 from gainproof.verify.judge.formula import Reading
 from gainproof.verify.judge.formula import Relation as Printed
+from gainproof.verify.judge.kinds.location import LOCATIONS
+from gainproof.verify.judge.kinds.stability import SENSES
 
 SPARE = 2
 """So many times more mutants are made than wanted: some are true, or have no value to compare."""
@@ -99,35 +101,46 @@ def _sides(relation: Printed, left: Tree, right: Tree) -> Printed:
     return replace(relation, left=to_graph(left), right=to_graph(right))
 
 
+def having(claim: Claim, name: str, **what: Any) -> Claim:
+    """The claim with something else in a field of its kind."""
+    changed = replace(claim.own.get(name, OwnField()), **what)
+    return replace(claim, own={**claim.own, name: changed})
+
+
 def _polynomials(subject: Subject) -> Iterator[Made]:
     claim = subject.claim
-    if claim.polynomial is None or claim.variable is None:
+    if "polynomial" not in claim.own:
         return
-    tree = to_tree(claim.polynomial)
+    tree = to_tree(claim.own["polynomial"].expression)
+    variable = claim.own["variable"].symbol
     for words, new in misprints(tree):
-        yield f"polynomial: {words}", False, replace(claim, polynomial=to_graph(new))
-    for words, new in near_misses(tree, claim.variable):
+        changed = having(claim, "polynomial", expressions=(to_graph(new),))
+        yield f"polynomial: {words}", False, changed
+    for words, new in near_misses(tree, variable):
         if "abs" in calls(new):
             continue  # no polynomial any more
-        yield f"polynomial: {words}", True, replace(claim, polynomial=to_graph(new))
+        changed = having(claim, "polynomial", expressions=(to_graph(new),))
+        yield f"polynomial: {words}", True, changed
     for where in LOCATIONS:
-        if where != claim.where:
-            yield f"roots {where}", False, replace(claim, where=where)
+        if "where" not in claim.own or where != claim.own["where"].word:
+            yield f"roots {where}", False, having(claim, "where", word=where)
 
 
 def _senses(subject: Subject) -> Iterator[Made]:
     claim = subject.claim
     if claim.kind == "stability":
         for sense in SENSES:
-            if sense != claim.sense:
-                yield f"sense {sense}", False, replace(claim, sense=sense)
+            if sense != claim.own["sense"].word:
+                yield f"sense {sense}", False, having(claim, "sense", word=sense)
 
 
 def _orders(subject: Subject) -> Iterator[Made]:
     claim = subject.claim
-    for order in permutations(claim.ascending):
-        if order != claim.ascending:
-            yield f"order {', '.join(order)}", False, replace(claim, ascending=order)
+    ascending = claim.own["ascending"].filters if "ascending" in claim.own else ()
+    for order in permutations(ascending):
+        if order != ascending:
+            changed = having(claim, "ascending", filters=order)
+            yield f"order {', '.join(order)}", False, changed
 
 
 def _domains(subject: Subject) -> Iterator[Made]:

@@ -21,6 +21,7 @@ from claim_campaign.quantities import Place
 from claim_campaign.solve import solved
 from claim_campaign.subject import Rel, Subject, calls, rel
 
+COMPARED = {"minimised", "compared"}
 TRIES = 300
 TRIES_EACH = 100
 
@@ -43,10 +44,10 @@ def domain_of(subject: Subject, more: Iterable[Rel] = ()) -> Domain:
     named = set().union(*(r.symbols() | calls(r.left) | calls(r.right) for r in given), set())
     for one in (*subject.relations(), *subject.conditions()):
         named |= one.symbols() | calls(one.left) | calls(one.right)
-    if claim.polynomial is not None:
-        named |= symbols(to_tree(claim.polynomial)) | calls(to_tree(claim.polynomial))
-    if claim.minimised is not None:
-        named |= symbols(to_tree(claim.minimised)) | calls(to_tree(claim.minimised))
+    for name in ("polynomial", *COMPARED):
+        if name in claim.own:
+            graph = claim.own[name].expression
+            named |= symbols(to_tree(graph)) | calls(to_tree(graph))
     needed = subject.reached(named | drawn_always(subject.setting))
     for token in sorted(needed):
         given += map(rel, subject.setting.symbols[token].domain)
@@ -104,7 +105,7 @@ def _drawn(domain: Domain, random: Random) -> Point | None:
             return None
     if subject.setting.kind == "fixed_gain":
         point = _at_place(domain, place, {t: point.values[t] for t in _free(domain)})
-        if subject.claim.minimised is None and None in point.values.values():
+        if not subject.claim.own.keys() & COMPARED and None in point.values.values():
             return None  # an unstable filter, of which the claim says nothing
     return replace(point, moved=_mover(domain, place, point.values))
 

@@ -95,16 +95,19 @@ def _all_shown(subject: Subject, point: Point) -> bool | None:
 
 def _roots_elsewhere(subject: Subject, random: Random) -> bool | None:
     claim = subject.claim
-    if claim.polynomial is None or claim.variable is None or claim.where is None:
+    if not {"polynomial", "where"} <= claim.own.keys():
         raise NotCovered("roots that are listed")
-    tree = to_tree(claim.polynomial)
-    said = []
+    tree = to_tree(claim.own["polynomial"].expression)
+    variable, where = claim.own["variable"].symbol, claim.own["where"].word
+    said = None
     for point in points(domain_of(subject), POINTS * 3, random):
         try:
-            said.append(lie(tree, claim.variable, claim.where, point))
+            if not lie(tree, variable, where, point):
+                return True
         except NoValue:
             continue
-    return not all(said) if said else None
+        said = False
+    return said
 
 
 def _limit_is_false(

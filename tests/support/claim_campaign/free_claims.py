@@ -40,7 +40,7 @@ def stability_is_false(subject: Subject, random: Random) -> bool | None:
         if None in each or abs(size - 1) < BORDER:
             continue
         met, stable = all(each), bool(size < 1)
-        match subject.claim.sense:
+        match subject.claim.own["sense"].word:
             case "sufficient":
                 said += [not stable] if met else []
             case "necessary":
@@ -55,9 +55,7 @@ def stability_is_false(subject: Subject, random: Random) -> bool | None:
 def optimum_is_false(subject: Subject, random: Random) -> bool | None:
     """Whether stated gains have better ones beside them, the last gain and so the lag kept."""
     claim = subject.claim
-    if claim.minimised is None:
-        raise NotCovered("an optimum of nothing")
-    tree, tokens = to_tree(claim.minimised), _tokens(subject)
+    tree, tokens = to_tree(claim.own["minimised"].expression), _tokens(subject)
     stated = (*subject.relations(), *subject.conditions())
     if any(r.operator != "=" for r in stated):
         raise NotCovered("best gains that are no equations")
@@ -75,16 +73,14 @@ def optimum_is_false(subject: Subject, random: Random) -> bool | None:
 def ordering_is_false(subject: Subject, random: Random) -> bool | None:
     """Whether two neighbours are in another order at one value of the last gain."""
     claim = subject.claim
-    if claim.minimised is None:
-        raise NotCovered("an order of nothing")
-    tree = to_tree(claim.minimised)
+    tree, ascending = to_tree(claim.own["compared"].expression), claim.own["ascending"].filters
     laws: Mapping[str, Sequence[Rel]] = {
         name: [rel(r) for f in subject.setting.filters[name] for r in f.readings[0].relations]
-        for name in claim.ascending
+        for name in ascending
     }
     positive = [Rel(">", ("symbol", t), ("number", Fraction(0))) for t in _tokens(subject)]
     said: list[bool] = []
-    for lower, upper in pairwise(claim.ascending):
+    for lower, upper in pairwise(ascending):
         for point in points(domain_of(subject, (*laws[lower], *positive)), POINTS // 4, random):
             if radius(_gains(subject, point)) > 1 - BORDER:
                 continue

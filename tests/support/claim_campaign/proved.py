@@ -17,11 +17,11 @@ import gainproof.verify
 from claim_campaign.draw import fraction
 from claim_campaign.point import NotCovered, Point
 from claim_campaign.subject import Subject
-from gainproof.verify.judge.attempt import judge_claim
 from gainproof.verify.judge.claim.file import read_claim_file
 from gainproof.verify.judge.claim.record import Claim, OwnModel, Setting
+from gainproof.verify.judge.claim_decision import judge_claim
 from gainproof.verify.judge.convention import Convention, Unusable, conventions
-from gainproof.verify.judge.exact.limits import Undecided
+from gainproof.verify.judge.exact.work_limits import Undecided
 from gainproof.verify.judge.formula import Graph
 from gainproof.verify.judge.replay import replay, statements_of
 from gainproof.verify.judge.task import Models, Solved

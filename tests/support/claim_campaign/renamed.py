@@ -7,7 +7,7 @@ from dataclasses import fields, is_dataclass, replace
 from typing import Any
 
 from gainproof.verify.judge.claim.record import Claim, Setting
-from gainproof.verify.judge.reader.names import canonical_token
+from gainproof.verify.judge.reader.printed_names import canonical_token
 
 NAMED = ("latex", "arguments", "about", "variable", "previous")
 """Fields of symbols and claims that hold tokens."""

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from functools import cache
 from typing import Any
 
 import mpmath
@@ -40,11 +41,10 @@ def lie(polynomial: Tree, variable: str, where: str, point: Point) -> bool:
 def _coefficients(polynomial: Tree, variable: str, point: Point) -> list[Any]:
     """From the highest power down: interpolated, and seen to fit at one more place."""
     assert point.moved is not None
-    nodes = [mpmath.mpf(node) / 4 + 2 for node in range(MOST_DEGREE + 2)]
+    nodes = _nodes()
     values = [point.moved(variable, node).value(polynomial) for node in nodes]
     size = MOST_DEGREE + 1
-    powers = mpmath.matrix([[node**k for k in range(size)] for node in nodes[:size]])
-    found = list(mpmath.lu_solve(powers, mpmath.matrix(values[:size])))
+    found = list(_interpolating() * mpmath.matrix(values[:size]))
     largest = max(map(abs, found))
     again = sum(c * nodes[size] ** k for k, c in enumerate(found))
     if abs(again - values[size]) > NOTHING * max(1, abs(values[size])):
@@ -54,6 +54,20 @@ def _coefficients(polynomial: Tree, variable: str, point: Point) -> list[Any]:
     if len(found) < 2:
         raise NoValue("a constant")
     return found[::-1]
+
+
+def _nodes() -> list[Any]:
+    return [mpmath.mpf(node) / 4 + 2 for node in range(MOST_DEGREE + 2)]
+
+
+@cache
+def _interpolating() -> Any:
+    """Takes values at the nodes but the last to coefficients; with digits to spare, since entries
+    are large.
+    """
+    with mpmath.workdps(2 * DIGITS):
+        nodes = _nodes()[:-1]
+        return mpmath.matrix([[node**k for k in range(len(nodes))] for node in nodes]) ** -1
 
 
 def _roots(coefficients: list[Any]) -> list[Any]:

@@ -14,8 +14,8 @@ from claim_campaign.point import NotCovered
 from claim_campaign.proved import AGAIN, UnderConvention
 from claim_campaign.rewritten import rewrites
 from claim_campaign.subject import Subject
-from gainproof.verify.judge.choice import choose
 from gainproof.verify.judge.claim.record import Claim
+from gainproof.verify.judge.convention_choice import choose
 from gainproof.verify.judge.task import Task, TrialTask
 from gainproof.verify.judge.trial import Trial
 from gainproof.verify.judge.worker import tried_apart

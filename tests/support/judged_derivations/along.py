@@ -10,12 +10,12 @@ from typing import Any
 from gainproof.verify.judge.exact.box import Box
 from gainproof.verify.judge.exact.calculus import differentiated
 from gainproof.verify.judge.exact.expression import Expr, number, symbol, symbols_of
+from gainproof.verify.judge.exact.expression_graph import read_graph
 from gainproof.verify.judge.exact.free_names import free_name
-from gainproof.verify.judge.exact.graph import read_graph
 from gainproof.verify.judge.exact.limit import decide_limit
-from gainproof.verify.judge.exact.limits import Malformed, Undecided
 from gainproof.verify.judge.exact.statement import Rel, Statement
-from gainproof.verify.judge.hypothesis import settle
+from gainproof.verify.judge.exact.work_limits import Malformed, Undecided
+from gainproof.verify.judge.hypotheses import settle
 from gainproof.verify.judge.verdict import Finding, finding_of
 from judged_derivations.surroundings import Surroundings
 

@@ -12,8 +12,8 @@ from collections.abc import Iterator, Sequence
 from fractions import Fraction
 from math import log2
 
+from gainproof.verify.judge.exact.balls import enclosed
 from gainproof.verify.judge.exact.calculus import rebuilt
-from gainproof.verify.judge.exact.enclose import enclosed
 from gainproof.verify.judge.exact.expression import (
     Expr,
     mul,
@@ -24,10 +24,10 @@ from gainproof.verify.judge.exact.expression import (
     symbols_of,
     walk,
 )
-from gainproof.verify.judge.exact.limits import Malformed, Undecided
+from gainproof.verify.judge.exact.simplification import tidied
 from gainproof.verify.judge.exact.statement import Rel, Statement
-from gainproof.verify.judge.exact.tidy import tidied
-from gainproof.verify.judge.hypothesis import settle
+from gainproof.verify.judge.exact.work_limits import Malformed, Undecided
+from gainproof.verify.judge.hypotheses import settle
 from gainproof.verify.judge.setting.environment import INDEX
 from judged_derivations.surroundings import Surroundings
 

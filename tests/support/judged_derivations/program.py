@@ -7,11 +7,11 @@ from typing import Any
 
 from gainproof.verify.judge.exact.calculus import substituted
 from gainproof.verify.judge.exact.expression import Expr, walk
-from gainproof.verify.judge.exact.graph import read_graph, read_values
-from gainproof.verify.judge.exact.grid import Grid
-from gainproof.verify.judge.exact.limits import Malformed, Undecided
+from gainproof.verify.judge.exact.expression_graph import read_graph, read_values
+from gainproof.verify.judge.exact.graph_matrices import Grid
 from gainproof.verify.judge.exact.statement import Rel, Statement
-from gainproof.verify.judge.hypothesis import settle
+from gainproof.verify.judge.exact.work_limits import Malformed, Undecided
+from gainproof.verify.judge.hypotheses import settle
 from gainproof.verify.judge.verdict import Finding, finding_of
 from judged_derivations.fixed_point import with_known_roots, without_fixed_points
 from judged_derivations.surroundings import Surroundings

@@ -10,10 +10,10 @@ from gainproof.verify.judge.exact.calculus import substituted
 from gainproof.verify.judge.exact.constant_value import constant_value
 from gainproof.verify.judge.exact.decision import decide
 from gainproof.verify.judge.exact.expression import Expr, number, symbol, symbols_of
-from gainproof.verify.judge.exact.graph import read_graph, read_values
-from gainproof.verify.judge.exact.grid import Grid
-from gainproof.verify.judge.exact.limits import Malformed, Undecided
+from gainproof.verify.judge.exact.expression_graph import read_graph, read_values
+from gainproof.verify.judge.exact.graph_matrices import Grid
 from gainproof.verify.judge.exact.statement import Rel, Statement
+from gainproof.verify.judge.exact.work_limits import Malformed, Undecided
 from gainproof.verify.judge.setting.environment import NotEstablished
 from gainproof.verify.judge.verdict import Finding, finding_of
 from judged_derivations.along import (

@@ -9,8 +9,7 @@ from typing import Any
 
 from gainproof.verify.judge.exact.expression import Expr, number, power
 from gainproof.verify.judge.exact.statement import Rel, Statement
-from gainproof.verify.judge.setting.established import characteristic
-from gainproof.verify.judge.setting.matrix import (
+from gainproof.verify.judge.setting.matrices import (
     Exprs,
     exprs,
     minus,
@@ -20,7 +19,8 @@ from gainproof.verify.judge.setting.matrix import (
     times,
     transposed,
 )
-from gainproof.verify.judge.setting.stability import circle_moved, left_half_plane
+from gainproof.verify.judge.setting.stability_conditions import circle_moved, left_half_plane
+from gainproof.verify.judge.setting.steady_state_conditions import characteristic
 from judged_derivations.surroundings import Surroundings
 
 

@@ -24,10 +24,10 @@ from gainproof.verify.judge.exact.expression import (
     symbol,
     symbols_of,
 )
+from gainproof.verify.judge.exact.expression_graph import rational
 from gainproof.verify.judge.exact.free_names import free_name
-from gainproof.verify.judge.exact.graph import rational
-from gainproof.verify.judge.exact.limits import Undecided
 from gainproof.verify.judge.exact.statement import Rel, Statement
+from gainproof.verify.judge.exact.work_limits import Undecided
 from gainproof.verify.judge.setting.environment import (
     DEVIATION,
     INDEX,

@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from fractions import Fraction
+from functools import cache
 from typing import Any
 
 import mpmath
@@ -12,6 +13,7 @@ from judged_derivations.relation import judge_relation
 from judged_derivations.surroundings import Surroundings, surroundings
 
 from gainproof.derive.catalogue import CATALOGUE
+from gainproof.verify.judge.setting.environment import Environment
 from gainproof.verify.judge.setting.quantities import steady_state
 from gainproof.verify.judge.verdict import Finding
 from mutation.campaign import INDEX_POINTS, SAMPLE_POINTS, Relation
@@ -46,17 +48,30 @@ def derived_relations(whole: bool = False) -> Iterator[Relation]:
             continue
         written = found.certificate
         towers = written["towers"]
-        solved = steady_state(model) if model else None
-        around = {
-            name: surroundings(model, degree, tower, solved)
-            for name, tower in towers.items()
-            if _parameters(tower) in KNOWN_PARAMETERS
-        }
+        around = _surroundings(model, degree, towers)
         for statement in written["statements"]:
             place = statement["tower"]
             allowed = _allowed(model, towers[place], whole) if model else None
             if statement["kind"] == "equal" and _known(statement, towers[place], allowed):
-                yield _derived(entry.name, statement, towers[place], model, degree, around[place])
+                yield _derived(entry.name, statement, towers[place], model, degree, around)
+
+
+def _surroundings(
+    model: Mapping[str, Any] | None, degree: int | None, towers: Mapping[str, Any]
+) -> Callable[[str], Surroundings]:
+    """Those of a tower by its name, made when they are first asked for: few relations are judged
+    of those that are collected.
+    """
+
+    @cache
+    def solved() -> Environment | None:
+        return steady_state(model) if model else None
+
+    @cache
+    def of(name: str) -> Surroundings:
+        return surroundings(model, degree, towers[name], solved())
+
+    return of
 
 
 def _of_one_measurement(model: Mapping[str, Any]) -> bool:
@@ -103,7 +118,7 @@ def _derived(
     tower: Mapping[str, Any],
     model: Any,
     degree: int | None,
-    around: Surroundings,
+    around: Callable[[str], Surroundings],
 ) -> Relation:
     claim = statement["claim"]
     names = tuple(claim.get("free", ()))
@@ -111,7 +126,8 @@ def _derived(
     left, right = to_tree(claim["left"]), to_tree(claim["right"])
 
     def judge(a: Tree, b: Tree) -> Finding:
-        return judge_relation(to_graph(a), to_graph(b), around=around, free=names)
+        known = around(statement["tower"])
+        return judge_relation(to_graph(a), to_graph(b), around=known, free=names)
 
     if degree is not None:
         subject, points, variable = memory_subject(degree, free), SAMPLE_POINTS, "k"

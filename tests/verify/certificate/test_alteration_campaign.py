@@ -11,10 +11,10 @@ from samples import samples
 from tests.verify.certificate.toy_changes import statement
 
 from gainproof.verify.certificate import check
-from gainproof.verify.certificate.alteration import Campaign
-from gainproof.verify.certificate.altered import Alteration, replaced
+from gainproof.verify.certificate.alteration_campaign import Campaign
+from gainproof.verify.certificate.alterations import Alteration, replaced
 from gainproof.verify.certificate.document import read_document
-from gainproof.verify.certificate.plain import plain
+from gainproof.verify.certificate.plain_data import plain
 from gainproof.verify.certificate.rejection import Meter
 
 Data = dict[str, Any]

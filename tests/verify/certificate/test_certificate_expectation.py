@@ -12,7 +12,7 @@ from tests.verify.certificate.toy_families import MODEL
 from tests.verify.certificate.toy_writer import expectations, graph
 
 from gainproof.verify.certificate import check
-from gainproof.verify.certificate.alteration import Campaign
+from gainproof.verify.certificate.alteration_campaign import Campaign
 
 Data = dict[str, Any]
 

@@ -16,7 +16,7 @@ from tests.verify.certificate.toy_changes import changed, reason, refused, state
 from tests.verify.certificate.toy_writer import expectations, fraction, graph
 
 from gainproof.verify.certificate import check
-from gainproof.verify.certificate.alteration import Campaign
+from gainproof.verify.certificate.alteration_campaign import Campaign
 
 Data = dict[str, Any]
 

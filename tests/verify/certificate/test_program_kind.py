@@ -9,8 +9,8 @@ import sympy as sp
 from tests.verify.certificate.toy_changes import changed, reason, refused, statement
 from tests.verify.certificate.toy_writer import fraction, graph
 
-from gainproof.verify.certificate.alteration import Campaign
-from gainproof.verify.certificate.altered import Alteration
+from gainproof.verify.certificate.alteration_campaign import Campaign
+from gainproof.verify.certificate.alterations import Alteration
 
 Data = dict[str, Any]
 

@@ -29,7 +29,7 @@ from gainproof.derive.derivation import Step
 from gainproof.derive.expression import graph_of, real
 from gainproof.derive.relation import Relation, equal, increasing_onto, monotone
 from gainproof.verify.certificate import check
-from gainproof.verify.certificate.alteration import Campaign
+from gainproof.verify.certificate.alteration_campaign import Campaign
 
 Data = dict[str, Any]
 

@@ -10,7 +10,7 @@ import random
 import signal
 import threading
 import time
-from collections.abc import Callable, Iterator
+from collections.abc import Callable
 from dataclasses import replace
 from typing import Any
 
@@ -23,7 +23,7 @@ from samples import samples
 import gainproof.verify.judge.worker as worker
 from gainproof.verify.judge.claim.record import ClaimFile
 from gainproof.verify.judge.judge import judge_file
-from gainproof.verify.judge.known import Known, KnownTrials
+from gainproof.verify.judge.known_answers import Known, KnownTrials
 from gainproof.verify.judge.trial import Trial
 from gainproof.verify.judge.verdict import ClaimVerdict
 from gainproof.verify.judge.worker import Workers, tried_apart
@@ -332,28 +332,22 @@ FILES = {
 }
 
 
-def _lost(said: KnownTrials) -> Iterator[tuple[str, tuple[str, str]]]:
-    for name, (setting, claims) in FILES.items():
-        noting = Losing(None, said)
-        judge_file(claim_file(setting, claims), MODELS, workers=noting)
-        yield from ((name, seen) for seen in dict.fromkeys(noting.seen))
-
-
 def test_a_verdict_that_rests_on_an_accident_says_so() -> None:
     """Whatever task is lost, alone: what comes out otherwise than without the loss is told."""
     said = KnownTrials(Texts(), MODELS)
     kinds = set()
     hit = spared = 0
-    for name, lost in _lost(said):
-        kinds.add(lost[0])
-        file = claim_file(*FILES[name])
-        before = told(judge_file(file, MODELS, workers=Losing(None, said)))
-        after = told(judge_file(file, MODELS, workers=Losing(lost, said)))
-        for claim, verdict in after.items():
-            assert verdict["accident"] or verdict == before[claim], (name, lost, claim)
-            hit += bool(verdict["accident"])
-            spared += not verdict["accident"]
-        assert after[lost[1]]["accident"] == "killed"
+    for name, given in FILES.items():
+        file, noting = claim_file(*given), Losing(None, said)
+        before = told(judge_file(file, MODELS, workers=noting))
+        for lost in dict.fromkeys(noting.seen):
+            kinds.add(lost[0])
+            after = told(judge_file(file, MODELS, workers=Losing(lost, said)))
+            for claim, verdict in after.items():
+                assert verdict["accident"] or verdict == before[claim], (name, lost, claim)
+                hit += bool(verdict["accident"])
+                spared += not verdict["accident"]
+            assert after[lost[1]]["accident"] == "killed"
     wanted = {"TrialTask", "SolveTask", "RepairTask", "DefinitionTask", "OtherConventionsTask"}
     assert kinds == wanted
     assert hit

@@ -21,7 +21,7 @@ from gainproof.verify.judge.repair.task import OVERTIME, SECONDS
 FILES = sorted((Path(__file__).parent / "hostile").glob("*.toml"))
 LIMIT = 1.0
 """Seconds for a claim here."""
-SHORT = 0.3
+SHORT = 0.2
 """For one that is stopped whatever the limit is."""
 SPARE = 300.0
 """Seconds for starting processes, of which a busy machine may take many; what hangs takes more."""

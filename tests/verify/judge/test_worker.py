@@ -16,10 +16,10 @@ from one_of_each import cases
 
 import gainproof.verify.judge.process_limits as process_limits
 from gainproof.cli import main
-from gainproof.verify.judge.answer import BadAnswer, answer_bytes, read_answer
 from gainproof.verify.judge.trial import Trial
 from gainproof.verify.judge.verdict import Finding
 from gainproof.verify.judge.worker import Workers, tried_apart
+from gainproof.verify.judge.worker_answer import BadAnswer, answer_bytes, read_answer
 
 LIMIT = 0.5
 """Processor seconds: what talks too much needs a part of them, what hangs all."""

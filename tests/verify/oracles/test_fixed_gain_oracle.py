@@ -7,7 +7,6 @@ from fractions import Fraction
 import flint
 import pytest
 
-from gainproof.verify.oracles.crossing import between
 from gainproof.verify.oracles.fixed_gain import (
     ball,
     closed_loop,
@@ -19,6 +18,7 @@ from gainproof.verify.oracles.fixed_gain import (
     updated,
     variance_slope,
 )
+from gainproof.verify.oracles.zero_crossing import between
 
 
 def test_a_filter_that_follows_every_measurement() -> None:

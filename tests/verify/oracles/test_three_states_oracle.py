@@ -19,7 +19,7 @@ from gainproof.verify.oracles.matrices import Matrix, matrix, product, transpose
 from gainproof.verify.oracles.multiprecision import fraction
 from gainproof.verify.oracles.spectrum import spectrum
 from gainproof.verify.oracles.state_space import StateSpace, SteadyState, exact
-from gainproof.verify.oracles.truth import steady_state_truth
+from gainproof.verify.oracles.true_values import steady_state_truth
 
 STEP = matrix([["1", "1", "1/2"], ["0", "1", "1"], ["0", "0", "1"]], exact)
 INDICES = (Fraction(1, 30), Fraction(3, 10), Fraction(7), Fraction(10**5))

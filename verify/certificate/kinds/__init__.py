@@ -9,15 +9,15 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 from types import MappingProxyType
 
-from gainproof.verify.certificate.case import Case
-from gainproof.verify.certificate.kinds.definite import positive_definite
+from gainproof.verify.certificate.checked_statement import Case
+from gainproof.verify.certificate.kinds.definitions import cited, definition
+from gainproof.verify.certificate.kinds.finite_sums import finite_sum
 from gainproof.verify.certificate.kinds.identity import equal, positive, same_sign
 from gainproof.verify.certificate.kinds.limits import increasing_onto, limit, monotone
+from gainproof.verify.certificate.kinds.positive_definite import positive_definite
 from gainproof.verify.certificate.kinds.program import program
 from gainproof.verify.certificate.kinds.riccati import riccati
 from gainproof.verify.certificate.kinds.stability import stable
-from gainproof.verify.certificate.kinds.stated import cited, definition
-from gainproof.verify.certificate.kinds.sums import finite_sum
 
 KINDS: Mapping[str, Callable[[Case], str]] = MappingProxyType(
     {

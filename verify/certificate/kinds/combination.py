@@ -6,9 +6,9 @@ from collections.abc import Iterable, Mapping
 from typing import TypeAlias
 
 from gainproof.verify.certificate import schema
-from gainproof.verify.certificate.case import Case
+from gainproof.verify.certificate.checked_statement import Case
 from gainproof.verify.certificate.field import Field
-from gainproof.verify.certificate.plain import Plain
+from gainproof.verify.certificate.plain_data import Plain
 from gainproof.verify.certificate.polynomial import Polynomial
 from gainproof.verify.certificate.ratio import Ratio
 from gainproof.verify.certificate.rejection import RejectedError

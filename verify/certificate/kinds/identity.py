@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from gainproof.verify.certificate import schema
-from gainproof.verify.certificate.case import Case
+from gainproof.verify.certificate.checked_statement import Case
 from gainproof.verify.certificate.graph import Graph, Symbol
 from gainproof.verify.certificate.matrix import Matrix
 from gainproof.verify.certificate.rejection import MAXIMUM_VARIABLES, RejectedError

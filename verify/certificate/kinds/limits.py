@@ -7,11 +7,11 @@ from __future__ import annotations
 
 from gainproof.verify.certificate import schema
 from gainproof.verify.certificate.boundary import Boundary, read_boundary
-from gainproof.verify.certificate.case import Case
+from gainproof.verify.certificate.checked_statement import Case
 from gainproof.verify.certificate.derivative import derivative
 from gainproof.verify.certificate.expression import Evaluation, Value
 from gainproof.verify.certificate.graph import Graph
-from gainproof.verify.certificate.plain import Plain
+from gainproof.verify.certificate.plain_data import Plain
 from gainproof.verify.certificate.ratio import Ratio
 from gainproof.verify.certificate.rejection import RejectedError
 from gainproof.verify.certificate.tower import Tower

@@ -3,24 +3,29 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from types import MappingProxyType
 
 from gainproof.verify.certificate import schema
-from gainproof.verify.certificate.case import Case, Program
+from gainproof.verify.certificate.checked_statement import Case, Program
 from gainproof.verify.certificate.expression import Evaluation, Value
-from gainproof.verify.certificate.graph import Call, Graph, Skipped
-from gainproof.verify.certificate.kinds.program_evidence import (
-    CHOICES,
-    branches_taken,
-    fractions,
-    input_values,
-    nodes_claimed,
-)
+from gainproof.verify.certificate.graph import Call, Graph, Skipped, read_expression
 from gainproof.verify.certificate.matrix import Matrix
-from gainproof.verify.certificate.nonzero import Nonzero
+from gainproof.verify.certificate.nonzero_divisors import Nonzero
+from gainproof.verify.certificate.plain_data import Plain
+from gainproof.verify.certificate.program_fixed_points import (
+    effort,
+    require_one_fixed_point,
+    shown_positive,
+)
 from gainproof.verify.certificate.ratio import Ratio
-from gainproof.verify.certificate.rejection import RejectedError
-from gainproof.verify.certificate.steepness import effort, require_one_fixed_point, shown_positive
-from gainproof.verify.certificate.written import WrittenFraction
+from gainproof.verify.certificate.rejection import MalformedError, RejectedError
+from gainproof.verify.certificate.tower import Tower
+from gainproof.verify.certificate.written_polynomials import WrittenFraction
+
+CHOICES: Mapping[str, tuple[str, ...]] = MappingProxyType(
+    {"select": ("then", "else"), "abs": ("positive", "negative")}
+)
+"""The branches of functions that have some."""
 
 
 def program(case: Case) -> str:
@@ -190,3 +195,55 @@ class _Run(Evaluation):
     def _require(self, gap: Ratio, difference: Ratio) -> None:
         if not gap.equals(difference):
             raise RejectedError("the gap given is not the difference that decides the branch")
+
+
+def input_values(
+    tower: Tower,
+    evaluation: Evaluation,
+    kernel: Program,
+) -> dict[str, Ratio]:
+    """The values of a program's symbols."""
+    return {
+        name: tower.value(meaning) if isinstance(meaning, str) else evaluation.scalar(meaning)
+        for name, meaning in kernel.inputs.items()
+    }
+
+
+def nodes_claimed(
+    case: Case, evaluation: Evaluation, claim: Mapping[str, Plain]
+) -> dict[int, Ratio]:
+    """What nodes are claimed to equal, as values; none if there is no such field."""
+    if "nodes" not in claim:
+        return {}
+    place = f"{case.place}.claim.nodes"
+    found = {
+        schema.index(key, place): evaluation.scalar(read_expression(entry, f"{place}.{key}"))
+        for key, entry in schema.table(claim["nodes"], place).items()
+    }
+    if not found:
+        raise MalformedError(f"{place}: some are claimed or the field is left out")
+    return found
+
+
+def fractions(case: Case, value: Plain, field: str) -> dict[int, WrittenFraction]:
+    """The fractions given for nodes."""
+    place = f"{case.place}.evidence.{field}"
+    return {
+        schema.index(key, place): case.fraction(entry, f"{field}.{key}")
+        for key, entry in schema.table(value, place).items()
+    }
+
+
+def branches_taken(case: Case, value: Plain, graph: Graph) -> dict[int, str]:
+    """The branches taken at nodes that have some."""
+    place = f"{case.place}.evidence.branches"
+    chosen: dict[int, str] = {}
+    for key, choice in schema.table(value, place).items():
+        index = schema.index(key, place)
+        node = graph.nodes[index] if index < len(graph.nodes) else None
+        if not isinstance(node, Call) or node.function not in CHOICES:
+            raise RejectedError(f"{place}: node {key} has no branches")
+        if not isinstance(choice, str) or choice not in CHOICES[node.function]:
+            raise RejectedError(f"{place}.{key}: one of {CHOICES[node.function]} is wanted")
+        chosen[index] = choice
+    return chosen

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from gainproof.verify.certificate.case import Case
+from gainproof.verify.certificate.checked_statement import Case
 from gainproof.verify.certificate.field import Field
 from gainproof.verify.certificate.kinds.combination import (
     Square,

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from gainproof.verify.certificate import schema
-from gainproof.verify.certificate.case import Case
+from gainproof.verify.certificate.checked_statement import Case
 from gainproof.verify.certificate.matrix import (
     Matrix,
     characteristic_polynomial,
@@ -11,7 +11,7 @@ from gainproof.verify.certificate.matrix import (
     principal_coefficients,
 )
 from gainproof.verify.certificate.model import Model, read_model
-from gainproof.verify.certificate.plain import Plain
+from gainproof.verify.certificate.plain_data import Plain
 from gainproof.verify.certificate.ratio import Ratio, number
 from gainproof.verify.certificate.rejection import RejectedError
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from gainproof.verify.certificate import schema
-from gainproof.verify.certificate.case import Case
+from gainproof.verify.certificate.checked_statement import Case
 from gainproof.verify.certificate.field import Field
 from gainproof.verify.certificate.kinds.combination import (
     Square,
@@ -14,9 +14,9 @@ from gainproof.verify.certificate.kinds.combination import (
     square,
     transposed,
 )
-from gainproof.verify.certificate.kinds.definite import require_leading_minors
+from gainproof.verify.certificate.kinds.positive_definite import require_leading_minors
 from gainproof.verify.certificate.model import Model, Rows
-from gainproof.verify.certificate.plain import Plain
+from gainproof.verify.certificate.plain_data import Plain
 from gainproof.verify.certificate.polynomial import Polynomial
 from gainproof.verify.certificate.ratio import Ratio, polynomial
 from gainproof.verify.certificate.ratio import total as sum_of

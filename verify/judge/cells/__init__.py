@@ -6,7 +6,7 @@ into open cells with a rational point in each, and the truth on a cell is that a
 parameter and put in, which gives the same question in one parameter less (`pieces`); with one
 parameter left every point is decided exactly. In two parameters a border that square roots cannot
 solve is followed as a `curve`. In three or more it remains undecided unless it is shown not to
-meet the domain (`one_sign`, `subdivision`).
+meet the domain (`coefficient_signs`, `subdivision`).
 
 `decision` makes the verdict of all this, `domain_text` the set of truth in words.
 """

@@ -6,14 +6,14 @@ from collections import Counter
 from collections.abc import Mapping, Sequence
 from typing import Any
 
-from gainproof.verify.judge.cells.corner import Corner
+from gainproof.verify.judge.cells.cell_truth import Part, Piece
+from gainproof.verify.judge.cells.irrational_points import Corner
 from gainproof.verify.judge.cells.lifting import Between, Cell
-from gainproof.verify.judge.cells.piece import Part, Piece
-from gainproof.verify.judge.exact.algebraic import Algebraic
+from gainproof.verify.judge.exact.algebraic_numbers import Algebraic
 from gainproof.verify.judge.exact.box import Box
 from gainproof.verify.judge.exact.certificate import statement_data
 from gainproof.verify.judge.exact.expression_text import labelled
-from gainproof.verify.judge.exact.place import Place
+from gainproof.verify.judge.exact.places import Place
 from gainproof.verify.judge.exact.statement import Statement
 
 Data = dict[str, Any]

@@ -13,23 +13,23 @@ from collections.abc import Iterator
 from dataclasses import replace
 from fractions import Fraction
 
-from gainproof.verify.judge.cells.corner import Corner, is_zero_at, vanishing_at
-from gainproof.verify.judge.cells.ground import as_expr, irreducible, leading, put_in
-from gainproof.verify.judge.cells.one_sign import keeps_sign
-from gainproof.verify.judge.cells.piece import Part, Piece, is_stated
+from gainproof.verify.judge.cells.cell_statement import Budget, Task
+from gainproof.verify.judge.cells.cell_truth import Part, Piece, is_stated
+from gainproof.verify.judge.cells.coefficient_signs import keeps_sign
+from gainproof.verify.judge.cells.critical_polynomials import CellQuestion
+from gainproof.verify.judge.cells.irrational_points import Corner, is_zero_at, vanishing_at
+from gainproof.verify.judge.cells.parameter_polynomials import as_expr, irreducible, leading, put_in
 from gainproof.verify.judge.cells.projection import discriminants, face_values, resultants
-from gainproof.verify.judge.cells.question import CellQuestion
-from gainproof.verify.judge.cells.task import Budget, Task
-from gainproof.verify.judge.exact.algebraic import Algebraic, compare, real_roots
+from gainproof.verify.judge.exact.algebraic_numbers import Algebraic, compare, real_roots
 from gainproof.verify.judge.exact.box import Box
 from gainproof.verify.judge.exact.calculus import substituted
-from gainproof.verify.judge.exact.connected import Connected
+from gainproof.verify.judge.exact.connected_sets import Connected
 from gainproof.verify.judge.exact.expression import number
-from gainproof.verify.judge.exact.local import Local
-from gainproof.verify.judge.exact.place import Place, places
-from gainproof.verify.judge.exact.poly import Poly, constant, degree, univariate
-from gainproof.verify.judge.exact.survey import Work
+from gainproof.verify.judge.exact.places import Place, places
+from gainproof.verify.judge.exact.polynomial import Poly, constant, degree, univariate
+from gainproof.verify.judge.exact.tower_at_place import Local
 from gainproof.verify.judge.exact.truth import NO_VALUE, SKIPPED, Question, truth
+from gainproof.verify.judge.exact.truth_survey import Work
 
 
 def curve_part(

@@ -6,20 +6,20 @@ from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from fractions import Fraction
 
+from gainproof.verify.judge.cells.cell_statement import Budget, Task
+from gainproof.verify.judge.cells.cell_truth import Part, Piece, all_pieces
+from gainproof.verify.judge.cells.cells_and_borders import exact_part, parts
 from gainproof.verify.judge.cells.certificate import cells_certificate
 from gainproof.verify.judge.cells.domain_text import domain_text
 from gainproof.verify.judge.cells.integers import runs_of, whole_points
-from gainproof.verify.judge.cells.piece import Part, Piece, all_pieces
-from gainproof.verify.judge.cells.pieces import exact_part, parts
-from gainproof.verify.judge.cells.task import Budget, Task
 from gainproof.verify.judge.cells.witness import counterexample, simple_points
 from gainproof.verify.judge.exact.box import Box
 from gainproof.verify.judge.exact.calculus import roots_made_prime, substituted
 from gainproof.verify.judge.exact.expression import number
-from gainproof.verify.judge.exact.limits import DEFAULT_LIMITS, Limits, Nowhere, Undecided
-from gainproof.verify.judge.exact.points import failure_at
+from gainproof.verify.judge.exact.rational_points import failure_at
 from gainproof.verify.judge.exact.statement import Outcome, Statement, Witness, unstated
 from gainproof.verify.judge.exact.truth import SKIPPED, TRUE
+from gainproof.verify.judge.exact.work_limits import DEFAULT_LIMITS, Limits, Nowhere, Undecided
 
 METHOD = "truth on the open cells of several parameters"
 BORDERS = "; borders solved for a parameter and decided in the same way"

@@ -8,16 +8,16 @@ from fractions import Fraction
 from itertools import groupby, product
 from math import ceil, floor, prod
 
+from gainproof.verify.judge.cells.cell_statement import Task
+from gainproof.verify.judge.cells.cells_and_borders import piece_of_cell
+from gainproof.verify.judge.cells.critical_polynomials import CellQuestion
 from gainproof.verify.judge.cells.lifting import Between, cells
-from gainproof.verify.judge.cells.pieces import piece_of_cell
 from gainproof.verify.judge.cells.projection import projected
-from gainproof.verify.judge.cells.question import CellQuestion
-from gainproof.verify.judge.cells.task import Task
-from gainproof.verify.judge.exact.algebraic import Algebraic, compare
+from gainproof.verify.judge.exact.algebraic_numbers import Algebraic, compare
 from gainproof.verify.judge.exact.box import Box
-from gainproof.verify.judge.exact.limits import Limits
-from gainproof.verify.judge.exact.place import Place
+from gainproof.verify.judge.exact.places import Place
 from gainproof.verify.judge.exact.truth import TRUE
+from gainproof.verify.judge.exact.work_limits import Limits
 
 MOST_NUMBERS = 64
 """Up to so many, or so many together of several symbols, are decided one by one."""

@@ -9,9 +9,9 @@ from functools import cached_property
 from itertools import pairwise
 from typing import Any
 
-from gainproof.verify.judge.cells.ground import put_in
+from gainproof.verify.judge.cells.parameter_polynomials import put_in
 from gainproof.verify.judge.cells.projection import Level
-from gainproof.verify.judge.exact.algebraic import (
+from gainproof.verify.judge.exact.algebraic_numbers import (
     Algebraic,
     apart,
     compare,
@@ -20,8 +20,8 @@ from gainproof.verify.judge.exact.algebraic import (
     real_roots,
 )
 from gainproof.verify.judge.exact.box import Box
-from gainproof.verify.judge.exact.limits import Limits, Undecided
-from gainproof.verify.judge.exact.poly import Poly, univariate
+from gainproof.verify.judge.exact.polynomial import Poly, univariate
+from gainproof.verify.judge.exact.work_limits import Limits, Undecided
 
 SAMPLES = 3
 MOVED = 4

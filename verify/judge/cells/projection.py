@@ -12,11 +12,11 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from itertools import combinations
 
-from gainproof.verify.judge.cells.ground import irreducible, leading, put_in
-from gainproof.verify.judge.cells.one_sign import keeps_sign
+from gainproof.verify.judge.cells.coefficient_signs import keeps_sign
+from gainproof.verify.judge.cells.parameter_polynomials import irreducible, leading, put_in
 from gainproof.verify.judge.exact.box import Box
-from gainproof.verify.judge.exact.limits import Limits, Undecided
-from gainproof.verify.judge.exact.poly import Poly, degree
+from gainproof.verify.judge.exact.polynomial import Poly, degree
+from gainproof.verify.judge.exact.work_limits import Limits, Undecided
 
 
 @dataclass(frozen=True)

@@ -11,13 +11,13 @@ from collections.abc import Sequence
 from dataclasses import replace
 from fractions import Fraction
 
-from gainproof.verify.judge.cells.ground import value_at
+from gainproof.verify.judge.cells.coefficient_signs import keeps_sign
 from gainproof.verify.judge.cells.lifting import cells
-from gainproof.verify.judge.cells.one_sign import keeps_sign
+from gainproof.verify.judge.cells.parameter_polynomials import value_at
 from gainproof.verify.judge.cells.projection import projected
 from gainproof.verify.judge.exact.box import Box
-from gainproof.verify.judge.exact.limits import Limits, Undecided
-from gainproof.verify.judge.exact.poly import Poly
+from gainproof.verify.judge.exact.polynomial import Poly
+from gainproof.verify.judge.exact.work_limits import Limits, Undecided
 
 MOST_BOXES = 300
 ONE_CELL = Limits(cells=1, projection_factors=60)

@@ -7,21 +7,21 @@ from dataclasses import replace
 from fractions import Fraction
 from itertools import chain, islice
 
-from gainproof.verify.judge.cells.piece import Piece
-from gainproof.verify.judge.cells.task import Task
+from gainproof.verify.judge.cells.cell_statement import Task
+from gainproof.verify.judge.cells.cell_truth import Piece
+from gainproof.verify.judge.exact.ball_text import enclosure, separated
+from gainproof.verify.judge.exact.balls import compared
 from gainproof.verify.judge.exact.calculus import rebuilt, substituted
-from gainproof.verify.judge.exact.connected import Sample
+from gainproof.verify.judge.exact.connected_sets import Sample
 from gainproof.verify.judge.exact.constant_value import constant_value
-from gainproof.verify.judge.exact.enclose import compared
-from gainproof.verify.judge.exact.enclosure import enclosure, separated
 from gainproof.verify.judge.exact.expression import Expr, number
 from gainproof.verify.judge.exact.expression_text import labelled
-from gainproof.verify.judge.exact.limits import Undecided
-from gainproof.verify.judge.exact.points import failure_at
+from gainproof.verify.judge.exact.rational_points import failure_at
 from gainproof.verify.judge.exact.statement import NOT_EVALUATED, STRICT, Enclosure, Rel, Witness
 from gainproof.verify.judge.exact.truth import FALSE
 from gainproof.verify.judge.exact.witness import sides_witness, value_ball
-from gainproof.verify.judge.readable import readable
+from gainproof.verify.judge.exact.work_limits import Undecided
+from gainproof.verify.judge.readable_expression import readable
 from gainproof.verify.judge.verdict_words import BOTH_EQUAL, LACKS_VALUE
 
 PRECISIONS = (64, 256, 1024, 4096)

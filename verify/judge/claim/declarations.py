@@ -13,7 +13,7 @@ from gainproof.verify.judge.claim.record import SymbolEntry, Unit
 from gainproof.verify.judge.claim.units import read_unit, unit_text_of
 from gainproof.verify.judge.quantity_names import quantity_names
 from gainproof.verify.judge.reader.errors import ReaderError
-from gainproof.verify.judge.reader.names import canonical_token
+from gainproof.verify.judge.reader.printed_names import canonical_token
 from gainproof.verify.judge.reader.words import MADE_BY_READER, function_of
 
 MOST_SYMBOLS = 500

@@ -8,8 +8,8 @@ from collections.abc import Callable
 from typing import Any, TypeVar
 
 from gainproof.verify.judge.reader.errors import ReaderError
-from gainproof.verify.judge.reader.names import names_in
 from gainproof.verify.judge.reader.plain_names import plain_name
+from gainproof.verify.judge.reader.printed_names import names_in
 
 MOST_FOUND = 200
 """Errors of one file after which no more are looked for."""

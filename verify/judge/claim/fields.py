@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import difflib
 from collections.abc import Mapping, Sequence
+from decimal import Decimal
 from typing import Any
 
 from gainproof.verify.judge.claim.errors import ClaimFileError, FileText
@@ -137,7 +138,7 @@ class Fields:
 
 def kind_of(value: object) -> str:
     """A TOML value's type in words, without its content."""
-    names = {str: "a text", bool: "true or false", int: "a number", float: "a number"}
+    names = {str: "a text", bool: "true or false", int: "a number", Decimal: "a number"}
     if isinstance(value, Mapping):
         return "a table"
     if isinstance(value, list):

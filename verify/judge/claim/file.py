@@ -15,9 +15,11 @@ import tomllib
 import unicodedata
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
+from decimal import Decimal
 from pathlib import Path
 from typing import Any
 
+from gainproof.verify.judge.claim.claims import read_claims
 from gainproof.verify.judge.claim.declarations import read_declarations
 from gainproof.verify.judge.claim.errors import (
     MOST_FOUND,
@@ -26,7 +28,6 @@ from gainproof.verify.judge.claim.errors import (
     TooManyError,
 )
 from gainproof.verify.judge.claim.fields import Fields
-from gainproof.verify.judge.claim.list import read_claims
 from gainproof.verify.judge.claim.record import (
     Claim,
     ClaimFile,
@@ -38,8 +39,8 @@ from gainproof.verify.judge.claim.record import (
 )
 from gainproof.verify.judge.claim.settings import read_settings, symbol_error
 from gainproof.verify.judge.claim.symbols import complete_symbols
-from gainproof.verify.judge.claim.usual import USUAL, pruned
-from gainproof.verify.judge.dimensions.declared import shared_fault
+from gainproof.verify.judge.claim.usual_meanings import USUAL, pruned
+from gainproof.verify.judge.dimensions.declarations import shared_fault
 
 FORMAT = "gainproof claims 1"
 MOST_BYTES = 2**20
@@ -123,14 +124,7 @@ def read_claim_text(
     that is so only if there is no claim that can be judged; else the errors are in the file, and
     what they are about is not.
     """
-    if len(text) > MOST_BYTES:
-        raise ClaimFileError(path, "", f"more than {MOST_BYTES} characters")
-    text = text.replace("\r\n", "\n")
-    refuse_characters(text, path)
-    refuse_escaped_latex(text, path)
-    file_text = FileText(path, text)
-    parsed = _parse(text, path)
-    refuse_escapes(parsed, path)
+    file_text, parsed = toml_of(text, path)
     claim_file = None
     try:
         claim_file = _claim_file(file_text, parsed, models)
@@ -142,6 +136,21 @@ def read_claim_text(
     if claim_file is None or (file_text.found and not (keep_going and claim_file.claims)):
         raise file_text.refusal()
     return replace(claim_file, errors=tuple(file_text.in_order()))
+
+
+def toml_of(text: str, path: str) -> tuple[FileText, Mapping[str, Any]]:
+    """A file that is not trusted, and what TOML makes of it; decimals are as they are printed.
+    Raises ClaimFileError.
+    """
+    if len(text) > MOST_BYTES:
+        raise ClaimFileError(path, "", f"more than {MOST_BYTES} characters")
+    text = text.replace("\r\n", "\n")
+    refuse_characters(text, path)
+    refuse_escaped_latex(text, path)
+    file_text = FileText(path, text)
+    parsed = _parse(text, path)
+    refuse_escapes(parsed, path)
+    return file_text, parsed
 
 
 def _claim_file(
@@ -181,7 +190,7 @@ def _claim_file(
 
 def _parse(text: str, path: str) -> Mapping[str, Any]:
     try:
-        return tomllib.loads(text)
+        return tomllib.loads(text, parse_float=Decimal)
     except RecursionError:
         raise ClaimFileError(path, "", "tables or lists are nested too deep") from None
     except ValueError as error:

@@ -9,7 +9,7 @@ from gainproof.verify.judge.claim.fields import Fields, nearest_hint
 from gainproof.verify.judge.claim.record import SymbolEntry
 from gainproof.verify.judge.formula import Formula, Graph, Relation
 from gainproof.verify.judge.reader.errors import ReaderError
-from gainproof.verify.judge.reader.names import canonical_token
+from gainproof.verify.judge.reader.printed_names import canonical_token
 from gainproof.verify.judge.reader.reader import (
     read_conditions,
     read_expression,

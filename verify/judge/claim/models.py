@@ -4,18 +4,25 @@ covariances as far as they are numbers.
 
 from __future__ import annotations
 
+import re
 from collections.abc import Mapping
+from decimal import Decimal
 from fractions import Fraction
+from itertools import combinations
 
-from gainproof.verify.judge.claim.fields import Fields
+from gainproof.verify.judge.claim.fields import Fields, kind_of
 from gainproof.verify.judge.claim.formulas import Symbols, graph_in
 from gainproof.verify.judge.claim.record import OwnModel
 from gainproof.verify.judge.exact.constant_value import constant_value
-from gainproof.verify.judge.exact.graph import read_graph
-from gainproof.verify.judge.exact.limits import Malformed
+from gainproof.verify.judge.exact.expression_graph import read_graph
+from gainproof.verify.judge.exact.work_limits import Malformed
 from gainproof.verify.judge.formula import Graph
 
-MOST_STATES = 12
+MOST_STATES = 20
+MOST_DIGITS = 400
+"""Of a number, powers of ten included."""
+EXPONENT = re.compile(r"[+-]?[0-9]{1,99}(\.[0-9]{1,99})?[eE][+-]?[0-9]{1,3}", re.ASCII)
+"""A number with a power of ten, which formulas print otherwise."""
 MATRICES = ("transition", "process_noise", "measurement", "measurement_noise")
 GAIN_MATRICES = ("transition", "measurement", "process_noise")
 """Those of a filter with free gains."""
@@ -30,7 +37,7 @@ def read_own_model(fields: Fields, symbols: Symbols) -> OwnModel | None:
     if len(given) < len(MATRICES):
         missing = next(name for name in MATRICES if name not in given)
         raise fields.fail(missing, "this matrix is missing: a model has four")
-    read = {name: _matrix(fields, name, symbols) for name in MATRICES}
+    read = {name: read_matrix(fields, name, symbols) for name in MATRICES}
     _check_shapes(fields, read)
     for name in ("process_noise", "measurement_noise"):
         _check_covariance(fields, name, read[name])
@@ -42,7 +49,7 @@ def read_gain_matrices(fields: Fields, symbols: Symbols) -> dict[str, Rows]:
     Raises ClaimFileError.
     """
     names = [name for name in GAIN_MATRICES if fields.has(name)]
-    read = {name: _matrix(fields, name, symbols) for name in names}
+    read = {name: read_matrix(fields, name, symbols) for name in names}
     states = len(read["transition"]) if "transition" in read else None
     wanted = {"transition": states, "measurement": 1, "process_noise": states}
     for name, matrix in read.items():
@@ -56,19 +63,35 @@ def read_gain_matrices(fields: Fields, symbols: Symbols) -> dict[str, Rows]:
     return read
 
 
-def _matrix(fields: Fields, name: str, symbols: Symbols) -> Rows:
+def read_matrix(fields: Fields, name: str, symbols: Symbols) -> Rows:
+    """The matrix in a field, its entries formulas or numbers. Raises ClaimFileError."""
     value = fields.take(name)
-    problem = f"a list of 1 to {MOST_STATES} rows of formulas, all of one length, is wanted"
+    problem = f"a list of 1 to {MOST_STATES} rows of formulas or numbers, all of one length,"
     if not isinstance(value, list) or not 1 <= len(value) <= MOST_STATES:
-        raise fields.fail(name, problem)
+        raise fields.fail(name, f"{problem} is wanted")
     rows: list[tuple[Graph, ...]] = []
     for row in value:
         if not isinstance(row, list) or not 1 <= len(row) <= MOST_STATES:
-            raise fields.fail(name, problem)
-        if len(row) != len(value[0]) or not all(isinstance(entry, str) for entry in row):
-            raise fields.fail(name, problem)
-        rows.append(tuple(graph_in(fields, name, entry, symbols) for entry in row))
+            raise fields.fail(name, f"{problem} is wanted")
+        if len(row) != len(value[0]):
+            raise fields.fail(name, f"{problem} is wanted")
+        rows.append(tuple(_entry(fields, name, entry, symbols) for entry in row))
     return tuple(rows)
+
+
+def _entry(fields: Fields, name: str, entry: object, symbols: Symbols) -> Graph:
+    if isinstance(entry, str) and not EXPONENT.fullmatch(entry.strip()):
+        return graph_in(fields, name, entry, symbols)
+    if isinstance(entry, bool) or not isinstance(entry, int | Decimal | str):
+        raise fields.fail(name, f"a formula or a number is wanted, not {kind_of(entry)}")
+    number = Decimal(entry)
+    if not number.is_finite() or len(number.as_tuple().digits) > MOST_DIGITS:
+        raise fields.fail(name, f"{str(entry)[:40]}: a number of reasonable length is wanted")
+    if number and abs(number.adjusted()) > MOST_DIGITS:
+        raise fields.fail(
+            name, f"{str(entry)[:40]}: a number beyond 10^{MOST_DIGITS} or its inverse"
+        )
+    return {"nodes": [["number", str(Fraction(number))]], "outputs": {"value": 0}}
 
 
 def _check_shapes(fields: Fields, read: Mapping[str, Rows]) -> None:
@@ -92,8 +115,12 @@ def _check_covariance(fields: Fields, name: str, matrix: Rows) -> None:
     known = [[value for value in row if value is not None] for row in numbers]
     if any(len(row) < len(numbers) for row in known):
         return
-    if any(known[i][j] != known[j][i] for i in range(len(known)) for j in range(i)):
-        raise fields.fail(name, "a covariance is symmetric, but this matrix is not")
+    for i, j in combinations(range(len(known)), 2):
+        if known[i][j] != known[j][i]:
+            problem = (
+                f"row {i + 1}, column {j + 1} is {known[i][j]}, and the other way {known[j][i]}"
+            )
+            raise fields.fail(name, f"a covariance is symmetric, but {problem}")
     if not positive_semidefinite(known):
         problem = "a covariance is positive semidefinite, but this matrix is not"
         raise fields.fail(name, problem)

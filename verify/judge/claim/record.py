@@ -8,7 +8,7 @@ from fractions import Fraction
 
 from gainproof.verify.judge.claim.errors import ClaimFileError
 from gainproof.verify.judge.formula import Formula, Graph, Reading, Relation
-from gainproof.verify.judge.matrices.letter import MatrixClaim, MatrixSetting
+from gainproof.verify.judge.matrices.letters import MatrixClaim, MatrixSetting
 
 
 @dataclass(frozen=True)
@@ -147,6 +147,33 @@ class Setting:
 
 
 @dataclass(frozen=True)
+class OwnField:
+    """What one of the fields says that only claims of one kind have: declared symbols, expressions
+    and formulas, which messages on dimensions call `place`, names of filters, a word, a number.
+    """
+
+    symbols: tuple[str, ...] = ()
+    expressions: tuple[Graph, ...] = ()
+    formulas: tuple[Formula, ...] = ()
+    place: str = ""
+    filters: tuple[str, ...] = ()
+    word: str = ""
+    number: int = 0
+
+    @property
+    def symbol(self) -> str:
+        """The symbol of a field that has one."""
+        (found,) = self.symbols
+        return found
+
+    @property
+    def expression(self) -> Graph:
+        """The expression of a field that has one."""
+        (found,) = self.expressions
+        return found
+
+
+@dataclass(frozen=True)
 class Claim:
     """One claim in the order of the source.
 
@@ -157,13 +184,8 @@ class Claim:
     while T or the deviation of the measurement noise changes. `line` is the line of the
     claim's id in the file, 1 for the first.
 
-    The other fields belong to one kind or two (see `vocabulary`). `about` lists the symbols
-    that a claim of kind `determines` speaks of; for `monotone` it holds the text of the expression
-    whose graph is `subject`, and the symbol with which it changes. `order` is that of the error in
-    a claim of kind `asymptotics`, if its formula does not say it. `sense` says how conditions of a
-    claim of kind `stability` are meant. `minimised` is what an `optimum` minimises or an
-    `ordering` compares, `fixed` what is kept or equal, `ascending` the names of filters. `matrices`
-    is what a claim of a setting of matrices says; `formula` is then None.
+    `own` are the fields that only claims of its kind have (see `kinds`), those that are there.
+    `matrices` is what a claim of a setting of matrices says; `formula` is then None.
     """
 
     id: str
@@ -175,24 +197,11 @@ class Claim:
     domain: tuple[Relation, ...] = ()
     given: tuple[Formula, ...] = ()
     held: tuple[str, ...] = ()
-    about: tuple[str, ...] = ()
+    own: Mapping[str, OwnField] = field(default_factory=dict)
     text: str | None = None
     note: str | None = None
     line: int = 1
     plain: str | None = None
-    subject: Graph | None = None
-    trend: str | None = None
-    order: int | None = None
-    polynomial: Graph | None = None
-    variable: str | None = None
-    where: str | None = None
-    number: int | None = None
-    recursion: Formula | None = None
-    previous: str | None = None
-    sense: str | None = None
-    minimised: Graph | None = None
-    fixed: tuple[Graph, ...] = ()
-    ascending: tuple[str, ...] = ()
     matrices: MatrixClaim | None = None
 
 
@@ -216,6 +225,7 @@ __all__ = [
     "ClaimFile",
     "Formula",
     "Graph",
+    "OwnField",
     "OwnModel",
     "Reading",
     "Relation",

@@ -7,11 +7,10 @@ from dataclasses import dataclass, replace
 from functools import partial
 
 from gainproof.verify.judge.claim.declarations import read_declarations
-from gainproof.verify.judge.claim.domains import contradiction, relations_of
+from gainproof.verify.judge.claim.empty_domains import contradiction, relations_of
 from gainproof.verify.judge.claim.errors import ClaimFileError, FileText
 from gainproof.verify.judge.claim.fields import Fields, nearest_hint
 from gainproof.verify.judge.claim.formulas import formula_of
-from gainproof.verify.judge.claim.letters import usual_letters
 from gainproof.verify.judge.claim.models import (
     GAIN_MATRICES,
     MATRICES,
@@ -21,14 +20,15 @@ from gainproof.verify.judge.claim.models import (
 )
 from gainproof.verify.judge.claim.record import Formula, Setting, SymbolEntry
 from gainproof.verify.judge.claim.symbols import SymbolTable, complete_symbols
-from gainproof.verify.judge.claim.usual import USUAL, usual_entries
-from gainproof.verify.judge.dimensions.declared import (
+from gainproof.verify.judge.claim.usual_letters import usual_letters
+from gainproof.verify.judge.claim.usual_meanings import USUAL, usual_entries
+from gainproof.verify.judge.dimensions.declarations import (
     Fault,
     numbers_count,
     says_units,
     setting_fault,
 )
-from gainproof.verify.judge.matrices.declare import read_letters, read_sizes
+from gainproof.verify.judge.matrices.declarations import read_letters, read_sizes
 
 MOST_SETTINGS = 100
 MOST_DEGREE = 8

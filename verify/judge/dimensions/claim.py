@@ -10,7 +10,7 @@ from fractions import Fraction
 from operator import methodcaller
 
 from gainproof.verify.judge.claim.record import Claim, Setting
-from gainproof.verify.judge.dimensions.dimension import Mismatch, agreed
+from gainproof.verify.judge.claim_symbols import reached
 from gainproof.verify.judge.dimensions.formula import (
     fault_of,
     graph_fault,
@@ -20,9 +20,9 @@ from gainproof.verify.judge.dimensions.formula import (
     reading_fault,
     relation_fault,
 )
-from gainproof.verify.judge.dimensions.names import Names, has_degrees
+from gainproof.verify.judge.dimensions.symbol_dimensions import has_degrees
 from gainproof.verify.judge.formula import Formula, Graph, Reading, Relation
-from gainproof.verify.judge.reach import reached
+from gainproof.verify.judge.kinds.catalogue import kind_named
 
 _NO = Fraction(0)
 
@@ -96,23 +96,15 @@ def _faults(claim: Claim, setting: Setting) -> Iterator[str]:
     through these or through domains.
     """
     names = names_of(setting)
-    graphs = {
-        "what changes": claim.subject,
-        "the polynomial": claim.polynomial,
-        "what is compared": claim.minimised,
-    }
-    for place, graph in graphs.items():
-        if graph is not None and (fault := graph_fault(graph, names)) is not None:
-            yield f"in {place}, {fault}"
-    for graph in claim.fixed:
-        if (fault := graph_fault(graph, names)) is not None:
-            yield f"in what is fixed, {fault}"
+    for each in claim.own.values():
+        for graph in each.expressions:
+            if (fault := graph_fault(graph, names)) is not None:
+                yield f"in {each.place}, {fault}"
     for place, relations in _relations(claim, setting):
         for relation in relations:
             if (fault := relation_fault(relation, names)) is not None:
                 yield f"in {place}, {fault}"
-    if claim.recursion is not None and claim.previous is not None:
-        yield from _recursion_faults(claim.recursion, claim.previous, names)
+    yield from kind_named(claim.kind).units(claim, names)
     for token in sorted(reached(claim, setting)):
         if (fault := fault_of(methodcaller("of", token), names)) is not None:
             yield fault
@@ -122,19 +114,9 @@ def _relations(claim: Claim, setting: Setting) -> Iterator[tuple[str, tuple[Rela
     yield "the domain", claim.domain
     for formula in claim.given:
         yield "a hypothesis", formula.readings[0].relations
-    if claim.recursion is not None:
-        yield "the recursion", claim.recursion.readings[0].relations
-    for name in claim.ascending:
-        for formula in setting.filters.get(name, ()):
-            yield f"the filter {name}", formula.readings[0].relations
-
-
-def _recursion_faults(recursion: Formula, previous: str, names: Names) -> Iterator[str]:
-    """The value before has the dimension of the next one."""
-    following = recursion.readings[0].relations[0].left["nodes"]
-    if len(following) != 1 or following[0][0] != "symbol":
-        return
-    try:
-        agreed([names.of(str(following[0][1])), names.of(previous)], "the next value and the last")
-    except Mismatch as fault:
-        yield str(fault)
+    for each in claim.own.values():
+        for formula in each.formulas:
+            yield each.place, formula.readings[0].relations
+        for name in each.filters:
+            for formula in setting.filters.get(name, ()):
+                yield f"the filter {name}", formula.readings[0].relations

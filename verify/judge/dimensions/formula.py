@@ -19,8 +19,7 @@ from gainproof.verify.judge.dimensions.dimension import (
     times,
     without_dimension,
 )
-from gainproof.verify.judge.dimensions.names import Names, has_degrees
-from gainproof.verify.judge.dimensions.table import (
+from gainproof.verify.judge.dimensions.matrix_dimensions import (
     determinant,
     inverse,
     kronecker,
@@ -29,12 +28,13 @@ from gainproof.verify.judge.dimensions.table import (
     stacked,
     transposed,
 )
+from gainproof.verify.judge.dimensions.symbol_dimensions import Names, has_degrees
 from gainproof.verify.judge.exact.expression import Expr, walk
+from gainproof.verify.judge.exact.formula_tree import read_tree
 from gainproof.verify.judge.exact.graph_writing import graph_of
-from gainproof.verify.judge.exact.limits import Malformed
-from gainproof.verify.judge.exact.tree import read_tree
+from gainproof.verify.judge.exact.work_limits import Malformed
 from gainproof.verify.judge.formula import Graph, Reading, Relation
-from gainproof.verify.judge.reader.latex import graph_to_latex
+from gainproof.verify.judge.reader.latex_printer import graph_to_latex
 from gainproof.verify.judge.reader.words import BASED, OF_CASES
 
 MOST_CHARACTERS = 60

@@ -17,7 +17,7 @@ from gainproof.verify.judge.exact.expression import (
     walk,
 )
 from gainproof.verify.judge.exact.functions import slope_of
-from gainproof.verify.judge.exact.limits import Undecided
+from gainproof.verify.judge.exact.work_limits import Undecided
 
 
 def rebuilt(expr: Expr, change: Callable[[Expr, tuple[Expr, ...]], Expr | None]) -> Expr:

@@ -7,11 +7,11 @@ from typing import Any
 
 from gainproof.verify.judge.exact.box import Box
 from gainproof.verify.judge.exact.expression import Expr, walk
-from gainproof.verify.judge.exact.graph import rational, read_graph
+from gainproof.verify.judge.exact.expression_graph import rational, read_graph
 from gainproof.verify.judge.exact.graph_writing import graph_of
-from gainproof.verify.judge.exact.limits import Malformed
 from gainproof.verify.judge.exact.statement import Rel, Statement
-from gainproof.verify.judge.exact.survey import Judged, Work
+from gainproof.verify.judge.exact.truth_survey import Judged, Work
+from gainproof.verify.judge.exact.work_limits import Malformed
 
 Data = dict[str, Any]
 MOST_STEPS = 20

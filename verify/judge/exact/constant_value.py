@@ -5,8 +5,8 @@ from __future__ import annotations
 from fractions import Fraction
 
 from gainproof.verify.judge.exact.expression import Expr, walk
-from gainproof.verify.judge.exact.limits import DEFAULT_LIMITS
-from gainproof.verify.judge.exact.rational_root import integer_root
+from gainproof.verify.judge.exact.rational_roots import integer_root
+from gainproof.verify.judge.exact.work_limits import DEFAULT_LIMITS
 
 MOST_BITS = 50_000
 """Size of a value: powers inside one another write numbers that no memory holds."""

@@ -10,10 +10,9 @@ from gainproof.verify.judge.exact.box import Box, bounds_text
 from gainproof.verify.judge.exact.calculus import roots_made_prime, substituted
 from gainproof.verify.judge.exact.certificate import certificate_of
 from gainproof.verify.judge.exact.expression import power, symbol
-from gainproof.verify.judge.exact.limits import DEFAULT_LIMITS, Limits, Nowhere, Undecided
-from gainproof.verify.judge.exact.place import Place
-from gainproof.verify.judge.exact.radicand import NeedsPower
-from gainproof.verify.judge.exact.region import region_text
+from gainproof.verify.judge.exact.places import Place
+from gainproof.verify.judge.exact.radicands import NeedsPower
+from gainproof.verify.judge.exact.region_text import region_text
 from gainproof.verify.judge.exact.statement import (
     ORDERS,
     STRICT,
@@ -22,8 +21,8 @@ from gainproof.verify.judge.exact.statement import (
     Witness,
     unstated,
 )
-from gainproof.verify.judge.exact.survey import Judged, Work, survey
 from gainproof.verify.judge.exact.truth import NO_VALUE, SKIPPED, TRUE
+from gainproof.verify.judge.exact.truth_survey import Judged, Work, survey
 from gainproof.verify.judge.exact.witness import (
     equal_sides_witness,
     find_witness,
@@ -32,6 +31,7 @@ from gainproof.verify.judge.exact.witness import (
     sides_witness,
     undefined_witness,
 )
+from gainproof.verify.judge.exact.work_limits import DEFAULT_LIMITS, Limits, Nowhere, Undecided
 
 
 def decide(

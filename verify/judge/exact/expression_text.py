@@ -8,7 +8,7 @@ from collections.abc import Mapping
 from gainproof.verify.judge.exact.calculus import substituted
 from gainproof.verify.judge.exact.expression import Expr, symbol, symbols_of, walk
 from gainproof.verify.judge.exact.free_names import token_of
-from gainproof.verify.judge.reader.printed import case_texts
+from gainproof.verify.judge.reader.printing import case_texts
 from gainproof.verify.judge.reader.words import CASES, OF_CASES
 
 LONG = 60

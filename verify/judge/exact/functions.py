@@ -19,8 +19,8 @@ from types import MappingProxyType
 import flint
 
 from gainproof.verify.judge.exact.expression import Expr, add, div, mul, neg, number, power, walk
-from gainproof.verify.judge.exact.limits import Undecided
-from gainproof.verify.judge.exact.poly import Ball
+from gainproof.verify.judge.exact.polynomial import Ball
+from gainproof.verify.judge.exact.work_limits import Undecided
 from gainproof.verify.judge.reader.words import OF_CASES
 
 MOST_POWER = 4096

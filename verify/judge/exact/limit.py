@@ -11,19 +11,19 @@ from __future__ import annotations
 from fractions import Fraction
 from typing import Any
 
-from gainproof.verify.judge.exact.algebraic import Algebraic
+from gainproof.verify.judge.exact.algebraic_numbers import Algebraic
+from gainproof.verify.judge.exact.ball_text import enclosure, separated
 from gainproof.verify.judge.exact.box import Box
 from gainproof.verify.judge.exact.calculus import roots_made_prime, substituted
 from gainproof.verify.judge.exact.decision import decide
-from gainproof.verify.judge.exact.enclosure import enclosure, separated
 from gainproof.verify.judge.exact.expression import Expr, neg, number, power, symbol
 from gainproof.verify.judge.exact.limit_value import Limit, limit_to_infinity
-from gainproof.verify.judge.exact.limits import Undecided
-from gainproof.verify.judge.exact.local import Local
-from gainproof.verify.judge.exact.place import Place
+from gainproof.verify.judge.exact.places import Place
 from gainproof.verify.judge.exact.statement import Enclosure, Outcome, Rel, Statement, Witness
+from gainproof.verify.judge.exact.tower_at_place import Local
 from gainproof.verify.judge.exact.tower_building import build_tower
 from gainproof.verify.judge.exact.witness import value_ball
+from gainproof.verify.judge.exact.work_limits import Undecided
 
 
 def toward_infinity(

@@ -10,19 +10,30 @@ from typing import Any
 
 import flint
 
-from gainproof.verify.judge.exact.algebraic import Algebraic, apart, real_roots, simplest_between
+from gainproof.verify.judge.exact.algebraic_numbers import (
+    Algebraic,
+    apart,
+    real_roots,
+    simplest_between,
+)
 from gainproof.verify.judge.exact.box import Box
 from gainproof.verify.judge.exact.calculus import roots_made_prime
 from gainproof.verify.judge.exact.expression import Expr
-from gainproof.verify.judge.exact.limits import DEFAULT_LIMITS, Limits, Undecided
-from gainproof.verify.judge.exact.local import Local
-from gainproof.verify.judge.exact.norm import norm, vanishing_factors
-from gainproof.verify.judge.exact.place import Place, places
-from gainproof.verify.judge.exact.poly import Poly, coefficients_in, degree, rational, univariate
-from gainproof.verify.judge.exact.radicand import Element
+from gainproof.verify.judge.exact.norm_factors import norm, vanishing_factors
+from gainproof.verify.judge.exact.places import Place, places
+from gainproof.verify.judge.exact.polynomial import (
+    Poly,
+    coefficients_in,
+    degree,
+    rational,
+    univariate,
+)
+from gainproof.verify.judge.exact.radicands import Element
 from gainproof.verify.judge.exact.tower import Tower
+from gainproof.verify.judge.exact.tower_at_place import Local
 from gainproof.verify.judge.exact.tower_building import build_tower
 from gainproof.verify.judge.exact.witness import value_ball
+from gainproof.verify.judge.exact.work_limits import DEFAULT_LIMITS, Limits, Undecided
 
 UNKNOWN = "limit value"
 

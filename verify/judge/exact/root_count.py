@@ -11,9 +11,9 @@ from typing import Any
 
 import flint
 
-from gainproof.verify.judge.exact.algebraic import Algebraic
-from gainproof.verify.judge.exact.limits import DEFAULT_LIMITS, Undecided
-from gainproof.verify.judge.exact.poly import Ball
+from gainproof.verify.judge.exact.algebraic_numbers import Algebraic
+from gainproof.verify.judge.exact.polynomial import Ball
+from gainproof.verify.judge.exact.work_limits import DEFAULT_LIMITS, Undecided
 
 Element = Any
 """A flint.fmpq_poly in the algebraic number, of lower degree than its own polynomial."""

@@ -8,7 +8,7 @@ from typing import Any
 
 from gainproof.verify.judge.exact.box import Box
 from gainproof.verify.judge.exact.expression import Expr, symbols_of
-from gainproof.verify.judge.exact.place import Place
+from gainproof.verify.judge.exact.places import Place
 from gainproof.verify.judge.verdict_words import NOT_COMPARED, Shown
 
 ORDERS = ("<", "<=", ">", ">=")

@@ -12,12 +12,12 @@ from dataclasses import dataclass, field
 from math import prod
 
 from gainproof.verify.judge.exact.expression import Expr
-from gainproof.verify.judge.exact.limits import DEFAULT_LIMITS, Limits, Undecided
-from gainproof.verify.judge.exact.poly import Poly, Ring, text
-from gainproof.verify.judge.exact.radicand import (
+from gainproof.verify.judge.exact.polynomial import Poly, Ring, text
+from gainproof.verify.judge.exact.radicands import (
     Element,
 )
-from gainproof.verify.judge.exact.variables import Variables
+from gainproof.verify.judge.exact.tower_variables import Variables
+from gainproof.verify.judge.exact.work_limits import DEFAULT_LIMITS, Limits, Undecided
 
 
 @dataclass(frozen=True)

@@ -5,16 +5,16 @@ from __future__ import annotations
 from collections.abc import Iterable
 
 from gainproof.verify.judge.exact.expression import Expr, walk
-from gainproof.verify.judge.exact.limits import DEFAULT_LIMITS, Limits, Undecided
-from gainproof.verify.judge.exact.poly import Poly, constant, ring, terms
-from gainproof.verify.judge.exact.radicand import (
+from gainproof.verify.judge.exact.polynomial import Poly, constant, ring, terms
+from gainproof.verify.judge.exact.radicands import (
     Element,
     product_of_roots,
     simplified,
     split_off,
 )
-from gainproof.verify.judge.exact.rational_root import number_root
+from gainproof.verify.judge.exact.rational_roots import number_root
 from gainproof.verify.judge.exact.tower import Check, Root, Tower
+from gainproof.verify.judge.exact.work_limits import DEFAULT_LIMITS, Limits, Undecided
 
 
 def build_tower(

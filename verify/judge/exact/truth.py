@@ -6,10 +6,10 @@ from collections.abc import Mapping
 
 from gainproof.verify.judge.exact.box import Box
 from gainproof.verify.judge.exact.expression import Expr
-from gainproof.verify.judge.exact.limits import Limits, Undecided
-from gainproof.verify.judge.exact.local import Local
 from gainproof.verify.judge.exact.statement import Rel, Statement
+from gainproof.verify.judge.exact.tower_at_place import Local
 from gainproof.verify.judge.exact.tower_building import build_tower
+from gainproof.verify.judge.exact.work_limits import Limits, Undecided
 
 TRUE, FALSE, NO_VALUE, SKIPPED = "true", "false", "no value", "outside"
 

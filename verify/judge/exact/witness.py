@@ -10,18 +10,18 @@ from math import ceil, floor
 
 import flint
 
+from gainproof.verify.judge.exact.ball_text import enclosure, separated
+from gainproof.verify.judge.exact.balls import compared
 from gainproof.verify.judge.exact.box import Box
-from gainproof.verify.judge.exact.connected import Connected, Sample
-from gainproof.verify.judge.exact.enclose import compared
-from gainproof.verify.judge.exact.enclosure import enclosure, separated
-from gainproof.verify.judge.exact.limits import Undecided
-from gainproof.verify.judge.exact.local import FIRST_PRECISION, Local
-from gainproof.verify.judge.exact.place import Place
-from gainproof.verify.judge.exact.poly import Ball
-from gainproof.verify.judge.exact.radicand import Element
+from gainproof.verify.judge.exact.connected_sets import Connected, Sample
+from gainproof.verify.judge.exact.places import Place
+from gainproof.verify.judge.exact.polynomial import Ball
+from gainproof.verify.judge.exact.radicands import Element
 from gainproof.verify.judge.exact.statement import NOT_EVALUATED, Enclosure, Rel, Statement, Witness
 from gainproof.verify.judge.exact.tower import Tower
+from gainproof.verify.judge.exact.tower_at_place import FIRST_PRECISION, Local
 from gainproof.verify.judge.exact.truth import FALSE, NO_VALUE, TRUE, Question, truth
+from gainproof.verify.judge.exact.work_limits import Undecided
 from gainproof.verify.judge.verdict_words import BOTH_EQUAL, LACKS_VALUE, NOT_COMPARED, Shown
 
 FREE_PATTERNS = (

@@ -10,9 +10,9 @@ from dataclasses import dataclass, replace
 from gainproof.verify.judge.exact.box import Box
 from gainproof.verify.judge.exact.calculus import substituted
 from gainproof.verify.judge.exact.expression import Expr, add, number, power, symbol, whole_power
-from gainproof.verify.judge.exact.poly import Poly, fraction, terms
+from gainproof.verify.judge.exact.polynomial import Poly, fraction, terms
+from gainproof.verify.judge.fixed_gain.closed_loop import Loop, closed_loop, steps_of_gains
 from gainproof.verify.judge.fixed_gain.lag import MOST_ORDER, Lag, is_taylor, lag
-from gainproof.verify.judge.fixed_gain.loop import Loop, closed_loop, steps_of_gains
 from gainproof.verify.judge.fixed_gain.matrices import GainModel
 from gainproof.verify.judge.fixed_gain.rational_system import lowest, numerator_and_denominator
 from gainproof.verify.judge.fixed_gain.variance import (
@@ -31,7 +31,7 @@ from gainproof.verify.judge.setting.environment import (
     Fact,
     NotEstablished,
 )
-from gainproof.verify.judge.setting.matrix import Exprs, exprs, times
+from gainproof.verify.judge.setting.matrices import Exprs, exprs, times
 from gainproof.verify.judge.setting.quantities import (
     base_boxes,
     common_quantities,

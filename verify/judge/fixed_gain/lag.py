@@ -15,12 +15,12 @@ from fractions import Fraction
 from math import comb, factorial
 
 from gainproof.verify.judge.exact.expression import Expr, number, symbol, whole_power
-from gainproof.verify.judge.exact.limits import Undecided
-from gainproof.verify.judge.exact.poly import Poly, constant
-from gainproof.verify.judge.fixed_gain.loop import Loop
+from gainproof.verify.judge.exact.polynomial import Poly, constant
+from gainproof.verify.judge.exact.work_limits import Undecided
+from gainproof.verify.judge.fixed_gain.closed_loop import Loop
 from gainproof.verify.judge.fixed_gain.rational_system import solved
 from gainproof.verify.judge.setting.environment import SAMPLE
-from gainproof.verify.judge.setting.matrix import Numbers
+from gainproof.verify.judge.setting.matrices import Numbers
 
 MOST_ORDER = 3
 

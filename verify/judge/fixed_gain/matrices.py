@@ -11,14 +11,14 @@ from gainproof.verify.judge.claim.record import Setting
 from gainproof.verify.judge.exact.calculus import substituted
 from gainproof.verify.judge.exact.constant_value import constant_value
 from gainproof.verify.judge.exact.expression import Expr, number, power, symbol, symbols_of
+from gainproof.verify.judge.exact.formula_tree import read_tree
 from gainproof.verify.judge.exact.free_names import free_name
-from gainproof.verify.judge.exact.limits import Undecided
-from gainproof.verify.judge.exact.tree import read_tree
+from gainproof.verify.judge.exact.work_limits import Undecided
 from gainproof.verify.judge.formula import Graph
-from gainproof.verify.judge.meaning.reach import Reach, names_in
+from gainproof.verify.judge.meaning.definition_names import Reach, names_in
 from gainproof.verify.judge.scope import Scope
 from gainproof.verify.judge.setting.environment import DEVIATION, INTERVAL, Environment
-from gainproof.verify.judge.setting.matrix import Numbers, numbers
+from gainproof.verify.judge.setting.matrices import Numbers, numbers
 from gainproof.verify.judge.setting.own_matrices import T, in_units, interval_symbol
 
 

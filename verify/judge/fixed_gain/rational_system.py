@@ -7,8 +7,7 @@ from fractions import Fraction
 from math import gcd, lcm
 
 from gainproof.verify.judge.exact.expression import Expr, mul, number, whole_power
-from gainproof.verify.judge.exact.limits import Undecided
-from gainproof.verify.judge.exact.poly import (
+from gainproof.verify.judge.exact.polynomial import (
     Poly,
     Ring,
     fraction,
@@ -17,8 +16,9 @@ from gainproof.verify.judge.exact.poly import (
     ring,
     terms,
 )
-from gainproof.verify.judge.exact.tidy import expression_of
+from gainproof.verify.judge.exact.simplification import expression_of
 from gainproof.verify.judge.exact.tower_building import build_tower
+from gainproof.verify.judge.exact.work_limits import Undecided
 
 
 def solved(matrix: Sequence[Sequence[Poly]], rights: Sequence[Sequence[Poly]]) -> list[list[Poly]]:

@@ -8,7 +8,7 @@ from gainproof.verify.judge.exact.box import Box
 from gainproof.verify.judge.exact.calculus import differentiated
 from gainproof.verify.judge.exact.expression import Expr, number, symbol, symbols_of
 from gainproof.verify.judge.exact.statement import Rel
-from gainproof.verify.judge.kinds.framing import Frame, strictly
+from gainproof.verify.judge.kinds.claim_domain import Frame, strictly
 
 
 def shared_gain(

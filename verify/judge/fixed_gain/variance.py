@@ -6,9 +6,9 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 from gainproof.verify.judge.exact.expression import Expr
-from gainproof.verify.judge.exact.limits import Undecided
-from gainproof.verify.judge.exact.poly import Poly, constant
-from gainproof.verify.judge.fixed_gain.loop import Loop, Polys
+from gainproof.verify.judge.exact.polynomial import Poly, constant
+from gainproof.verify.judge.exact.work_limits import Undecided
+from gainproof.verify.judge.fixed_gain.closed_loop import Loop, Polys
 from gainproof.verify.judge.fixed_gain.rational_system import solved
 
 Pair = tuple[int, int]

@@ -6,39 +6,47 @@ from collections.abc import Iterator
 from dataclasses import replace
 from fractions import Fraction
 
-from gainproof.verify.judge.claim.record import Claim
+from gainproof.verify.judge.claim.record import Claim, OwnField
 from gainproof.verify.judge.exact.calculus import rebuilt
 from gainproof.verify.judge.exact.expression import Expr, mul, neg, number, power, symbol, walk
-from gainproof.verify.judge.exact.limits import Undecided
 from gainproof.verify.judge.exact.statement import Enclosure, Rel, Witness
+from gainproof.verify.judge.exact.work_limits import Undecided
 from gainproof.verify.judge.formula import Reading
-from gainproof.verify.judge.kinds.approach import (
-    SMALL,
-    Approach,
-    approach_of,
-    arrow_of,
-    end_of,
-    refuse_real_powers,
-)
-from gainproof.verify.judge.kinds.framing import framed
+from gainproof.verify.judge.kinds.claim_domain import framed
 from gainproof.verify.judge.kinds.identity import resolved
+from gainproof.verify.judge.kinds.kind import Kind, OwnFields
 from gainproof.verify.judge.kinds.limit import DEPTHS
-from gainproof.verify.judge.kinds.near_limit import (
+from gainproof.verify.judge.kinds.limit_neighbourhood import (
     Coefficients,
     constant_parts,
     open_sides,
     others_frame,
     with_values,
 )
+from gainproof.verify.judge.kinds.limit_point import (
+    SMALL,
+    Approach,
+    approach_of,
+    arrow_of,
+    end_of,
+    lacks_arrow,
+    refuse_real_powers,
+)
 from gainproof.verify.judge.meaning.expansion import coefficients
 from gainproof.verify.judge.scope import Scope
-from gainproof.verify.judge.series.of_expression import expanded
+from gainproof.verify.judge.series.expression_series import expanded
 from gainproof.verify.judge.series.series import EXACT, Series, leading
 from gainproof.verify.judge.verdict import Finding, finding_of, of_parts
 
 METHOD = "expansion near the limit"
+MOST_ORDER = 64
 GAP = Fraction(1, 10**6)
 """Less than there is between two exponents of an expansion: denominators are those of roots."""
+
+
+def _order(claim: OwnFields, name: str) -> OwnField | None:
+    order = claim.fields.whole_number(name, 0, MOST_ORDER)
+    return None if order is None else OwnField(number=order)
 
 
 def judge_asymptotics(claim: Claim, reading: Reading, scope: Scope) -> Finding:
@@ -58,8 +66,8 @@ def judge_asymptotics(claim: Claim, reading: Reading, scope: Scope) -> Finding:
     around, dropped = others_frame(frame, approach)
     (first, smaller), (second, errors) = _without_orders(left), _without_orders(right)
     rest = first + neg(second)
-    if claim.order is not None:
-        errors.append(power(_distance(variable, approach), claim.order))
+    if "order" in claim.own:
+        errors.append(power(_distance(variable, approach), claim.own["order"].number))
     if not errors:
         smaller, errors = [], smaller
     if relation.operator == "=" and not errors:
@@ -292,3 +300,16 @@ def _equivalent(
         note = "the leading coefficients of both sides"
         finding = replace(finding, witness=replace(outcome.witness, point=where, note=note))
     return replace(finding, reason=f"other leading terms: {outcome.reason}", method=METHOD)
+
+
+ASYMPTOTICS = Kind(
+    "asymptotics",
+    "the left side is the right one up to a term of higher order, where the condition with an "
+    r"arrow says; after `\approx` the error is smaller than each term of a sum that is printed on "
+    r"the right, after `\sim` the ratio tends to 1",
+    judge_asymptotics,
+    own={"order": _order},
+    own_words="`order` of the error, if `O(x^2)` is not printed",
+    operators=frozenset(("=", "approx", "sim")),
+    form=lacks_arrow,
+)

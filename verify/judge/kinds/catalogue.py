@@ -3,71 +3,94 @@
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Callable
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from typing import Any
 
 from gainproof.verify.judge.claim.record import Claim
 from gainproof.verify.judge.claim.symbols import definition_uses
 from gainproof.verify.judge.exact.expression import Expr
 from gainproof.verify.judge.exact.graph_writing import graph_of
-from gainproof.verify.judge.exact.limits import Undecided
-from gainproof.verify.judge.exact.points import with_values
-from gainproof.verify.judge.formula import Reading
-from gainproof.verify.judge.kinds.asymptotics import judge_asymptotics
-from gainproof.verify.judge.kinds.definition import judge_definition
-from gainproof.verify.judge.kinds.determines import judge_determines
-from gainproof.verify.judge.kinds.equivalence import judge_equivalence
-from gainproof.verify.judge.kinds.identity import judge_identity
-from gainproof.verify.judge.kinds.implication import judge_implication
-from gainproof.verify.judge.kinds.limit import judge_limit
-from gainproof.verify.judge.kinds.location import judge_location
-from gainproof.verify.judge.kinds.monotone import judge_monotone
-from gainproof.verify.judge.kinds.optimum import judge_optimum
-from gainproof.verify.judge.kinds.ordering import judge_ordering
-from gainproof.verify.judge.kinds.solutions import judge_solutions
-from gainproof.verify.judge.kinds.stability import judge_stability
-from gainproof.verify.judge.kinds.steady_state import judge_steady_state
-from gainproof.verify.judge.kinds.value import judge_value
+from gainproof.verify.judge.exact.rational_points import with_values
+from gainproof.verify.judge.exact.work_limits import Undecided
+from gainproof.verify.judge.formula import Formula, Reading
+from gainproof.verify.judge.kinds.asymptotics import ASYMPTOTICS
+from gainproof.verify.judge.kinds.definition import DEFINITION
+from gainproof.verify.judge.kinds.determines import DETERMINES
+from gainproof.verify.judge.kinds.equivalence import EQUIVALENCE
+from gainproof.verify.judge.kinds.identity import IDENTITY, INEQUALITY, ORDERS, RECURSION
+from gainproof.verify.judge.kinds.implication import IMPLICATION
+from gainproof.verify.judge.kinds.kind import Judge, Kind
+from gainproof.verify.judge.kinds.limit import LIMIT
+from gainproof.verify.judge.kinds.location import LOCATION
+from gainproof.verify.judge.kinds.monotone import MONOTONE
+from gainproof.verify.judge.kinds.optimum import OPTIMUM
+from gainproof.verify.judge.kinds.ordering import ORDERING
+from gainproof.verify.judge.kinds.solutions import SOLUTIONS
+from gainproof.verify.judge.kinds.stability import STABILITY
+from gainproof.verify.judge.kinds.steady_state import STEADY_STATE
+from gainproof.verify.judge.kinds.value import VALUE
+from gainproof.verify.judge.matrices.claim_fields import OF_MATRICES
 from gainproof.verify.judge.meaning.value import entries
 from gainproof.verify.judge.scope import Scope
 from gainproof.verify.judge.setting.quantities import common_quantities, model_data
 from gainproof.verify.judge.verdict import Finding
 
-Judge = Callable[[Claim, Reading, Scope], Finding]
-
-
-@dataclass(frozen=True)
-class Kind:
-    """A kind of claim and how it is decided; `in_fields` says that it needs no formula."""
-
-    name: str
-    judge: Judge
-    in_fields: bool = False
-
-
 KINDS = (
-    Kind("identity", judge_identity),
-    Kind("inequality", judge_identity),
-    Kind("recursion", judge_identity),
-    Kind("definition", judge_definition),
-    Kind("implication", judge_implication),
-    Kind("equivalence", judge_equivalence),
-    Kind("limit", judge_limit),
-    Kind("asymptotics", judge_asymptotics),
-    Kind("value", judge_value),
-    Kind("monotone", judge_monotone, in_fields=True),
-    Kind("location", judge_location, in_fields=True),
-    Kind("solutions", judge_solutions),
-    Kind("steady_state", judge_steady_state),
-    Kind("determines", judge_determines, in_fields=True),
-    Kind("stability", judge_stability, in_fields=True),
-    Kind("optimum", judge_optimum),
-    Kind("ordering", judge_ordering, in_fields=True),
+    IDENTITY,
+    INEQUALITY,
+    DEFINITION,
+    RECURSION,
+    LIMIT,
+    ASYMPTOTICS,
+    VALUE,
+    MONOTONE,
+    LOCATION,
+    SOLUTIONS,
+    STEADY_STATE,
+    IMPLICATION,
+    EQUIVALENCE,
+    DETERMINES,
+    STABILITY,
+    OPTIMUM,
+    ORDERING,
+    *OF_MATRICES,
+    Kind(
+        "remark",
+        "nothing that can be decided; `note` says why",
+        needs_formula=False,
+        needs_text=True,
+        not_decided="no decidable content",
+        settings="any",
+    ),
 )
+"""In the order of docs/claim-files.md."""
+_BY_NAME = {kind.name: kind for kind in KINDS}
 NO_FORMULA = Reading(())
 MOST_ENTRIES = 16
 """Of a matrix that is kept entry by entry."""
+
+
+def kind_named(name: str) -> Kind:
+    """The kind of this name. Raises KeyError."""
+    return _BY_NAME[name]
+
+
+def kind_of(formula: Formula) -> str:
+    """The kind of claim that a formula is, as far as its relations say it."""
+    reading = formula.readings[0]
+    operators = {relation.operator for relation in reading.relations}
+    if reading.connective in ("iff", "implies"):
+        return "equivalence" if reading.connective == "iff" else "implication"
+    if "->" in operators or any(each.operator == "->" for each in reading.conditions):
+        orders = any(
+            node[:2] == ["call", "order"]
+            for relation in reading.relations
+            for node in relation.right["nodes"]
+        )
+        return "asymptotics" if orders or "sim" in operators else "limit"
+    if "approx" in operators:
+        return "value"
+    return "inequality" if operators & ORDERS else "identity"
 
 
 def judge_reading(claim: Claim, reading: Reading | None, scope: Scope) -> Finding:
@@ -75,7 +98,7 @@ def judge_reading(claim: Claim, reading: Reading | None, scope: Scope) -> Findin
 
     Raises Undecided, UndefinedSymbol, Malformed.
     """
-    finding = _kind(claim, reading).judge(claim, reading or NO_FORMULA, scope)
+    finding = _judge(claim, reading)(claim, reading or NO_FORMULA, scope)
     if finding.certificate:
         finding = replace(finding, certificate={**finding.certificate, **symbols_data(scope)})
     meanings = _meanings(scope)
@@ -128,7 +151,7 @@ def _meanings(scope: Scope) -> dict[str, Expr]:
     }
 
 
-def _kind(claim: Claim, reading: Reading | None) -> Kind:
+def _judge(claim: Claim, reading: Reading | None) -> Judge:
     """What is said decides where it can be seen: an arrow makes a limit, `<=>` an equivalence."""
     name = claim.kind
     if name in ("identity", "inequality", "recursion", "definition") and reading is not None:
@@ -136,7 +159,7 @@ def _kind(claim: Claim, reading: Reading | None) -> Kind:
             name = "limit"
         elif reading.connective in ("iff", "implies"):
             name = "equivalence" if reading.connective == "iff" else "implication"
-    found = next((kind for kind in KINDS if kind.name == name), None)
-    if found is None or (reading is None and not found.in_fields):
+    kind = _BY_NAME[name]
+    if kind.judge is None or (reading is None and kind.needs_formula):
         raise Undecided(f"a claim of kind {claim.kind} in words is not covered")
-    return found
+    return kind.judge

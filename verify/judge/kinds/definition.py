@@ -7,9 +7,10 @@ from __future__ import annotations
 from gainproof.verify.judge.claim.record import Claim, Setting
 from gainproof.verify.judge.exact.expression import Expr, symbol, symbols_of
 from gainproof.verify.judge.exact.free_names import is_free
-from gainproof.verify.judge.exact.limits import Undecided
+from gainproof.verify.judge.exact.work_limits import Undecided
 from gainproof.verify.judge.formula import Reading
 from gainproof.verify.judge.kinds.identity import judge_identity
+from gainproof.verify.judge.kinds.kind import EQUATION, Kind
 from gainproof.verify.judge.meaning.value import entries
 from gainproof.verify.judge.scope import Scope
 from gainproof.verify.judge.verdict import Finding
@@ -79,3 +80,15 @@ def _says(left: object, right: list[Expr]) -> bool:
     if any(is_free(symbol(name)) for name in names):
         return True
     return isinstance(left, Expr) and left.kind == "symbol" and left.name not in names
+
+
+DEFINITION = Kind(
+    "definition",
+    "nothing of its own: dimensions are compared, and the formula with what its symbol stands for "
+    "in all other claims, where the table of symbols, the model or the letters say that",
+    judge_definition,
+    operators=EQUATION,
+    not_decided="nothing to decide but dimensions",
+    settings="any",
+    repaired=False,
+)

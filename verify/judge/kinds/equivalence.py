@@ -5,13 +5,11 @@ from __future__ import annotations
 from dataclasses import replace
 
 from gainproof.verify.judge.claim.record import Claim
-from gainproof.verify.judge.exact.limits import Undecided
 from gainproof.verify.judge.exact.statement import Statement
 from gainproof.verify.judge.exact.witness import truth_of_sides
+from gainproof.verify.judge.exact.work_limits import Undecided
 from gainproof.verify.judge.formula import Reading
-from gainproof.verify.judge.freed.freely import where_valued
-from gainproof.verify.judge.freed.rewriting import has_functions
-from gainproof.verify.judge.kinds.framing import (
+from gainproof.verify.judge.kinds.claim_domain import (
     LACKING,
     Frame,
     framed,
@@ -19,7 +17,10 @@ from gainproof.verify.judge.kinds.framing import (
     where_hypotheses_have_values,
 )
 from gainproof.verify.judge.kinds.identity import resolved
+from gainproof.verify.judge.kinds.kind import Kind
 from gainproof.verify.judge.scope import Scope
+from gainproof.verify.judge.transcendental.algebraic_form import has_functions
+from gainproof.verify.judge.transcendental.free_values import where_valued
 from gainproof.verify.judge.verdict import Finding, finding_of, of_parts
 from gainproof.verify.judge.verdict_words import Shown
 
@@ -91,3 +92,12 @@ def _told(finding: Finding, supposed: str) -> Finding:
     told = replace(witness, note=note, shows=Shown.TRUTH)
     reason = finding.reason.replace(witness.text(), told.text())
     return replace(finding, reason=reason, witness=told)
+
+
+EQUIVALENCE = Kind(
+    "equivalence",
+    "the same in both directions",
+    judge_equivalence,
+    two_parts=True,
+    settings="any",
+)

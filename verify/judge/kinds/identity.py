@@ -8,16 +8,18 @@ from fractions import Fraction
 from math import isclose
 
 from gainproof.verify.judge.claim.record import Claim
-from gainproof.verify.judge.exact.enclose import NoValue, Unresolved, enclosed
+from gainproof.verify.judge.exact.balls import NoValue, Unresolved, enclosed
 from gainproof.verify.judge.exact.statement import Rel, Statement, Witness
 from gainproof.verify.judge.formula import Reading, Relation
-from gainproof.verify.judge.kinds.framing import framed, only_plain
+from gainproof.verify.judge.kinds.claim_domain import framed, only_plain
+from gainproof.verify.judge.kinds.kind import EQUATION, Kind
 from gainproof.verify.judge.meaning.value import shape
 from gainproof.verify.judge.scope import Scope
 from gainproof.verify.judge.verdict import Finding, finding_of
 from gainproof.verify.judge.verdict_words import Shown
 
 BITS = 128
+ORDERS = frozenset(("<", "<=", ">", ">=", "!="))
 
 
 def judge_identity(claim: Claim, reading: Reading, scope: Scope) -> Finding:
@@ -62,3 +64,29 @@ def resolved(relations: tuple[Relation, ...], scope: Scope) -> tuple[Rel, ...]:
     found = tuple(rel for relation in relations for rel in scope.relations(relation))
     only_plain(found)
     return found
+
+
+IDENTITY = Kind(
+    "identity",
+    "both sides are equal on the domain",
+    judge_identity,
+    operators=EQUATION,
+    settings="any",
+    pointwise=True,
+)
+INEQUALITY = Kind(
+    "inequality",
+    r"`<`, `\leq`, `>`, `\geq` or `\neq` holds on the domain",
+    judge_identity,
+    operators=ORDERS,
+    settings="any",
+    pointwise=True,
+    strongest=True,
+)
+RECURSION = Kind(
+    "recursion",
+    "the equation holds for every sample of the filter",
+    judge_identity,
+    operators=EQUATION,
+    pointwise=True,
+)

@@ -16,34 +16,36 @@ from gainproof.verify.judge.exact.expression_text import labelled
 from gainproof.verify.judge.exact.free_names import free_name
 from gainproof.verify.judge.exact.limit import decide_limit
 from gainproof.verify.judge.exact.limit_value import NoValueNear
-from gainproof.verify.judge.exact.limits import Undecided
+from gainproof.verify.judge.exact.simplification import tidied
 from gainproof.verify.judge.exact.statement import Enclosure, Outcome, Rel, Statement, Witness
-from gainproof.verify.judge.exact.tidy import tidied
+from gainproof.verify.judge.exact.work_limits import Undecided
 from gainproof.verify.judge.formula import Reading
-from gainproof.verify.judge.kinds.approach import (
-    SMALL,
-    Approach,
-    End,
-    approach_of,
-    arrow_of,
-    end_of,
-    refuse_real_powers,
-)
-from gainproof.verify.judge.kinds.framing import Frame, framed
+from gainproof.verify.judge.kinds.claim_domain import Frame, framed
+from gainproof.verify.judge.kinds.conditions_for_values import where_valued
 from gainproof.verify.judge.kinds.identity import resolved
-from gainproof.verify.judge.kinds.near_limit import (
+from gainproof.verify.judge.kinds.kind import Kind
+from gainproof.verify.judge.kinds.limit_neighbourhood import (
     Coefficients,
     constant_parts,
     open_sides,
     others_frame,
     with_values,
 )
-from gainproof.verify.judge.kinds.one_way import is_one_way
-from gainproof.verify.judge.kinds.valued import where_valued
-from gainproof.verify.judge.reader.latex import graph_to_latex
+from gainproof.verify.judge.kinds.limit_point import (
+    SMALL,
+    Approach,
+    End,
+    approach_of,
+    arrow_of,
+    end_of,
+    lacks_arrow,
+    refuse_real_powers,
+)
+from gainproof.verify.judge.kinds.monotone_quantities import is_one_way
+from gainproof.verify.judge.reader.latex_printer import graph_to_latex
 from gainproof.verify.judge.scope import Scope
+from gainproof.verify.judge.series.expression_series import expanded
 from gainproof.verify.judge.series.logarithmic import WithLogarithms, by_powers
-from gainproof.verify.judge.series.of_expression import expanded
 from gainproof.verify.judge.series.series import Series, leading
 from gainproof.verify.judge.setting.environment import INDEX, POSITIVE
 from gainproof.verify.judge.verdict import Finding, finding_of, of_parts
@@ -286,3 +288,12 @@ def _shown(end: End) -> Enclosure:
         return Enclosure("", "", {"-infinity": "minus infinity"}.get(end, end))
     value = constant_value(end)
     return Enclosure("", "", "finite") if value is None else Enclosure("", "", str(value))
+
+
+LIMIT = Kind(
+    "limit",
+    "the left side tends to the right one where the condition with an arrow says",
+    judge_limit,
+    operators=frozenset(("->", "=")),
+    form=lacks_arrow,
+)

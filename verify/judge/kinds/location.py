@@ -4,20 +4,54 @@ from __future__ import annotations
 
 from math import comb
 
-from gainproof.verify.judge.claim.record import Claim
+from gainproof.verify.judge.claim.record import Claim, OwnField
 from gainproof.verify.judge.exact.constant_value import constant_value
 from gainproof.verify.judge.exact.expression import Expr, add, mul, neg, number, power, symbols_of
 from gainproof.verify.judge.exact.free_names import is_free
-from gainproof.verify.judge.exact.limits import Undecided
 from gainproof.verify.judge.exact.statement import Rel, Statement
+from gainproof.verify.judge.exact.work_limits import Undecided
 from gainproof.verify.judge.formula import Graph, Reading
-from gainproof.verify.judge.kinds.framing import framed
+from gainproof.verify.judge.kinds.claim_domain import framed
 from gainproof.verify.judge.kinds.identity import resolved
+from gainproof.verify.judge.kinds.kind import (
+    EQUATION,
+    Kind,
+    OwnFields,
+    expression,
+    one_of,
+    one_symbol,
+)
 from gainproof.verify.judge.meaning.evaluation import number_of
 from gainproof.verify.judge.meaning.expansion import coefficients
 from gainproof.verify.judge.scope import Scope
-from gainproof.verify.judge.setting.stability import circle_moved, left_half_plane
+from gainproof.verify.judge.setting.stability_conditions import circle_moved, left_half_plane
 from gainproof.verify.judge.verdict import Finding, finding_of
+
+LOCATIONS = ("inside the unit circle", "left half plane", "real", "complex", "equal")
+"""Where roots lie; `equal`: all in one place."""
+
+
+def _polynomial(claim: OwnFields, name: str) -> OwnField | None:
+    """None for a formula that lists the roots."""
+    if not claim.fields.has(name) and not claim.has_formula:
+        raise claim.fields.fail(name, "wanted: a polynomial, or a formula that lists the roots")
+    if claim.fields.has(name) != claim.fields.has("variable"):
+        problem = "a polynomial and its variable are wanted together"
+        raise claim.fields.fail("variable", problem)
+    return expression("the polynomial")(claim, name) if claim.fields.has(name) else None
+
+
+def _variable(claim: OwnFields, name: str) -> OwnField | None:
+    return one_symbol(claim, name) if claim.fields.has(name) else None
+
+
+def _where(claim: OwnFields, name: str) -> OwnField | None:
+    """None where polynomial and formula say where the roots lie."""
+    if claim.fields.has(name):
+        return one_of(LOCATIONS)(claim, name)
+    if claim.has_formula and claim.fields.has("polynomial"):
+        return None
+    raise claim.fields.fail(name, f"this field is missing: one of {', '.join(LOCATIONS)}")
 
 
 def judge_location(claim: Claim, reading: Reading, scope: Scope) -> Finding:
@@ -26,8 +60,9 @@ def judge_location(claim: Claim, reading: Reading, scope: Scope) -> Finding:
     relations: list[Rel] = []
     listed = [scope.expression(r.right) for r in reading.relations]
     known: list[Expr] | None = None
-    if claim.polynomial is not None and claim.variable is not None:
-        known = _coefficients(claim.polynomial, claim.variable, scope)
+    if "polynomial" in claim.own:
+        polynomial = claim.own["polynomial"].expression
+        known = _coefficients(polynomial, claim.own["variable"].symbol, scope)
     for relation, root in zip(reading.relations, listed, strict=True):
         left = scope.expression(relation.left)
         if relation.operator != "=" or not _is_name(left, [*listed, *(known or [])]):
@@ -36,9 +71,9 @@ def judge_location(claim: Claim, reading: Reading, scope: Scope) -> Finding:
         relations += _all_roots(known, listed)
     elif known is None and not listed:
         raise Undecided("neither a polynomial nor its roots are given")
-    if claim.where is not None:
+    if "where" in claim.own:
         whole = known if known is not None else _from_roots(listed)
-        relations += located(whole, claim.where)
+        relations += located(whole, claim.own["where"].word)
     frame = framed(claim, scope, conditions)
     return finding_of(frame.decide(Statement(tuple(relations), (), "if", tuple(scope.needed))))
 
@@ -137,3 +172,15 @@ def _cubic_discriminant(known: list[Expr]) -> Expr:
         neg(mul(number(4), a, power(c, 3))),
         neg(mul(number(27), power(a, 2), power(d, 2))),
     )
+
+
+LOCATION = Kind(
+    "location",
+    "roots lie where it is said",
+    judge_location,
+    own={"polynomial": _polynomial, "variable": _variable, "where": _where},
+    own_words="`polynomial` and its `variable`, or a formula that lists the roots; `where`: "
+    "`inside the unit circle`, `left half plane`, `real`, `complex` or `equal`",
+    operators=EQUATION,
+    needs_formula=False,
+)

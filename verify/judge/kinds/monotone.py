@@ -4,49 +4,58 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-from gainproof.verify.judge.claim.record import Claim
+from gainproof.verify.judge.claim.record import Claim, OwnField
 from gainproof.verify.judge.exact.box import Box
 from gainproof.verify.judge.exact.calculus import substituted
 from gainproof.verify.judge.exact.expression import Expr, number, symbol, symbols_of, walk
+from gainproof.verify.judge.exact.formula_tree import read_tree
 from gainproof.verify.judge.exact.functions import refuse_jumps
-from gainproof.verify.judge.exact.limits import Undecided
+from gainproof.verify.judge.exact.simplification import tidied
 from gainproof.verify.judge.exact.statement import Rel, Statement
-from gainproof.verify.judge.exact.tidy import tidied
-from gainproof.verify.judge.exact.tree import read_tree
 from gainproof.verify.judge.exact.truth import NO_VALUE
+from gainproof.verify.judge.exact.work_limits import Undecided
 from gainproof.verify.judge.formula import Reading
-from gainproof.verify.judge.freed.monomials import monomials
-from gainproof.verify.judge.kinds.framing import Frame, framed
+from gainproof.verify.judge.kinds.claim_domain import Frame, framed
 from gainproof.verify.judge.kinds.identity import judge_identity, resolved
-from gainproof.verify.judge.kinds.one_way import is_one_way
+from gainproof.verify.judge.kinds.kind import Kind, OwnFields, one_of
+from gainproof.verify.judge.kinds.monotone_quantities import is_one_way
 from gainproof.verify.judge.meaning.evaluation import number_of
 from gainproof.verify.judge.meaning.expansion import coefficients
 from gainproof.verify.judge.scope import Scope
 from gainproof.verify.judge.setting.environment import DEVIATION, SAMPLE
+from gainproof.verify.judge.transcendental.monomials import monomials
 from gainproof.verify.judge.verdict import Finding, finding_of
 from gainproof.verify.judge.verdict_words import Shown
 
 SIGNS = {"increasing": ">", "decreasing": "<", "nondecreasing": ">=", "nonincreasing": "<="}
 
 
+def _about(claim: OwnFields, name: str) -> OwnField:
+    """What changes, and the symbol with which it does."""
+    about = claim.fields.texts(name, 2)
+    if len(about) != 2:
+        raise claim.fields.fail(name, "wanted: what changes, and the symbol with which it does")
+    token = claim.token(name, about[1])
+    return OwnField((token,), (claim.graph(name, about[0]),), place="what changes")
+
+
 def judge_monotone(claim: Claim, reading: Reading, scope: Scope) -> Finding:
     """Whether the subject changes as the trend says, over the whole domain of its variable."""
-    if claim.subject is None or claim.trend is None or len(claim.about) != 2:
-        raise Undecided("what changes, and how, is not said")
     said = judge_identity(claim, reading, scope) if reading.relations else None
     if said is not None and said.verdict == "conditional":
         raise Undecided(f"a trend of what holds on a part of the domain: {said.reason}")
     if said is not None and said.verdict != "proved":
         return said
     stated = resolved(reading.conditions, scope)
-    scope.refuse_free_index(read_tree(claim.subject), claim.about[1])
-    subject = scope.expression(claim.subject)
-    variable = number_of(scope.symbol(claim.about[1]))
-    operator = SIGNS[claim.trend]
+    graph, token = claim.own["about"].expression, claim.own["about"].symbol
+    scope.refuse_free_index(read_tree(graph), token)
+    subject = scope.expression(graph)
+    variable = number_of(scope.symbol(token))
+    operator = SIGNS[claim.own["trend"].word]
     if variable.kind == "symbol" and scope.boxes().get(variable.name, Box()).integer:
         return _from_sample_to_sample(claim, subject, variable, operator, scope, stated)
     refuse_jumps(subject, variable)
-    slope = number_of(scope.derivative(subject, claim.about[1], scope.root))
+    slope = number_of(scope.derivative(subject, token, scope.root))
     # where the rules give no slope is looked at here: the subject has a value there
     frame = replace(framed(claim, scope, stated), slopes=())
     if not scope.environment.is_coordinate(variable):
@@ -56,12 +65,12 @@ def judge_monotone(claim: Claim, reading: Reading, scope: Scope) -> Finding:
     is_moving = variable.kind == "symbol" and scope.is_shared(variable.name, subject)
     if is_moving:
         _refuse_winding(frame, scope)
-    if claim.about[1] == scope.environment.intensity:
+    if token == scope.environment.intensity:
         names = {scope.environment.parameter or ""}
     is_own = variable.kind == "symbol" or scope.environment.is_coordinate(variable)
-    is_own |= claim.about[1] in scope.environment.fixing
-    if not is_own and not _is_one_way(claim.about[1], variable, names, frame, scope):
-        raise Undecided(f"{claim.about[1]} is not strictly monotone itself")
+    is_own |= token in scope.environment.fixing
+    if not is_own and not _is_one_way(token, variable, names, frame, scope):
+        raise Undecided(f"{token} is not strictly monotone itself")
     # defined everywhere, hence continuous; where it has corners its slope is not asked for
     without, unknown = _without_value(subject, names, frame)
     rises = Statement((Rel(operator, slope, number(0)),), needed=(subject,))
@@ -234,3 +243,14 @@ def _from_sample_to_sample(
     frame = replace(frame, conditions=tuple(dict.fromkeys((*frame.conditions, *both))))
     outcome = frame.decide(Statement((Rel(operator, following, subject),)))
     return replace(finding_of(outcome), method="from each sample to the next")
+
+
+MONOTONE = Kind(
+    "monotone",
+    "an expression rises or falls with a symbol",
+    judge_monotone,
+    own={"about": _about, "trend": one_of(SIGNS)},
+    own_words="`about`: the two; `trend`: `increasing`, `decreasing`, `nondecreasing` or "
+    "`nonincreasing`",
+    needs_formula=False,
+)

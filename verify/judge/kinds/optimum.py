@@ -8,16 +8,15 @@ from fractions import Fraction
 from itertools import pairwise
 
 from gainproof.verify.judge.claim.record import Claim
+from gainproof.verify.judge.exact.ball_text import enclosure
+from gainproof.verify.judge.exact.balls import enclosed
 from gainproof.verify.judge.exact.calculus import substituted
 from gainproof.verify.judge.exact.constant_value import constant_value
-from gainproof.verify.judge.exact.enclose import enclosed
-from gainproof.verify.judge.exact.enclosure import enclosure
 from gainproof.verify.judge.exact.expression import Expr, number
 from gainproof.verify.judge.exact.expression_text import labelled
-from gainproof.verify.judge.exact.limits import Undecided
 from gainproof.verify.judge.exact.statement import Rel, Statement, Witness
-from gainproof.verify.judge.fixed_gain.rational_system import lowest
-from gainproof.verify.judge.fixed_gain.slice import (
+from gainproof.verify.judge.exact.work_limits import Undecided
+from gainproof.verify.judge.fixed_gain.lag_slices import (
     Curve,
     fixes_sum,
     has_roots,
@@ -25,10 +24,12 @@ from gainproof.verify.judge.fixed_gain.slice import (
     stationary,
     without_roots,
 )
+from gainproof.verify.judge.fixed_gain.rational_system import lowest
 from gainproof.verify.judge.formula import Reading
-from gainproof.verify.judge.kinds.framing import Frame, framed, strictly
+from gainproof.verify.judge.kinds.claim_domain import Frame, framed, strictly
 from gainproof.verify.judge.kinds.identity import resolved
-from gainproof.verify.judge.kinds.optimum_compared import judge_by_comparison
+from gainproof.verify.judge.kinds.kind import Kind, expression, fixed
+from gainproof.verify.judge.kinds.optimum_comparison import judge_by_comparison
 from gainproof.verify.judge.scope import Scope
 from gainproof.verify.judge.setting.environment import DEVIATION, INTERVAL, Environment
 from gainproof.verify.judge.setting.stable_region import StableRegion
@@ -59,19 +60,19 @@ def judge_optimum(claim: Claim, reading: Reading, scope: Scope) -> Finding:
 def _on_slices(claim: Claim, reading: Reading, scope: Scope) -> Finding:
     """By the one place on each slice of one lag where slopes vanish. Raises Undecided."""
     region = scope.environment.region
-    if region is None or claim.minimised is None or len(region.steps) < 2:
+    if region is None or len(region.steps) < 2:
         raise Undecided("best gains are those of a setting of kind fixed_gain with 2 or 3 states")
     if claim.given:
         raise Undecided("a minimum under further conditions is not covered")
     chart = region.charted
     inner = Scope(scope.setting, chart, held=claim.held)
-    least = without_roots(inner.expression(claim.minimised))
-    fixed = [inner.expression(graph) for graph in claim.fixed]
+    least = without_roots(inner.expression(claim.own["minimised"].expression))
+    kept = [inner.expression(graph) for graph in claim.own["fixed"].expressions]
     stated = (*resolved(reading.relations, inner), *resolved(reading.conditions, inner))
     if not stated:
         raise Undecided("no gains are stated")
     frame = strictly(framed(claim, inner))
-    if not fixed or not all(fixes_sum(expr, region.steps) for expr in fixed):
+    if not all(fixes_sum(expr, region.steps) for expr in kept):
         raise Undecided("what is fixed is no function of the lag alone")
     refuse_unless_coercive(least, region.steps)
     curve = stationary(least, region.steps)
@@ -248,3 +249,14 @@ def _witness(
     others = ", ".join(f"{name} = {v}" for name, v in gains(better).items())
     note = f"right that of {others}, both for T = 1 and noise of variance 1"
     return Witness(gains(stated), "<=", sides[0], sides[1], note=note)
+
+
+OPTIMUM = Kind(
+    "optimum",
+    "the gains that the formula states, and no others, make something least among all stable "
+    "filters with the same lag, whatever this lag is",
+    judge_optimum,
+    own={"minimised": expression("what is compared"), "fixed": fixed},
+    own_words="`minimised`: an expression; `fixed`: a list of what stays, functions of the lag of "
+    "the order in which it is constant",
+)

@@ -10,7 +10,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from itertools import pairwise
 
-from gainproof.verify.judge.claim.record import Claim
+from gainproof.verify.judge.claim.record import Claim, OwnField
 from gainproof.verify.judge.exact.box import Box
 from gainproof.verify.judge.exact.calculus import rebuilt, substituted
 from gainproof.verify.judge.exact.expression import (
@@ -22,15 +22,17 @@ from gainproof.verify.judge.exact.expression import (
     walk,
     whole_power,
 )
-from gainproof.verify.judge.exact.limits import Undecided
+from gainproof.verify.judge.exact.simplification import tidied
 from gainproof.verify.judge.exact.statement import Rel, Statement
-from gainproof.verify.judge.exact.tidy import tidied
+from gainproof.verify.judge.exact.work_limits import Undecided
 from gainproof.verify.judge.fixed_gain.shared_gain import shared_gain
 from gainproof.verify.judge.formula import Reading
-from gainproof.verify.judge.kinds.framing import Frame, framed, only_plain, strictly
+from gainproof.verify.judge.kinds.claim_domain import Frame, framed, only_plain, strictly
+from gainproof.verify.judge.kinds.kind import Kind, OwnFields, expression, fixed
 from gainproof.verify.judge.scope import Scope
 from gainproof.verify.judge.verdict import Finding, finding_of, of_parts
 
+MOST_FILTERS = 20
 METHOD = "each filter with gains of its own, all with the same fixed quantity"
 
 
@@ -44,25 +46,34 @@ class _Filter:
     conditions: tuple[Rel, ...]
 
 
+def _ascending(claim: OwnFields, name: str) -> OwnField:
+    names = claim.fields.texts(name, MOST_FILTERS)
+    if len(names) < 2 or len(set(names)) < len(names):
+        problem = "two or more different filters of the setting are wanted"
+        raise claim.fields.fail(name, problem)
+    return OwnField(filters=names)
+
+
 def judge_ordering(claim: Claim, reading: Reading, scope: Scope) -> Finding:
     """Whether the quantity rises strictly from each filter to the next wherever all of them exist
     and are stable. Raises Undecided.
     """
     region = scope.environment.region
-    if region is None or claim.minimised is None or reading.relations:
+    if region is None or reading.relations:
         raise Undecided("an ordering compares filters of a setting of kind fixed_gain")
-    compared = scope.expression(claim.minimised)
-    fixed = [scope.expression(graph) for graph in claim.fixed]
-    laws = {name: _laws(name, scope) for name in claim.ascending}
+    compared = scope.expression(claim.own["compared"].expression)
+    kept = [scope.expression(graph) for graph in claim.own["fixed"].expressions]
+    ascending = claim.own["ascending"].filters
+    laws = {name: _laws(name, scope) for name in ascending}
     frame = framed(claim, scope)
     stated = (*frame.conditions, *region.relations)
-    by_gain = [(expr, shared_gain(expr, region.gains, region.relations, frame)) for expr in fixed]
+    by_gain = [(expr, shared_gain(expr, region.gains, region.relations, frame)) for expr in kept]
     shared = {name for _, name in by_gain if name is not None}
     open_ = [expr for expr, name in by_gain if name is None]
     copies: dict[str, _Filter] = {}
     boxes, labels = dict(frame.boxes), dict(frame.labels)
     first: list[Expr] = []
-    for name in claim.ascending:
+    for name in ascending:
         own = {g: symbol(f"{g} of {name}") for g in region.gains if g not in shared}
         for gain, changed in own.items():
             boxes[changed.name] = frame.boxes[gain]
@@ -73,7 +84,7 @@ def judge_ordering(claim: Claim, reading: Reading, scope: Scope) -> Finding:
         conditions = tuple(_moved(rel, own) for rel in (*laws[name], *stated))
         copies[name] = _Filter(substituted(compared, own), (*conditions, *same))
     bare = strictly(replace(frame, boxes=boxes, conditions=(), labels=labels))
-    return _chain(claim.ascending, copies, bare)
+    return _chain(ascending, copies, bare)
 
 
 def _laws(name: str, scope: Scope) -> tuple[Rel, ...]:
@@ -184,3 +195,15 @@ def _put_in(expr: Expr, found: Mapping[str, Expr]) -> Expr:
         return None
 
     return rebuilt(expr, change)
+
+
+ORDERING = Kind(
+    "ordering",
+    "something rises strictly from filter to filter, wherever all of them exist and are stable, "
+    "each with gains of its own; a domain is that of each",
+    judge_ordering,
+    own={"compared": expression("what is compared"), "ascending": _ascending, "fixed": fixed},
+    own_words="`compared`: an expression; `ascending`: names of `filters` of the setting; `fixed`: "
+    "a list of what they have in common",
+    needs_formula=False,
+)

@@ -17,19 +17,29 @@ from typing import Any
 
 import flint
 
-from gainproof.verify.judge.cells.ground import irreducible, leading, over, put_in, value_at
 from gainproof.verify.judge.cells.lifting import cells
+from gainproof.verify.judge.cells.parameter_polynomials import (
+    irreducible,
+    leading,
+    over,
+    put_in,
+    value_at,
+)
 from gainproof.verify.judge.cells.projection import discriminants, projected, resultants
-from gainproof.verify.judge.claim.record import Claim
-from gainproof.verify.judge.exact.algebraic import Algebraic, compare, rational_point, real_roots
+from gainproof.verify.judge.claim.record import Claim, OwnField
+from gainproof.verify.judge.exact.algebraic_numbers import (
+    Algebraic,
+    compare,
+    rational_point,
+    real_roots,
+)
 from gainproof.verify.judge.exact.box import Box, bounds_text
 from gainproof.verify.judge.exact.calculus import substituted
 from gainproof.verify.judge.exact.constant_value import constant_value
 from gainproof.verify.judge.exact.expression import Expr, number, symbols_of
 from gainproof.verify.judge.exact.expression_text import labelled
-from gainproof.verify.judge.exact.limits import DEFAULT_LIMITS, Nowhere, Undecided
-from gainproof.verify.judge.exact.place import Place, places
-from gainproof.verify.judge.exact.poly import (
+from gainproof.verify.judge.exact.places import Place, places
+from gainproof.verify.judge.exact.polynomial import (
     Poly,
     coefficients_in,
     degree,
@@ -38,9 +48,10 @@ from gainproof.verify.judge.exact.poly import (
     terms,
     univariate,
 )
-from gainproof.verify.judge.exact.region import region_text
+from gainproof.verify.judge.exact.region_text import region_text
 from gainproof.verify.judge.exact.root_count import Coefficients, Element, NumberField
 from gainproof.verify.judge.exact.simple_points import at_ends, simple_points
+from gainproof.verify.judge.exact.simplification import expression_of
 from gainproof.verify.judge.exact.statement import (
     ALLOWED,
     STRICT,
@@ -49,41 +60,49 @@ from gainproof.verify.judge.exact.statement import (
     Rel,
     Witness,
 )
-from gainproof.verify.judge.exact.tidy import expression_of
-from gainproof.verify.judge.exact.total import divisors
+from gainproof.verify.judge.exact.total_expressions import divisors
+from gainproof.verify.judge.exact.work_limits import DEFAULT_LIMITS, Nowhere, Undecided
 from gainproof.verify.judge.fixed_gain.rational_system import numerator_and_denominator
 from gainproof.verify.judge.formula import Reading
-from gainproof.verify.judge.kinds.framing import Frame, fixed_numbers, framed
+from gainproof.verify.judge.kinds.claim_domain import Frame, fixed_numbers, framed
 from gainproof.verify.judge.kinds.identity import resolved
+from gainproof.verify.judge.kinds.kind import EQUATION, Kind, OwnFields, one_symbol
 from gainproof.verify.judge.meaning.evaluation import number_of
 from gainproof.verify.judge.scope import Scope
 from gainproof.verify.judge.verdict import Finding
 from gainproof.verify.judge.verdict_words import NOT_COMPARED
 
 METHOD = "solutions counted in each cell of the parameters by Sturm's theorem"
+MOST_SOLUTIONS = 64
 NO_NUMBER = rational_point(Fraction(0))
 """Of which nothing is asked where all coefficients are rational."""
 Point = tuple[Fraction, ...]
+
+
+def _number(claim: OwnFields, name: str) -> OwnField:
+    count = claim.fields.whole_number(name, 0, MOST_SOLUTIONS)
+    if count is None:
+        raise claim.fields.fail(name, "this field is missing: how many real solutions")
+    return OwnField(number=count)
 
 
 def judge_solutions(claim: Claim, reading: Reading, scope: Scope) -> Finding:
     """Whether the equation has as many real solutions as the claim says, wherever the conditions
     without the unknown hold; those with it say which solutions count.
     """
-    assert claim.variable is not None
-    assert claim.number is not None
-    unknown = number_of(scope.symbol(claim.variable))
+    token, count = claim.own["variable"].symbol, claim.own["number"].number
+    unknown = number_of(scope.symbol(token))
     relations = resolved(reading.relations, scope)
     if unknown.kind != "symbol" or len(relations) != 1:
         raise Undecided("wanted: one equation, and an unknown that is a free symbol")
     frame = framed(claim, scope, resolved(reading.conditions, scope))
     equation = _equation(relations[0], unknown.name, frame, scope.needed)
-    search = _Search(equation, claim.number, frame, unknown.name)
+    search = _Search(equation, count, frame, unknown.name)
     found = search.along() if len(equation.names) < 2 else search.in_cells()
-    many = "satisfy it" if claim.number > 1 else "satisfies it"
-    how = f"exactly {claim.number}" if claim.number else "no"
+    many = "satisfy it" if count > 1 else "satisfies it"
+    how = f"exactly {count}" if count else "no"
     where = f" with {', '.join(words)}" if (words := search.within()) else ""
-    reading_told = f"{how} real {claim.variable}{where} {many}"
+    reading_told = f"{how} real {token}{where} {many}"
     return replace(found, reading=reading_told)
 
 
@@ -501,3 +520,17 @@ def _told(count: int | None) -> str:
     return (
         f"there {'is' if count == 1 else 'are'} {count or 'no'} real solution{'s' * (count != 1)}"
     )
+
+
+SOLUTIONS = Kind(
+    "solutions",
+    "the equation has exactly so many different real solutions wherever the conditions without "
+    "the unknown hold; those with it, `0 < x < 1` or `x < a`, say which solutions count. Both "
+    "sides are rational functions; with several parameters the number must change nowhere on the "
+    "domain, or a point is found where it is another",
+    judge_solutions,
+    own={"variable": one_symbol, "number": _number},
+    own_words="`variable`: the unknown; `number` of solutions",
+    operators=EQUATION,
+    repaired=False,
+)

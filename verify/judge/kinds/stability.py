@@ -14,18 +14,20 @@ from gainproof.verify.judge.exact.calculus import substituted
 from gainproof.verify.judge.exact.constant_value import constant_value
 from gainproof.verify.judge.exact.expression import number
 from gainproof.verify.judge.exact.expression_text import labelled
-from gainproof.verify.judge.exact.limits import Undecided
-from gainproof.verify.judge.exact.points import failure_at
-from gainproof.verify.judge.exact.poly import rational
+from gainproof.verify.judge.exact.polynomial import rational
+from gainproof.verify.judge.exact.rational_points import failure_at
 from gainproof.verify.judge.exact.statement import Rel, Statement, Witness
+from gainproof.verify.judge.exact.work_limits import Undecided
 from gainproof.verify.judge.formula import Reading
-from gainproof.verify.judge.kinds.framing import OTHER, Frame, framed, strictly
+from gainproof.verify.judge.kinds.claim_domain import OTHER, Frame, framed, strictly
 from gainproof.verify.judge.kinds.identity import resolved
-from gainproof.verify.judge.reader.latex import relations_to_latex
+from gainproof.verify.judge.kinds.kind import Kind, one_of
+from gainproof.verify.judge.reader.latex_printer import relations_to_latex
 from gainproof.verify.judge.scope import Scope
 from gainproof.verify.judge.verdict import Finding, finding_of
 from gainproof.verify.judge.verdict_words import Shown
 
+SENSES = ("exact", "sufficient", "necessary", "unstable")
 AT_MOST = "at most "
 COEFFICIENT = "closed_loop_coefficient."
 CRITERION = "all poles inside the unit circle, by the Hurwitz criterion"
@@ -45,7 +47,7 @@ def judge_stability(claim: Claim, reading: Reading, scope: Scope) -> Finding:
         # its value rests on stability, which would then be proved from itself
         raise Undecided("conditions of stability on what only a stable filter has")
     stable, needed = region.relations, tuple(scope.needed)
-    match claim.sense or "exact":
+    match claim.own["sense"].word:
         case "sufficient":
             found = finding_of(frame.decide(Statement(stable, stated, "if", needed)))
         case "necessary":
@@ -170,3 +172,17 @@ def _nowhere_stable(stated: Sequence[Rel], stable: Sequence[Rel], frame: Frame) 
         reason = f"a stable filter: {last.reason.partition(';')[0]}"
         return replace(last, reason=reason)
     return last
+
+
+STABILITY = Kind(
+    "stability",
+    "the filter with free gains is stable exactly where the conditions of the formula hold, in the "
+    "domain and under `given`; with another `sense` one direction, then the formula may be missing",
+    judge_stability,
+    own={"sense": one_of(SENSES, SENSES[0])},
+    own_words="`sense`: `exact`, `sufficient` (stable wherever they hold), `necessary` (only where "
+    "they hold), `unstable` (nowhere where they hold); variances and lags, which only stable "
+    "filters have, are no conditions",
+    needs_formula=False,
+    strongest=True,
+)

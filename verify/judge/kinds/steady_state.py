@@ -3,17 +3,22 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Iterator
 from dataclasses import replace
 
-from gainproof.verify.judge.claim.record import Claim
+from gainproof.verify.judge.claim.formulas import formula_of
+from gainproof.verify.judge.claim.record import Claim, OwnField
+from gainproof.verify.judge.dimensions.dimension import Mismatch, agreed
+from gainproof.verify.judge.dimensions.symbol_dimensions import Names
 from gainproof.verify.judge.exact.calculus import differentiated, substituted
 from gainproof.verify.judge.exact.expression import Expr, number, power, symbol
 from gainproof.verify.judge.exact.free_names import free_name
-from gainproof.verify.judge.exact.limits import Undecided
 from gainproof.verify.judge.exact.statement import Rel, Statement
+from gainproof.verify.judge.exact.work_limits import Undecided
 from gainproof.verify.judge.formula import Formula, Reading, Relation
-from gainproof.verify.judge.kinds.framing import Frame, framed
+from gainproof.verify.judge.kinds.claim_domain import Frame, framed
 from gainproof.verify.judge.kinds.identity import resolved
+from gainproof.verify.judge.kinds.kind import EQUATION, Kind, OwnFields, one_symbol
 from gainproof.verify.judge.meaning.evaluation import number_of
 from gainproof.verify.judge.scope import Scope
 from gainproof.verify.judge.verdict import Finding, finding_of
@@ -22,18 +27,38 @@ BEFORE = "the value before"
 ACCENT = re.compile(r"\\(bar|hat|tilde|overline|widehat|widetilde|dot|check|mathrm|mathbf) *\{?")
 
 
+def _recursion(claim: OwnFields, name: str) -> OwnField:
+    formula = formula_of(claim.fields, name, claim.fields.required_text(name), claim.symbols)
+    reading = formula.readings[0]
+    if len(reading.relations) != 1 or reading.relations[0].operator != "=" or reading.conditions:
+        raise claim.fields.fail(name, "one equation is wanted: next value = ...")
+    return OwnField(formulas=(formula,), place="the recursion")
+
+
+def _units(claim: Claim, names: Names) -> Iterator[str]:
+    """The value before has the dimension of the next one."""
+    (recursion,), previous = claim.own["recursion"].formulas, claim.own["previous"].symbol
+    following = _token(recursion.readings[0].relations[0])
+    if following is not None:
+        try:
+            agreed([names.of(following), names.of(previous)], "the next value and the last")
+        except Mismatch as fault:
+            yield str(fault)
+
+
 def judge_steady_state(claim: Claim, reading: Reading, scope: Scope) -> Finding:
     """Whether the formula's value is mapped to itself, lies in its symbol's domain and attracts
     its neighbours: the derivative of the recursion there lies between -1 and 1.
     """
-    if claim.recursion is None or claim.previous is None or len(reading.relations) != 1:
+    (recursion,), previous = claim.own["recursion"].formulas, claim.own["previous"].symbol
+    if len(reading.relations) != 1:
         raise Undecided("a steady state needs one formula, a recursion and the symbol before it")
-    rule = _rule(claim.recursion, reading.relations[0], claim.previous)
+    rule = _rule(recursion, reading.relations[0], previous)
     before = symbol(BEFORE)
-    following = scope.expression(rule.right, scope.root.having({claim.previous: before}))
+    following = scope.expression(rule.right, scope.root.having({previous: before}))
     conditions = list(resolved(reading.conditions, scope))
     value = _value(reading.relations[0], conditions, scope)
-    within = _domain((_token(reading.relations[0]), _token(rule), claim.previous), value, scope)
+    within = _domain((_token(reading.relations[0]), _token(rule), previous), value, scope)
     frame = framed(claim, scope, conditions)
     fixed = Rel("=", substituted(following, {BEFORE: value}), value)
     finding = finding_of(frame.decide(Statement((fixed, *within))))
@@ -121,3 +146,15 @@ def _with_attraction(finding: Finding, slope: Expr, frame: Frame) -> Finding:
         reason = f"a fixed point that does not attract: its slope squared {attracts.reason}"
         return replace(attracts, reason=reason)
     return replace(finding, reason="a fixed point; whether it attracts is not decided")
+
+
+STEADY_STATE = Kind(
+    "steady_state",
+    "the formula is the fixed point of a recursion",
+    judge_steady_state,
+    own={"recursion": _recursion, "previous": one_symbol},
+    own_words="`recursion`: the equation, on its left the next value, one symbol with the "
+    "formula's letter; `previous`: the symbol of the value before",
+    operators=EQUATION,
+    units=_units,
+)

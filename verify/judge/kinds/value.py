@@ -15,20 +15,21 @@ from typing import Any
 import flint
 
 from gainproof.verify.judge.claim.record import Claim
+from gainproof.verify.judge.exact.ball_text import enclosure, is_long
+from gainproof.verify.judge.exact.balls import NoValue, Unresolved, enclosed
 from gainproof.verify.judge.exact.calculus import substituted
 from gainproof.verify.judge.exact.certificate import statement_data
 from gainproof.verify.judge.exact.constant_value import constant_value
-from gainproof.verify.judge.exact.enclose import NoValue, Unresolved, enclosed
-from gainproof.verify.judge.exact.enclosure import enclosure, is_long
 from gainproof.verify.judge.exact.expression import Expr, number, symbols_of
-from gainproof.verify.judge.exact.limits import Undecided
-from gainproof.verify.judge.exact.poly import rational
+from gainproof.verify.judge.exact.polynomial import rational
 from gainproof.verify.judge.exact.statement import Enclosure, Rel, Statement, Witness
+from gainproof.verify.judge.exact.work_limits import Undecided
 from gainproof.verify.judge.formula import Reading, Relation
-from gainproof.verify.judge.kinds.approach import approach_of, arrow_of, end_of
-from gainproof.verify.judge.kinds.framing import Frame, fixed_numbers, framed, only_plain
+from gainproof.verify.judge.kinds.claim_domain import Frame, fixed_numbers, framed, only_plain
+from gainproof.verify.judge.kinds.kind import Kind
 from gainproof.verify.judge.kinds.limit import limit_by_expansion
-from gainproof.verify.judge.kinds.near_limit import open_sides, others_frame
+from gainproof.verify.judge.kinds.limit_neighbourhood import open_sides, others_frame
+from gainproof.verify.judge.kinds.limit_point import approach_of, arrow_of, end_of
 from gainproof.verify.judge.meaning.value import shape
 from gainproof.verify.judge.scope import Scope
 from gainproof.verify.judge.verdict import Finding, finding_of, of_parts
@@ -36,6 +37,13 @@ from gainproof.verify.judge.verdict_words import Shown
 
 PRECISION = 512
 METHOD = "a ball round the value"
+
+
+def _lacks_number(reading: Reading) -> str | None:
+    first = reading.relations[0]
+    if first.left_decimals is None and first.right_decimals is None:
+        return "has a number on one side, or a matrix of numbers"
+    return None
 
 
 def judge_value(claim: Claim, reading: Reading, scope: Scope) -> Finding:
@@ -244,3 +252,17 @@ class PrintedNumber:
             return f"the digits stand for {self.text()}"
         end = self.low if self.value < 0 else self.high
         return f"the digits stand for {self.text()}, {end} left out"
+
+
+VALUE = Kind(
+    "value",
+    r"the printed number is the exact value rounded to the digits shown: `f \approx 0.382`; a tie "
+    "is rounded away from zero or to the even digit: 0.65 to 0.7 or 0.6, but 0.75 to 0.8 only. Of "
+    r"a matrix, `K \approx \begin{pmatrix} 0.56 \\ 0.22 \end{pmatrix}`, each entry is compared by "
+    "its own digits; one without a point counts as exact as the others, `0` beside `0.25` is no "
+    "0.4",
+    judge_value,
+    operators=frozenset(("=", "approx")),
+    form=_lacks_number,
+    rounded=True,
+)

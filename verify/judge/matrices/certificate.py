@@ -1,12 +1,12 @@
-"""Proofs as certificates of `gainproof.verify.certificate.words`, which decides them."""
+"""Proofs as certificates of `gainproof.verify.certificate.matrix_words`, which decides them."""
 
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
 from typing import Any
 
-from gainproof.verify.certificate.words.proof import rejected
-from gainproof.verify.judge.matrices.book import Book
+from gainproof.verify.certificate.matrix_words.proof import rejected
+from gainproof.verify.judge.matrices.known_equations import Book
 
 __all__ = ["accepted", "rejected", "written"]
 

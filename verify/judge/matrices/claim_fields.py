@@ -5,7 +5,8 @@ from __future__ import annotations
 from collections.abc import Mapping
 
 from gainproof.verify.judge.claim.fields import Fields
-from gainproof.verify.judge.matrices.letter import MatrixClaim, MatrixSetting
+from gainproof.verify.judge.kinds.kind import Kind
+from gainproof.verify.judge.matrices.letters import MatrixClaim, MatrixSetting
 from gainproof.verify.judge.matrices.reader import read_matrix, read_statement
 from gainproof.verify.judge.matrices.shapes import ShapeFault, Shapes
 from gainproof.verify.judge.matrices.size import Shape
@@ -15,16 +16,24 @@ from gainproof.verify.judge.reader.errors import ReaderError
 
 FIELDS = ("shape", "invertible", "using", "hint")
 """Fields that only claims of these settings take."""
-KINDS = ("dimension", "invertible", "unbiased", "covariance")
-"""Kinds of claims that only these settings have."""
-OTHER_KINDS = (
-    "identity",
-    "inequality",
-    "definition",
-    "implication",
-    "equivalence",
-    "remark",
+OF_MATRICES = (
+    Kind(
+        "dimension",
+        "the matrix has this `shape`; this kind and the next three are for settings of kind "
+        "`matrices` only",
+        settings="matrices",
+        repaired=False,
+    ),
+    Kind(
+        "invertible",
+        "the matrix of the formula, one expression, has an inverse",
+        settings="matrices",
+        repaired=False,
+    ),
+    Kind("unbiased", "the mean in the equation is what it says", settings="matrices"),
+    Kind("covariance", "the mean of squares in the equation is what it says", settings="matrices"),
 )
+"""Kinds of claims that only these settings have; `decide` decides them, and the others."""
 MOST_GIVEN = 12
 MOST_USING = 12
 
@@ -32,27 +41,27 @@ MOST_USING = 12
 def read_matrix_claim(
     fields: Fields,
     identifier: str,
-    kind: str,
+    kind: Kind,
     latex: str,
     setting: MatrixSetting,
     earlier: Mapping[str, MatrixClaim],
 ) -> MatrixClaim | None:
     """What the claim says; None for a remark. `earlier`: those of the same setting."""
-    if kind not in (*KINDS, *OTHER_KINDS):
+    if kind.settings == "numbers":
         raise fields.fail("kind", "a setting of matrices has no claims of this kind")
-    if kind == "remark":
+    if kind.name == "remark":
         return None
     statement = _statement(fields, "latex", latex, setting)
-    _check(fields, kind, statement)
+    _check(fields, kind.name, statement)
     using = fields.texts("using", MOST_USING)
     for name in using:
         if name not in earlier:
             raise fields.fail("using", f"{name[:80]!r} is no earlier claim of this setting")
     return MatrixClaim(
         id=identifier,
-        kind=kind,
+        kind=kind.name,
         statement=statement,
-        shape=_shape(fields, kind, setting),
+        shape=_shape(fields, kind.name, setting),
         given=tuple(_given(fields, t, setting) for t in fields.texts("given", MOST_GIVEN)),
         invertible=_matrices(fields, "invertible", setting),
         hints=_matrices(fields, "hint", setting),

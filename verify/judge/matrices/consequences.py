@@ -1,31 +1,39 @@
 """What equations of a book say that no sum of their multiples does: factors cancelled, and why an
 N that is wanted is 0. Since N P = 0 with P positive definite; since N = N P W with the inverse W of
 P; since equations make N D N' minus a sum of squares, so that it is 0.
+
+Factors at the ends of equations are cancelled: Y G = Z G says Y = Z where G has an inverse.
 """
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Iterator
 from contextlib import suppress
+from heapq import heappop, heappush
 from typing import Any
 
-from gainproof.verify.judge.matrices.book import Book
-from gainproof.verify.judge.matrices.cancelling import cancelled
 from gainproof.verify.judge.matrices.division import quotient
 from gainproof.verify.judge.matrices.equation import Cofactor, Equation, Known
-from gainproof.verify.judge.matrices.gram import decomposed
-from gainproof.verify.judge.matrices.macaulay import UnprovedError
-from gainproof.verify.judge.matrices.order import state_order
+from gainproof.verify.judge.matrices.gram_squares import decomposed
+from gainproof.verify.judge.matrices.hypotheses import add_equation
+from gainproof.verify.judge.matrices.ideal_membership import UnprovedError
+from gainproof.verify.judge.matrices.inverse_facts import known_inverse
+from gainproof.verify.judge.matrices.known_equations import Book
 from gainproof.verify.judge.matrices.polynomial import (
     Polynomial,
     TooLongError,
     reciprocal,
 )
+from gainproof.verify.judge.matrices.semidefinite_order import state_order
 from gainproof.verify.judge.matrices.squares import units
-from gainproof.verify.judge.matrices.suppose import add_equation
-from gainproof.verify.judge.matrices.vanishing import by_definite
+from gainproof.verify.judge.matrices.zero_matrices import by_definite
 
 FAILURES = (UnprovedError, TooLongError)
+MOST_CANCELLED = 24
+"""Of one equation."""
+LONGER = 2
+"""So many times the letters of the equation may be in one that follows from it."""
 
 
 def draw_consequences(book: Book, residuals: list[Polynomial]) -> bool:
@@ -171,3 +179,42 @@ def _add_zero(book: Book, value: Polynomial, evidence: dict[str, Any]) -> None:
     name = book.state("matrix_equal", claim, evidence)
     book.differences[name] = value
     add_equation(book, book.equation(("statement", name)))
+
+
+def cancelled(book: Book, equation: Equation, *, common: bool = False) -> list[Equation]:
+    """The equation times inverses of letters at the ends of its words, one after the other, short
+    ones first: G^-1 = J^-1 times G and J is J = G. Where `common`, only of letters with which
+    several words begin or end.
+    """
+    most = LONGER * _letters(equation.value)
+    found, seen = list[Equation](), {equation.value.key}
+    waiting = [(0, 0, equation)]
+    while waiting and len(found) < MOST_CANCELLED:
+        one = heappop(waiting)[-1]
+        for before, after in _ends(book, one.value, 2 if common else 1):
+            try:
+                other = book.contracted_equation(book.normal(one.inside(before, after)))
+            except (UnprovedError, TooLongError):
+                continue
+            size = _letters(other.value)
+            if 0 < size <= most and other.value.key not in seen:
+                seen.add(other.value.key)
+                found.append(other)
+                heappush(waiting, (size, len(found), other))
+    return found
+
+
+def _letters(value: Polynomial) -> int:
+    return sum(map(len, value.terms))
+
+
+def _ends(book: Book, value: Polynomial, least: int) -> Iterator[tuple[Polynomial, Polynomial]]:
+    """What undoes the first or the last letter of so many words, and the unit on the other side."""
+    rows, columns = (book.alphabet.unit(size) for size in value.shape)
+    words = [word for word in value.terms if word]
+    for at in (0, -1):
+        for letter, times in sorted(Counter(word[at] for word in words).items()):
+            inverse = known_inverse(book, letter)
+            base = book.alphabet.base.get(letter // 2, letter // 2)
+            if inverse is not None and times >= least and base not in book.alphabet.elements:
+                yield (rows, inverse) if at else (inverse, columns)

@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-from gainproof.verify.judge.matrices.alphabet import Alphabet
 from gainproof.verify.judge.matrices.polynomial import (
     Polynomial,
     TooLongError,
     Word,
     reciprocal,
 )
+from gainproof.verify.judge.matrices.statement_letters import Alphabet
 
 MOST_TERMS = 20
 """Of a quotient."""

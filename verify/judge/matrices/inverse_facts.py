@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-from gainproof.verify.judge.matrices.book import Book
 from gainproof.verify.judge.matrices.equation import Cofactor, Equation, Known
+from gainproof.verify.judge.matrices.hypotheses import add_equation
+from gainproof.verify.judge.matrices.known_equations import Book
 from gainproof.verify.judge.matrices.polynomial import Polynomial
-from gainproof.verify.judge.matrices.suppose import add_equation
 
 
 def known_inverse(book: Book, letter: int) -> Polynomial | None:

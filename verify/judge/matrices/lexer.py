@@ -18,9 +18,7 @@ from gainproof.verify.judge.matrices.notation import (
     WIDE,
     WORD,
 )
-from gainproof.verify.judge.matrices.size import Shape, Sizes
-from gainproof.verify.judge.matrices.size_text import read_size
-from gainproof.verify.judge.matrices.symbol import (
+from gainproof.verify.judge.matrices.printed_names import (
     SQUARE,
     scan_subscript,
     scan_symbol,
@@ -28,9 +26,11 @@ from gainproof.verify.judge.matrices.symbol import (
     square_at,
     with_subscript,
 )
+from gainproof.verify.judge.matrices.size import Shape, Sizes
+from gainproof.verify.judge.matrices.size_text import read_size
 from gainproof.verify.judge.reader.alphabet import command_at
 from gainproof.verify.judge.reader.errors import ReaderError, nearest_names
-from gainproof.verify.judge.reader.limits import MOST_CHARACTERS, MOST_DIGITS
+from gainproof.verify.judge.reader.formula_limits import MOST_CHARACTERS, MOST_DIGITS
 
 MOST_TOKENS = 1500
 # 0 with accents and no more: what has a subscript besides is a letter of its own

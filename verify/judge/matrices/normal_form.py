@@ -5,11 +5,11 @@ from __future__ import annotations
 from dataclasses import dataclass, field
 from itertools import pairwise
 
+from gainproof.verify.judge.matrices.certificate_writing import Writing
 from gainproof.verify.judge.matrices.equation import Cofactor, Equation, Source
-from gainproof.verify.judge.matrices.macaulay import UnprovedError
-from gainproof.verify.judge.matrices.numbers import factors, settled, without_transposes
+from gainproof.verify.judge.matrices.ideal_membership import UnprovedError
 from gainproof.verify.judge.matrices.polynomial import Number, Polynomial, Word, turned
-from gainproof.verify.judge.matrices.writing import Writing
+from gainproof.verify.judge.matrices.scalar_factors import factors, settled, without_transposes
 
 
 @dataclass

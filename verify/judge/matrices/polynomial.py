@@ -1,7 +1,7 @@
 """Words of matrices as the search has them: letters are numbers, odd ones transposes.
 
-The search proposes; what it finds is checked by `gainproof.verify.certificate.words`, which has
-polynomials of its own.
+The search proposes; what it finds is checked by `gainproof.verify.certificate.matrix_words`, which
+has polynomials of its own.
 """
 
 from __future__ import annotations

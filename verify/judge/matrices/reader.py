@@ -5,9 +5,9 @@ from __future__ import annotations
 from collections.abc import Collection
 from dataclasses import replace
 
-from gainproof.verify.judge.matrices.bounds import split_bounds
 from gainproof.verify.judge.matrices.lexer import Token, tokens_of
 from gainproof.verify.judge.matrices.size import Sizes
+from gainproof.verify.judge.matrices.size_conditions import split_bounds
 from gainproof.verify.judge.matrices.tree import (
     FRACTION,
     INNER,
@@ -19,7 +19,7 @@ from gainproof.verify.judge.matrices.tree import (
     transposed,
 )
 from gainproof.verify.judge.reader.errors import ReaderError
-from gainproof.verify.judge.reader.limits import MOST_DEPTH, MOST_ENTRIES
+from gainproof.verify.judge.reader.formula_limits import MOST_DEPTH, MOST_ENTRIES
 
 MOST_POWERS = 4
 MOST_RAISED = 300

@@ -14,18 +14,18 @@ from itertools import groupby, islice
 from typing import Any
 
 from gainproof.verify.judge.claim.record import Claim, Setting
-from gainproof.verify.judge.matrices.cases import Case, cases_of
-from gainproof.verify.judge.matrices.decide import decide
-from gainproof.verify.judge.matrices.instance import Instance, NoValueError, Unsupported
-from gainproof.verify.judge.matrices.layers import Proofs
-from gainproof.verify.judge.matrices.letter import MatrixClaim, MatrixSetting
+from gainproof.verify.judge.matrices.claim_directions import Case, cases_of
+from gainproof.verify.judge.matrices.decision import decide
+from gainproof.verify.judge.matrices.exact_instance import Instance, NoValueError, Unsupported
+from gainproof.verify.judge.matrices.layered_proof import Proofs
+from gainproof.verify.judge.matrices.letters import MatrixClaim, MatrixSetting
+from gainproof.verify.judge.matrices.misprints import Slip, slips
+from gainproof.verify.judge.matrices.random_instances import holds, instances
 from gainproof.verify.judge.matrices.reader import read_statement
-from gainproof.verify.judge.matrices.sample import holds, instances
 from gainproof.verify.judge.matrices.shapes import ShapeFault, Shapes
-from gainproof.verify.judge.matrices.slips import Slip, slips
 from gainproof.verify.judge.matrices.tree import REGULAR, Chain, Statement
 from gainproof.verify.judge.reader.errors import ReaderError
-from gainproof.verify.judge.repair.edit import LARGE
+from gainproof.verify.judge.repair.edits import LARGE
 from gainproof.verify.judge.task import Models, Solved
 from gainproof.verify.judge.trial import Trial, proofs_in
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, replace
 
-from gainproof.verify.judge.matrices.letter import Letter, MatrixSetting
+from gainproof.verify.judge.matrices.letters import Letter, MatrixSetting
 from gainproof.verify.judge.matrices.size import ONE, ZERO, Shape, Size, Sizes
 from gainproof.verify.judge.matrices.tree import FRACTION, INNER, REGULAR, Chain, Node
 

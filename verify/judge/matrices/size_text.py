@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-from gainproof.verify.judge.matrices.size import Size, Sizes
-from gainproof.verify.judge.matrices.symbol import (
+from gainproof.verify.judge.matrices.printed_names import (
     scan_subscript,
     scan_symbol,
     skip_blanks,
     with_subscript,
 )
+from gainproof.verify.judge.matrices.size import Size, Sizes
 from gainproof.verify.judge.reader.errors import ReaderError, nearest_names
 
 MOST_SIZE = 99

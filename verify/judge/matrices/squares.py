@@ -5,9 +5,9 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
-from gainproof.verify.judge.matrices.book import Book
+from gainproof.verify.judge.matrices.block_inverses import inverses_of
 from gainproof.verify.judge.matrices.equation import Known
-from gainproof.verify.judge.matrices.explicit import inverses_of
+from gainproof.verify.judge.matrices.known_equations import Book
 from gainproof.verify.judge.matrices.polynomial import (
     Number,
     Polynomial,

@@ -8,11 +8,11 @@ from flint import fmpq, fmpq_mat
 
 from gainproof.verify.judge.exact.statement import Enclosure, Witness
 from gainproof.verify.judge.matrices.definite_values import bad_direction, compared, is_symmetric
-from gainproof.verify.judge.matrices.instance import Instance, NoValueError
-from gainproof.verify.judge.matrices.letter import MatrixSetting
-from gainproof.verify.judge.matrices.opened import names_in, outside_means
-from gainproof.verify.judge.matrices.prove import Question, links
+from gainproof.verify.judge.matrices.exact_instance import Instance, NoValueError
+from gainproof.verify.judge.matrices.letters import MatrixSetting
+from gainproof.verify.judge.matrices.proof import Question, links
 from gainproof.verify.judge.matrices.tree import Node
+from gainproof.verify.judge.matrices.used_definitions import names_in, outside_means
 from gainproof.verify.judge.verdict_words import LACKS_VALUE, Shown
 
 DIGITS = 30

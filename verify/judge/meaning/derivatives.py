@@ -13,8 +13,8 @@ from dataclasses import dataclass
 
 from gainproof.verify.judge.exact.calculus import differentiated, substituted
 from gainproof.verify.judge.exact.expression import Expr, add, neg, number, symbol, symbols_of
-from gainproof.verify.judge.exact.limits import Undecided
-from gainproof.verify.judge.exact.tidy import tidied
+from gainproof.verify.judge.exact.simplification import tidied
+from gainproof.verify.judge.exact.work_limits import Undecided
 from gainproof.verify.judge.setting.environment import Environment
 
 VARIABLE = symbol("variable of a derivative")

@@ -17,11 +17,18 @@ from gainproof.verify.judge.exact.expression import (
     walk,
 )
 from gainproof.verify.judge.exact.functions import is_known
-from gainproof.verify.judge.exact.limits import DEFAULT_LIMITS, Undecided
+from gainproof.verify.judge.exact.work_limits import DEFAULT_LIMITS, Undecided
 from gainproof.verify.judge.meaning.bindings import Bindings
-from gainproof.verify.judge.meaning.elementary import elementary
-from gainproof.verify.judge.meaning.names import Marks, Names
-from gainproof.verify.judge.meaning.square import determinant, inverse, norm, raised, size_of, trace
+from gainproof.verify.judge.meaning.elementary_functions import elementary
+from gainproof.verify.judge.meaning.square_matrices import (
+    determinant,
+    inverse,
+    norm,
+    raised,
+    size_of,
+    trace,
+)
+from gainproof.verify.judge.meaning.symbol_lookup import Marks, Names
 from gainproof.verify.judge.meaning.value import (
     Value,
     added,

@@ -16,8 +16,8 @@ from gainproof.verify.judge.exact.expression import (
     symbols_of,
     walk,
 )
-from gainproof.verify.judge.exact.limits import Undecided
-from gainproof.verify.judge.exact.total import is_total
+from gainproof.verify.judge.exact.total_expressions import is_total
+from gainproof.verify.judge.exact.work_limits import Undecided
 
 MOST_DEGREE = 32
 MOST_PRODUCTS = 2_000

@@ -8,8 +8,8 @@ from collections.abc import Mapping, Set
 from dataclasses import dataclass
 
 from gainproof.verify.judge.exact.expression import Expr, add, mul, number, symbols_of
-from gainproof.verify.judge.exact.limits import Undecided
-from gainproof.verify.judge.exact.total import is_total
+from gainproof.verify.judge.exact.total_expressions import is_total
+from gainproof.verify.judge.exact.work_limits import Undecided
 from gainproof.verify.judge.meaning.expansion import products
 from gainproof.verify.judge.meaning.normal_moments import Turn, linear_parts, moments
 

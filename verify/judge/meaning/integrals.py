@@ -27,13 +27,13 @@ from gainproof.verify.judge.exact.expression import (
     symbol,
     symbols_of,
 )
-from gainproof.verify.judge.exact.limits import Undecided
 from gainproof.verify.judge.exact.statement import TURNED, Rel
-from gainproof.verify.judge.exact.total import is_total
-from gainproof.verify.judge.freed.monomials import monomial_expr, monomials, terms_expr
+from gainproof.verify.judge.exact.total_expressions import is_total
+from gainproof.verify.judge.exact.work_limits import Undecided
 from gainproof.verify.judge.meaning.expansion import coefficients, products
 from gainproof.verify.judge.meaning.normal_moments import Turn, sums_of_turns
 from gainproof.verify.judge.meaning.sums import INFINITE
+from gainproof.verify.judge.transcendental.monomials import monomial_expr, monomials, terms_expr
 
 HALF = Fraction(1, 2)
 

@@ -7,7 +7,7 @@ from collections.abc import Iterable, Mapping
 from gainproof.verify.judge.claim.record import SymbolEntry
 from gainproof.verify.judge.exact.expression import Expr, symbols_of
 from gainproof.verify.judge.exact.free_names import free_name
-from gainproof.verify.judge.exact.limits import Undecided
+from gainproof.verify.judge.exact.work_limits import Undecided
 from gainproof.verify.judge.meaning.bindings import Bindings
 from gainproof.verify.judge.meaning.sequences import indexed
 from gainproof.verify.judge.meaning.value import Value, entries

@@ -11,9 +11,9 @@ from collections.abc import Mapping, Sequence
 from fractions import Fraction
 
 from gainproof.verify.judge.exact.expression import Expr, add, mul, neg, number, power, symbols_of
-from gainproof.verify.judge.exact.limits import Undecided
-from gainproof.verify.judge.freed.monomials import UNIT, monomials
+from gainproof.verify.judge.exact.work_limits import Undecided
 from gainproof.verify.judge.meaning.expansion import coefficients
+from gainproof.verify.judge.transcendental.monomials import UNIT, monomials
 
 MOST_TURNS = 8
 MOST_POWER = 16

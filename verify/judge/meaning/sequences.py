@@ -14,7 +14,7 @@ from gainproof.verify.judge.exact.constant_value import constant_value
 from gainproof.verify.judge.exact.expression import Expr, number, symbol
 from gainproof.verify.judge.exact.expression_text import HOLE, TERM
 from gainproof.verify.judge.exact.free_names import free_name
-from gainproof.verify.judge.exact.limits import Undecided
+from gainproof.verify.judge.exact.work_limits import Undecided
 
 
 @dataclass(frozen=True)

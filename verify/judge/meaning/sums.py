@@ -20,8 +20,8 @@ from gainproof.verify.judge.exact.expression import (
     walk,
 )
 from gainproof.verify.judge.exact.expression_text import TERM
-from gainproof.verify.judge.exact.limits import Undecided
 from gainproof.verify.judge.exact.statement import Rel
+from gainproof.verify.judge.exact.work_limits import Undecided
 from gainproof.verify.judge.meaning.evaluation import general_power
 from gainproof.verify.judge.meaning.expansion import coefficients, products
 from gainproof.verify.judge.setting.growing_memory import power_sum

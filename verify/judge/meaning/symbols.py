@@ -10,14 +10,14 @@ from gainproof.verify.judge.claim.record import Setting, SymbolEntry
 from gainproof.verify.judge.exact.box import Box
 from gainproof.verify.judge.exact.expression import Expr, number, symbol, symbols_of
 from gainproof.verify.judge.exact.free_names import free_name
-from gainproof.verify.judge.exact.limits import Undecided
 from gainproof.verify.judge.exact.statement import Rel
+from gainproof.verify.judge.exact.work_limits import Undecided
 from gainproof.verify.judge.formula import Formula, Graph, Relation
+from gainproof.verify.judge.meaning.base_variables import entry_names
 from gainproof.verify.judge.meaning.bindings import Bindings
+from gainproof.verify.judge.meaning.definition_names import Reach
 from gainproof.verify.judge.meaning.derivatives import Slope, rate_of_parameter
-from gainproof.verify.judge.meaning.domains import entry_names
-from gainproof.verify.judge.meaning.pair import Pair, pair_of
-from gainproof.verify.judge.meaning.reach import Reach
+from gainproof.verify.judge.meaning.two_parameters import Pair, pair_of
 from gainproof.verify.judge.meaning.value import (
     Value,
     matrix,

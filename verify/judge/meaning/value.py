@@ -10,9 +10,9 @@ from collections.abc import Callable, Mapping, Sequence
 
 from gainproof.verify.judge.exact.calculus import substituted
 from gainproof.verify.judge.exact.expression import Expr, add, div, mul, neg, number
-from gainproof.verify.judge.exact.grid import Grid
-from gainproof.verify.judge.exact.limits import Undecided
-from gainproof.verify.judge.exact.total import is_total
+from gainproof.verify.judge.exact.graph_matrices import Grid
+from gainproof.verify.judge.exact.total_expressions import is_total
+from gainproof.verify.judge.exact.work_limits import Undecided
 
 Value = Expr | Grid
 

@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 from gainproof.verify.judge.reader.errors import ReaderError
-from gainproof.verify.judge.reader.limits import MOST_DEPTH
+from gainproof.verify.judge.reader.formula_limits import MOST_DEPTH
 from gainproof.verify.judge.reader.tokens import FormulaToken
 
 _OPENING = {

@@ -7,7 +7,7 @@ from __future__ import annotations
 import unicodedata
 
 from gainproof.verify.judge.reader.errors import ReaderError
-from gainproof.verify.judge.reader.limits import MOST_CHARACTERS
+from gainproof.verify.judge.reader.formula_limits import MOST_CHARACTERS
 from gainproof.verify.judge.reader.tokens import MARKS
 
 SIGNS = frozenset(mark for mark in MARKS if not mark.isascii())

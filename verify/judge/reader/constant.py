@@ -6,7 +6,7 @@ from fractions import Fraction
 
 from lark import Token, Tree
 
-from gainproof.verify.judge.reader.limits import MOST_EXPONENT
+from gainproof.verify.judge.reader.formula_limits import MOST_EXPONENT
 
 
 def constant_value(tree: Tree[Token]) -> Fraction | None:

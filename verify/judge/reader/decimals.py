@@ -5,7 +5,7 @@ from __future__ import annotations
 from fractions import Fraction
 
 from gainproof.verify.judge.formula import Decimals, Graph
-from gainproof.verify.judge.reader.tree import Branch, children, first_token
+from gainproof.verify.judge.reader.syntax_tree import Branch, children, first_token
 
 
 def decimals_shown(tree: Branch, graph: Graph) -> Decimals | None:

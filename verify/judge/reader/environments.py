@@ -5,7 +5,7 @@ from __future__ import annotations
 from gainproof.verify.judge.reader.alphabet import DIGITS, is_letter, skip_space
 from gainproof.verify.judge.reader.errors import ReaderError, nearest_names
 from gainproof.verify.judge.reader.line_end import skip_idle
-from gainproof.verify.judge.reader.scan import Scanned
+from gainproof.verify.judge.reader.token_scan import Scanned
 from gainproof.verify.judge.reader.words import CASES, LINE_ENVIRONMENTS, MATRIX_ENVIRONMENTS
 
 _MOST_CHARACTERS = 40

@@ -17,13 +17,24 @@ from gainproof.verify.judge.reader.alphabet import (
     is_letter,
     skip_space,
 )
+from gainproof.verify.judge.reader.declared_names import NameFinder
 from gainproof.verify.judge.reader.environments import Environments, line_break_end
 from gainproof.verify.judge.reader.errors import ReaderError, nearest_names
-from gainproof.verify.judge.reader.limits import MOST_DEPTH
+from gainproof.verify.judge.reader.formula_limits import MOST_DEPTH
 from gainproof.verify.judge.reader.line_end import LineEnds, end_of_tag, equation_number_end
-from gainproof.verify.judge.reader.names import scan_base, scan_word
-from gainproof.verify.judge.reader.naming import NameFinder
-from gainproof.verify.judge.reader.scan import (
+from gainproof.verify.judge.reader.printed_names import scan_base, scan_word
+from gainproof.verify.judge.reader.special_names import (
+    bracket_after,
+    circle_number,
+    declared_kind,
+    function_named,
+    sign_in_braces,
+    sign_of_branch,
+    special_name,
+    transpose,
+    with_base,
+)
+from gainproof.verify.judge.reader.token_scan import (
     NO_ALTERNATIVES,
     NORM_BARS,
     Scanned,
@@ -35,17 +46,6 @@ from gainproof.verify.judge.reader.scan import (
     scan_number,
     scan_sized,
     unread,
-)
-from gainproof.verify.judge.reader.special import (
-    bracket_after,
-    circle_number,
-    declared_kind,
-    function_named,
-    sign_in_braces,
-    sign_of_branch,
-    special_name,
-    transpose,
-    with_base,
 )
 from gainproof.verify.judge.reader.tokens import (
     COMMANDS,

@@ -13,7 +13,6 @@ from itertools import pairwise
 from gainproof.verify.judge.reader.alphabet import DIGITS, is_letter, skip_space
 from gainproof.verify.judge.reader.errors import ReaderError, nearest_names
 from gainproof.verify.judge.reader.line_end import LineEnds
-from gainproof.verify.judge.reader.scan import MOST_SHOWN, NO_ALTERNATIVES, Scanned, unread
 from gainproof.verify.judge.reader.source_code import (
     ENTRYWISE,
     code_circle,
@@ -22,12 +21,13 @@ from gainproof.verify.judge.reader.source_code import (
     scan_code_number,
     usual_word,
 )
-from gainproof.verify.judge.reader.special import (
+from gainproof.verify.judge.reader.special_names import (
     circle_number,
     declared_kind,
     special_name,
     with_base,
 )
+from gainproof.verify.judge.reader.token_scan import MOST_SHOWN, NO_ALTERNATIVES, Scanned, unread
 from gainproof.verify.judge.reader.tokens import MARKS, FormulaToken
 from gainproof.verify.judge.reader.vocabulary import Vocabulary
 from gainproof.verify.judge.reader.words import (

@@ -11,14 +11,14 @@ from math import prod
 from lark import Token
 
 from gainproof.verify.judge.formula import Formula, Graph, Relation
-from gainproof.verify.judge.reader.build import build_graph
 from gainproof.verify.judge.reader.errors import ReaderError
+from gainproof.verify.judge.reader.formula_limits import MOST_AMBIGUOUS_SLASHES, MOST_READINGS
 from gainproof.verify.judge.reader.grammar import parse_tokens
-from gainproof.verify.judge.reader.limits import MOST_AMBIGUOUS_SLASHES, MOST_READINGS
+from gainproof.verify.judge.reader.graph_building import build_graph
 from gainproof.verify.judge.reader.reading_tokens import read_tokens
 from gainproof.verify.judge.reader.slash import extent_text, extents_of
 from gainproof.verify.judge.reader.statements import read_relations, read_statements
-from gainproof.verify.judge.reader.tree import Branch, children, sole, start, tokens
+from gainproof.verify.judge.reader.syntax_tree import Branch, children, sole, start, tokens
 from gainproof.verify.judge.reader.vocabulary import Declared, Vocabulary
 
 _DEFINES = ("==", ":=", "\\coloneqq", "\\triangleq", "\\equiv")

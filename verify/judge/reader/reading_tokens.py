@@ -5,11 +5,11 @@ from __future__ import annotations
 from collections.abc import Sequence
 from itertools import pairwise
 
-from gainproof.verify.judge.reader.arguments import settle_arguments, settle_sides
+from gainproof.verify.judge.reader.bracket_contents import settle_brackets
 from gainproof.verify.judge.reader.brackets import pair_brackets
 from gainproof.verify.judge.reader.characters import refuse_characters
 from gainproof.verify.judge.reader.errors import ReaderError
-from gainproof.verify.judge.reader.layout import settle_brackets
+from gainproof.verify.judge.reader.function_arguments import settle_arguments, settle_sides
 from gainproof.verify.judge.reader.lexer import scan_tokens
 from gainproof.verify.judge.reader.lines import settle_lines, settle_wide_spaces
 from gainproof.verify.judge.reader.plain_lexer import scan_plain_tokens

@@ -11,8 +11,8 @@ from dataclasses import dataclass, replace
 from lark import Token, Tree
 
 from gainproof.verify.judge.reader.errors import ReaderError
-from gainproof.verify.judge.reader.limits import MOST_SLASHES
-from gainproof.verify.judge.reader.tree import Branch, first_token, start
+from gainproof.verify.judge.reader.formula_limits import MOST_SLASHES
+from gainproof.verify.judge.reader.syntax_tree import Branch, first_token, start
 
 
 @dataclass(frozen=True)

@@ -6,9 +6,9 @@ from __future__ import annotations
 
 from gainproof.verify.judge.reader.alphabet import DIGITS, is_letter, skip_space
 from gainproof.verify.judge.reader.errors import ReaderError
-from gainproof.verify.judge.reader.limits import MOST_DIGITS, MOST_EXPONENT
+from gainproof.verify.judge.reader.formula_limits import MOST_DIGITS, MOST_EXPONENT
 from gainproof.verify.judge.reader.line_end import ends_line
-from gainproof.verify.judge.reader.scan import MOST_SHOWN, Scanned, scan_number
+from gainproof.verify.judge.reader.token_scan import MOST_SHOWN, Scanned, scan_number
 from gainproof.verify.judge.reader.vocabulary import Vocabulary
 from gainproof.verify.judge.reader.words import CIRCLE, PLAIN_FORMS, function_of
 

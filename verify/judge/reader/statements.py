@@ -13,10 +13,10 @@ from gainproof.verify.judge.formula import (
     Reading,
     Relation,
 )
-from gainproof.verify.judge.reader.build import build_graph
 from gainproof.verify.judge.reader.decimals import decimals_shown
 from gainproof.verify.judge.reader.errors import ReaderError
-from gainproof.verify.judge.reader.tree import Branch, children, start, tokens
+from gainproof.verify.judge.reader.graph_building import build_graph
+from gainproof.verify.judge.reader.syntax_tree import Branch, children, start, tokens
 from gainproof.verify.judge.reader.vocabulary import Vocabulary
 
 

@@ -11,7 +11,7 @@ from gainproof.verify.judge.reader.alphabet import (
     skip_space,
 )
 from gainproof.verify.judge.reader.errors import ReaderError
-from gainproof.verify.judge.reader.limits import MOST_NAME_CHARACTERS
+from gainproof.verify.judge.reader.formula_limits import MOST_NAME_CHARACTERS
 
 _CHARACTERS = frozenset("+-,()'*.=/_|:")
 _SAME = {"\\mid": "|", "\\vert": "|", "\\prime": "'", "\\ast": "*", "\\star": "*"}

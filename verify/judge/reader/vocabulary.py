@@ -10,7 +10,7 @@ from dataclasses import dataclass
 from functools import cached_property
 from typing import NamedTuple, Protocol
 
-from gainproof.verify.judge.reader.limits import MOST_NAME_CHARACTERS
+from gainproof.verify.judge.reader.formula_limits import MOST_NAME_CHARACTERS
 from gainproof.verify.judge.reader.plain_names import plain_table
 from gainproof.verify.judge.reader.words import BASED, BRANCHES
 

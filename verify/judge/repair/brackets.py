@@ -6,7 +6,8 @@ from collections.abc import Iterator
 from fractions import Fraction
 
 from gainproof.verify.judge.exact.expression import Expr
-from gainproof.verify.judge.repair.construct import (
+from gainproof.verify.judge.repair.edits import SLIGHT, Edit, Table
+from gainproof.verify.judge.repair.tree_construction import (
     exchanged,
     opposite,
     product,
@@ -15,7 +16,6 @@ from gainproof.verify.judge.repair.construct import (
     total,
     without,
 )
-from gainproof.verify.judge.repair.edit import SLIGHT, Edit, Table
 
 WHAT = "a bracket"
 BAR = "the reach of a fraction bar"

@@ -1,5 +1,8 @@
 """A definition repaired by what the claims that use it need: one slip in it explains several claims
 that are not true.
+
+Claims are looked at at points first: a changed definition with which one is seen to fail needs no
+proof that it fails.
 """
 
 from __future__ import annotations
@@ -10,29 +13,33 @@ from dataclasses import dataclass, replace
 from typing import Any
 
 from gainproof.verify.judge.claim.record import Claim, Setting
+from gainproof.verify.judge.claim_symbols import closure, names_in, reached
 from gainproof.verify.judge.convention import Convention, conventions
 from gainproof.verify.judge.exact.expression import Expr, walk
-from gainproof.verify.judge.exact.limits import Malformed
-from gainproof.verify.judge.formula import Formula
-from gainproof.verify.judge.repair.catalogue import changes
-from gainproof.verify.judge.repair.chained import Chain, printed_bodies
-from gainproof.verify.judge.repair.definition_points import far_points, near_points
-from gainproof.verify.judge.repair.points import Point
-from gainproof.verify.judge.repair.printed import Printed, printed
+from gainproof.verify.judge.exact.work_limits import Malformed, Undecided
+from gainproof.verify.judge.formula import Formula, Relation
+from gainproof.verify.judge.repair.change_words import in_words
+from gainproof.verify.judge.repair.definition_chains import Chain, printed_bodies
+from gainproof.verify.judge.repair.exchanged_symbols import sample_numbers, table_of
+from gainproof.verify.judge.repair.generic_points import Point, free_points
+from gainproof.verify.judge.repair.printed_formula import Printed, printed
 from gainproof.verify.judge.repair.proof import is_proved, reread, standing
-from gainproof.verify.judge.repair.senseless import is_more_senseless
+from gainproof.verify.judge.repair.senseless_parts import is_more_senseless
+from gainproof.verify.judge.repair.single_changes import changes
 from gainproof.verify.judge.repair.suspects import Suspect, suspects_of
-from gainproof.verify.judge.repair.table import sample_numbers, table_of
 from gainproof.verify.judge.repair.task import OVERTIME, SECONDS
-from gainproof.verify.judge.repair.whole import Change
-from gainproof.verify.judge.repair.words import in_words
-from gainproof.verify.judge.scope import Scope
+from gainproof.verify.judge.repair.whole_formula import Change
+from gainproof.verify.judge.scope import Scope, UndefinedSymbol
+from gainproof.verify.judge.setting.environment import NotEstablished
 from gainproof.verify.judge.task import Models, Solved
 from gainproof.verify.judge.trial import Trial
 from gainproof.verify.judge.verdict import ClaimVerdict
 
 MOST_TRIED = 4_000
 """So many changed definitions are looked at, whatever the machine's speed."""
+POINTS = 2
+FAR_POINTS = 24
+Errors = (Undecided, Malformed, NotEstablished, UndefinedSymbol, ArithmeticError)
 
 
 @dataclass(frozen=True)
@@ -170,3 +177,42 @@ def definition_task(
     if not suspects:
         return None
     return DefinitionTask(suspects[0].wrong[0], setting, suspects, tuple(conventions))
+
+
+def near_points(claim: Claim, convention: Convention) -> list[Point]:
+    """Up to `POINTS` generic points, for every changed definition."""
+    return _points(claim, convention, POINTS, far=False)
+
+
+def far_points(claim: Claim, token: str, convention: Convention) -> list[Point]:
+    """Up to `FAR_POINTS` from near the ends of the domain to large numbers; none where the
+    definition of the symbol `token` decides which points belong to the claim.
+    """
+    symbols = convention.setting.symbols
+    stated = [*claim.domain, *(_conditions(claim.formula) if claim.formula else ())]
+    for formula in claim.given:
+        stated += formula.readings[0].relations
+    for name in reached(claim, convention.setting):
+        stated += symbols[name].domain
+    names = {name for r in stated for side in (r.left, r.right) for name in names_in(side)}
+    return (
+        [] if token in closure(names, symbols) else _points(claim, convention, FAR_POINTS, far=True)
+    )
+
+
+def _points(claim: Claim, convention: Convention, count: int, *, far: bool) -> list[Point]:
+    scope = Scope(convention.setting, convention.environment)
+    if claim.formula is None:
+        return []
+    try:
+        for token in reached(claim, convention.setting):
+            scope.symbol(token)
+        return free_points(claim, _conditions(claim.formula), scope, count, far=far)
+    except Errors:
+        return []
+
+
+def _conditions(formula: Formula) -> tuple[Relation, ...]:
+    """Where the formula claims something: an equivalence, at all points."""
+    reading = formula.readings[0]
+    return () if reading.connective == "iff" else reading.conditions

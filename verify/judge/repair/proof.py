@@ -5,18 +5,16 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
 
-from gainproof.verify.judge.attempt import judge_claim
 from gainproof.verify.judge.claim.record import Claim, Setting, SymbolEntry
+from gainproof.verify.judge.claim_decision import judge_claim
 from gainproof.verify.judge.formula import Formula, Reading, Relation
+from gainproof.verify.judge.kinds.catalogue import kind_named
 from gainproof.verify.judge.reader.errors import ReaderError
-from gainproof.verify.judge.reader.latex import reading_to_latex
+from gainproof.verify.judge.reader.latex_printer import reading_to_latex
 from gainproof.verify.judge.reader.reader import read_formula
-from gainproof.verify.judge.repair.printed import Printed
-from gainproof.verify.judge.repair.whole import Change
+from gainproof.verify.judge.repair.printed_formula import Printed
+from gainproof.verify.judge.repair.whole_formula import Change
 from gainproof.verify.judge.setting.environment import Environment
-
-CONNECTING = ("implication", "equivalence")
-"""Kinds of claims of two parts."""
 
 
 @dataclass(frozen=True)
@@ -59,7 +57,7 @@ def is_of_use(claim: Claim, setting: Setting, environment: Environment) -> bool:
     if formula is None or len(formula.readings) != 1:
         return True
     (reading,) = formula.readings
-    if claim.kind not in CONNECTING and reading.connective == "if":
+    if not kind_named(claim.kind).two_parts and reading.connective == "if":
         return True
 
     def alone(relations: tuple[Relation, ...]) -> str:

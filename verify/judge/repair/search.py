@@ -3,34 +3,37 @@
 from __future__ import annotations
 
 import time
+from collections import Counter
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass, field, replace
+from fractions import Fraction
 from functools import cached_property
 
-from gainproof.verify.judge.attempt import judge_claim
-from gainproof.verify.judge.claim.record import Claim, Setting
+from gainproof.verify.judge.claim.record import Claim, OwnField, Setting
+from gainproof.verify.judge.claim_decision import judge_claim
 from gainproof.verify.judge.dimensions.formula import reading_fault
-from gainproof.verify.judge.exact.expression import number, symbols_of
-from gainproof.verify.judge.exact.limits import Malformed, Undecided
+from gainproof.verify.judge.exact.expression import Expr, number, symbol, symbols_of, walk
+from gainproof.verify.judge.exact.expression_graph import read_graph
 from gainproof.verify.judge.exact.statement import ALLOWED
+from gainproof.verify.judge.exact.work_limits import Malformed, Undecided
 from gainproof.verify.judge.formula import Reading
-from gainproof.verify.judge.repair.catalogue import changes, changes_of_bound
-from gainproof.verify.judge.repair.closings import Context, closings
-from gainproof.verify.judge.repair.edit import LARGE, PLAIN, SLIGHT
-from gainproof.verify.judge.repair.empty import Empty
-from gainproof.verify.judge.repair.further_bound import with_further_bound
-from gainproof.verify.judge.repair.merge import same_equation
-from gainproof.verify.judge.repair.points import generic_points
-from gainproof.verify.judge.repair.printed import MOST_NODES, Printed, printed
-from gainproof.verify.judge.repair.proof import CONNECTING, Offer, is_of_use, reread, with_formula
-from gainproof.verify.judge.repair.rank import parts_of_source, rank
-from gainproof.verify.judge.repair.rounded import rounded
-from gainproof.verify.judge.repair.senseless import is_more_senseless, lacks_more
-from gainproof.verify.judge.repair.sharp import is_sharp, is_weaker
-from gainproof.verify.judge.repair.table import sample_numbers, table_of
-from gainproof.verify.judge.repair.trivial import OffTheModel
-from gainproof.verify.judge.repair.values import Values, truth, values_at
-from gainproof.verify.judge.repair.whole import Change, Step
+from gainproof.verify.judge.kinds.catalogue import kind_named
+from gainproof.verify.judge.repair.edits import LARGE, PLAIN, SLIGHT
+from gainproof.verify.judge.repair.empty_repairs import Empty
+from gainproof.verify.judge.repair.equal_offers import same_equation
+from gainproof.verify.judge.repair.exchanged_symbols import sample_numbers, table_of
+from gainproof.verify.judge.repair.formula_values import Values, truth, values_at
+from gainproof.verify.judge.repair.generic_points import generic_points
+from gainproof.verify.judge.repair.printed_formula import MOST_NODES, Link, Printed, printed
+from gainproof.verify.judge.repair.proof import Offer, is_of_use, is_proved, reread, with_formula
+from gainproof.verify.judge.repair.rounded_numbers import rounded
+from gainproof.verify.judge.repair.senseless_parts import is_more_senseless, lacks_more
+from gainproof.verify.judge.repair.sharp_bounds import is_sharp, is_weaker
+from gainproof.verify.judge.repair.single_changes import changes, changes_of_bound
+from gainproof.verify.judge.repair.solved_changes import Context, closings
+from gainproof.verify.judge.repair.tree_construction import places
+from gainproof.verify.judge.repair.trivial_formulas import OffTheModel, sorted_key
+from gainproof.verify.judge.repair.whole_formula import OF_SIDES, Change, Step
 from gainproof.verify.judge.scope import Scope, UndefinedSymbol
 from gainproof.verify.judge.setting.environment import Environment
 from gainproof.verify.judge.verdict import Finding
@@ -42,9 +45,8 @@ MOST_TRIED = 20_000
 MOST_PROOFS = 30
 MOST_OFFERED = 12
 STAGES = (0, 1, 2)
-BY_VALUES = frozenset(("identity", "inequality", "recursion"))
-"""Kinds of claims that are what their relations say at each point of the domain."""
 STRICT_OR_NOT = {"<": "<=", "<=": "<", ">": ">=", ">=": ">"}
+BOUNDS = tuple(Fraction(n) for n in ("2", "1", "4", "1/2", "3/2", "3"))
 
 
 @dataclass
@@ -68,7 +70,7 @@ class Search:
     tried: int = field(init=False, default=0)
 
     def __post_init__(self) -> None:
-        self.formula = printed(self.reading)
+        self.formula, self.kind = printed(self.reading), kind_named(self.claim.kind)
         plain = Scope(self.setting, self.environment, held=self.claim.held)
         self.scope = plain if self.own_scope is None else self.own_scope
         self.table = table_of(self.setting, self.formula, self.others)
@@ -82,7 +84,7 @@ class Search:
 
     def _by_values(self) -> bool:
         plain = all(link.operator in ALLOWED for link in self.formula.links)
-        return plain and self.claim.kind in BY_VALUES and self.formula.connective == "if"
+        return plain and self.kind.pointwise and self.formula.connective == "if"
 
     @property
     def is_equation(self) -> bool:
@@ -114,7 +116,7 @@ class Search:
         """
         if sum(len(side.parts) + 1 for side in self.formula.sides) > MOST_NODES:
             return []
-        if stage == 0 and self.claim.kind == "value":
+        if stage == 0 and self.kind.rounded:
             # within the digits shown, other edits come out right by chance
             slight = changes(self.formula, self.table, self.numbers, SLIGHT)
             turned = [c for c in slight if all(s.what.startswith("sign of") for s in c.steps)]
@@ -186,7 +188,7 @@ class Search:
             holds = not self.by_values or self.agrees(change.printed)
             if not holds or is_more_senseless(change.printed, self.formula):
                 continue
-            whole = self.partly or self.claim.kind in CONNECTING
+            whole = self.partly or self.kind.two_parts
             if not (whole and lacks_more(change.printed, self.formula)):
                 yield change
 
@@ -198,7 +200,7 @@ class Search:
             if any(same_equation(o.change.printed, change.printed, self.off) for o in found):
                 continue
             weaker = any(is_weaker(change.printed, o.change.printed, self.off) for o in found)
-            if weaker and self.claim.kind in ("inequality", "implication", "stability"):
+            if weaker and self.kind.strongest:
                 continue
             offer = self._offer(change)
             if offer is not None and offer.formula.latex not in {o.formula.latex for o in found}:
@@ -298,3 +300,131 @@ def _within(context: Context) -> Iterator[Change]:
                 if second.weight >= first.weight:
                     weight = first.weight + second.weight
                     yield Change(second.printed, weight, (*first.steps, *second.steps))
+
+
+def with_further_bound(search: Search) -> list[Offer]:
+    """The claim with one bound more, if under the conditions it has the filter is stable exactly
+    where this bound holds: then no weaker one would do. One offer at most.
+    """
+    claim = search.claim
+    if (
+        claim.kind != "stability"
+        or claim.own["sense"].word != "sufficient"
+        or search.formula.conditions
+    ):
+        return []
+    said = (*claim.domain, *search.reading.relations)
+    for bound in _bounds(search):
+        formula = reread(bound, search.setting.symbols)
+        if formula is None:
+            continue
+        own = {"sense": OwnField(word="exact")}
+        exactly = replace(with_formula(claim, formula), own=own, domain=said)
+        if judge_claim(exactly, search.setting, search.environment).verdict != "proved":
+            continue
+        found = _offered(search, bound)
+        return [found] if found is not None else []
+    return []
+
+
+def _bounds(search: Search) -> Iterator[Printed]:
+    region = search.environment.region
+    labels = search.scope.labels()
+    used = set().union(*[symbols_of(side) for side in search.formula.sides])
+    for gain in () if region is None else region.gains:
+        token = labels.get(gain, gain)
+        if token in used or token not in search.setting.symbols:
+            continue
+        for operator in ("<", ">"):
+            for value in BOUNDS:
+                if search.is_late:
+                    return
+                yield Printed((symbol(token), number(value)), (Link(operator, 0, 1),))
+
+
+def _offered(search: Search, bound: Printed) -> Offer | None:
+    own = search.formula
+    (link,) = bound.links
+    place = len(own.sides)
+    condition = replace(link, left=place, right=place + 1)
+    both = Printed((*own.sides, *bound.sides), own.links, (condition,), own.connective)
+    formula = reread(both, search.setting.symbols)
+    if formula is None:
+        return None
+    if not is_proved(with_formula(search.claim, formula), search.setting, search.environment):
+        return None
+    step = Step("a condition is missing")
+    return Offer(formula, Change(both, LARGE, (step,)), search.environment.name)
+
+
+def parts_of_source(claims: Iterable[Claim], setting: Setting) -> frozenset[bytes]:
+    """Keys of everything that other claims and definitions of the source print, single symbols
+    apart.
+    """
+    found: set[bytes] = set()
+    formulas = [claim.formula for claim in claims]
+    formulas += [entry.definition for entry in setting.symbols.values()]
+    for formula in formulas:
+        for reading in () if formula is None else formula.readings:
+            for relation in (*reading.relations, *reading.conditions):
+                for side in (relation.left, relation.right):
+                    try:
+                        found |= _parts(read_graph(side))
+                    except Malformed:
+                        continue
+    return frozenset(found)
+
+
+def _parts(*sides: Expr) -> set[bytes]:
+    return {sorted_key(node) for side in sides for node in walk(side) if node.parts}
+
+
+def rank(change: Change, formula: Printed, said: frozenset[bytes]) -> tuple[object, ...]:
+    """Fewest places changed, then on one side, then not in what a function is taken of, then what
+    the source says elsewhere too, or the formula itself twice, then the same symbols, then the
+    smallest part touched and the same left sides.
+    """
+    before, after = formula.sides, change.printed.sides
+    sides = sum(a != b for a, b in zip(before, after, strict=True))
+    gained = len((_parts(*after) - _parts(*before)) & said)
+    gained += _repeated(after) - _repeated(before)
+    other_names = len(symbols_of(*after) ^ symbols_of(*before))
+    size = abs(_size(after) - _size(before))
+    touched = sum(_size((node,)) for s in change.steps if (node := s.part or s.before))
+    named = sum(before[n] != after[n] for n in {link.left for link in formula.links})
+    inside = _arguments(after) - _arguments(before)
+    led = sum(_begins_with_minus(argument) for argument in inside)
+    # a sign or a missing factor is put where the left side stays what the formula is for
+    sided = change.weight == LARGE or any(step.what in OF_SIDES for step in change.steps)
+    last = (named, touched) if sided else (touched, named)
+    stacked = _stacked(after) - _stacked(before)
+    times = sum(step.times for step in change.steps)
+    return (times, sides, len(inside), led, -gained, other_names, stacked, *last, size)
+
+
+def _arguments(sides: tuple[Expr, ...]) -> set[Expr]:
+    """What functions are taken of."""
+    return {part for node in walk(*sides) if node.kind == "call" for part in node.parts}
+
+
+def _begins_with_minus(expr: Expr) -> bool:
+    return expr.kind == "neg" or (expr.kind == "add" and expr.parts[0].kind == "neg")
+
+
+def _repeated(sides: tuple[Expr, ...]) -> int:
+    """How many composed parts stand in more than one place."""
+    times = Counter(sorted_key(node) for side in sides for _, node in places(side) if node.parts)
+    return sum(count > 1 for count in times.values())
+
+
+def _stacked(sides: tuple[Expr, ...]) -> int:
+    """How many fractions stand under a fraction bar."""
+    return sum(
+        node.kind == "div" and any(part.kind == "div" for part in walk(node.parts[1]))
+        for side in sides
+        for node in walk(side)
+    )
+
+
+def _size(sides: tuple[Expr, ...]) -> int:
+    return sum(1 for side in sides for _ in walk(side))

@@ -8,10 +8,10 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
 from gainproof.verify.judge.claim.record import Claim, Setting
-from gainproof.verify.judge.exact.limits import Malformed
-from gainproof.verify.judge.exact.tree import read_tree
-from gainproof.verify.judge.reach import closure, reached
-from gainproof.verify.judge.repair.asked import asked_names
+from gainproof.verify.judge.claim_symbols import closure, reached
+from gainproof.verify.judge.exact.formula_tree import read_tree
+from gainproof.verify.judge.exact.work_limits import Malformed
+from gainproof.verify.judge.repair.requested_operations import asked_names
 from gainproof.verify.judge.verdict import ClaimVerdict
 
 NOT_TRUE = ("refuted", "conditional")

@@ -10,14 +10,14 @@ from typing import Any
 from gainproof.verify.judge.claim.record import Claim, Setting
 from gainproof.verify.judge.convention import Convention, conventions
 from gainproof.verify.judge.dimensions.claim import fitting_readings
-from gainproof.verify.judge.exact.limits import Malformed, Undecided
-from gainproof.verify.judge.repair.edit import PLAIN
-from gainproof.verify.judge.repair.entries import PrintedMatrix, printed_matrix
-from gainproof.verify.judge.repair.merge import same_equation
+from gainproof.verify.judge.exact.work_limits import Malformed, Undecided
+from gainproof.verify.judge.repair.change_words import in_words
+from gainproof.verify.judge.repair.edits import PLAIN
+from gainproof.verify.judge.repair.equal_offers import same_equation
+from gainproof.verify.judge.repair.matrix_entries import PrintedMatrix, printed_matrix
 from gainproof.verify.judge.repair.proof import Offer
 from gainproof.verify.judge.repair.search import STAGES, Search
 from gainproof.verify.judge.repair.true_value import true_value
-from gainproof.verify.judge.repair.words import in_words
 from gainproof.verify.judge.scope import UndefinedSymbol
 from gainproof.verify.judge.setting.environment import NotEstablished
 from gainproof.verify.judge.task import Models, Solved

@@ -11,15 +11,16 @@ from typing import TYPE_CHECKING
 from gainproof.verify.judge.exact.calculus import rebuilt, substituted
 from gainproof.verify.judge.exact.expression import Expr, mul, number, power, symbol, symbols_of
 from gainproof.verify.judge.exact.graph_writing import graph_of
-from gainproof.verify.judge.exact.limits import Malformed, Undecided
-from gainproof.verify.judge.exact.poly import Poly, exact_value, fraction
+from gainproof.verify.judge.exact.polynomial import Poly, exact_value, fraction
+from gainproof.verify.judge.exact.simplification import expression_of
 from gainproof.verify.judge.exact.statement import Rel
-from gainproof.verify.judge.exact.tidy import expression_of
 from gainproof.verify.judge.exact.tower_building import build_tower
-from gainproof.verify.judge.kinds.framing import framed
-from gainproof.verify.judge.reader.latex import graph_to_latex
-from gainproof.verify.judge.repair.asked import asked_sides
-from gainproof.verify.judge.repair.construct import (
+from gainproof.verify.judge.exact.work_limits import Malformed, Undecided
+from gainproof.verify.judge.kinds.claim_domain import framed
+from gainproof.verify.judge.reader.latex_printer import graph_to_latex
+from gainproof.verify.judge.repair.number_recognition import common_rational
+from gainproof.verify.judge.repair.requested_operations import asked_sides
+from gainproof.verify.judge.repair.tree_construction import (
     opposite,
     places,
     quotient,
@@ -27,7 +28,6 @@ from gainproof.verify.judge.repair.construct import (
     remade,
     total,
 )
-from gainproof.verify.judge.repair.recognise import common_rational
 from gainproof.verify.judge.scope import UndefinedSymbol
 
 if TYPE_CHECKING:

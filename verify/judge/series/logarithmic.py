@@ -11,9 +11,9 @@ from __future__ import annotations
 from fractions import Fraction
 
 from gainproof.verify.judge.exact.expression import Expr, number, symbol, symbols_of
-from gainproof.verify.judge.exact.limits import Undecided
-from gainproof.verify.judge.freed.monomials import monomial_expr, monomials
+from gainproof.verify.judge.exact.work_limits import Undecided
 from gainproof.verify.judge.series.series import Oracle, neat
+from gainproof.verify.judge.transcendental.monomials import monomial_expr, monomials
 
 LOGARITHM = symbol("logarithm of the distance to the limit")
 """No symbol of a claim is called so."""

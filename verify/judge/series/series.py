@@ -13,8 +13,8 @@ from typing import Protocol
 
 from gainproof.verify.judge.exact.constant_value import constant_value
 from gainproof.verify.judge.exact.expression import Expr, add, mul, neg, number, power
-from gainproof.verify.judge.exact.limits import Undecided
-from gainproof.verify.judge.exact.tidy import tidied
+from gainproof.verify.judge.exact.simplification import tidied
+from gainproof.verify.judge.exact.work_limits import Undecided
 
 EXACT = Fraction(1000)
 """Order of a finite expansion, and of what is smaller than every power."""

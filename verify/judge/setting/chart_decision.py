@@ -8,12 +8,12 @@ from types import MappingProxyType
 
 from gainproof.verify.judge.exact.box import Box
 from gainproof.verify.judge.exact.certificate import statement_data
-from gainproof.verify.judge.exact.limits import Undecided
-from gainproof.verify.judge.exact.poly import text
+from gainproof.verify.judge.exact.polynomial import text
 from gainproof.verify.judge.exact.statement import ALLOWED, ORDERS, Outcome, Rel, Statement
+from gainproof.verify.judge.exact.work_limits import Undecided
 from gainproof.verify.judge.setting.chart_field import HIGH, LOW, ChartField, SignInside, field_over
 from gainproof.verify.judge.setting.quadrant_chart import sign_on_quadrant
-from gainproof.verify.judge.setting.triangle import sign_on_triangle
+from gainproof.verify.judge.setting.triangle_signs import sign_on_triangle
 
 METHOD = "zero in a field of functions on a chart of all values of the two parameters"
 SIGNS = "signs of polynomials on a chart of all values of the two parameters"

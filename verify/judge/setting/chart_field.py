@@ -18,8 +18,7 @@ from typing import Any
 import flint
 
 from gainproof.verify.judge.exact.expression import Expr, walk
-from gainproof.verify.judge.exact.limits import DEFAULT_LIMITS, Undecided
-from gainproof.verify.judge.exact.poly import (
+from gainproof.verify.judge.exact.polynomial import (
     Poly,
     coefficients_in,
     constant,
@@ -28,7 +27,8 @@ from gainproof.verify.judge.exact.poly import (
     grouped,
     ring,
 )
-from gainproof.verify.judge.setting.triangle import sign_on_triangle
+from gainproof.verify.judge.exact.work_limits import DEFAULT_LIMITS, Undecided
+from gainproof.verify.judge.setting.triangle_signs import sign_on_triangle
 
 LOW, HIGH = "chart v", "chart w"
 """The base variables; 0 < v < w < sqrt(3) unless another domain is said."""

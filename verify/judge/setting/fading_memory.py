@@ -22,11 +22,10 @@ from math import comb, factorial
 from gainproof.verify.judge.exact.box import Box
 from gainproof.verify.judge.exact.calculus import differentiated, substituted
 from gainproof.verify.judge.exact.expression import Expr, number, power, symbol, whole_power
-from gainproof.verify.judge.exact.limits import Undecided
+from gainproof.verify.judge.exact.work_limits import Undecided
 from gainproof.verify.judge.fixed_gain.rational_system import lowest
-from gainproof.verify.judge.meaning.square import determinant, inverse
+from gainproof.verify.judge.meaning.square_matrices import determinant, inverse
 from gainproof.verify.judge.setting.environment import WEIGHT, Fact
-from gainproof.verify.judge.setting.established import characteristic
 from gainproof.verify.judge.setting.growing_memory import (
     MOST_DEGREE,
     first,
@@ -34,7 +33,8 @@ from gainproof.verify.judge.setting.growing_memory import (
     shown_of,
     taylor,
 )
-from gainproof.verify.judge.setting.matrix import Exprs, exprs, minus, plus, times, transposed
+from gainproof.verify.judge.setting.matrices import Exprs, exprs, minus, plus, times, transposed
+from gainproof.verify.judge.setting.steady_state_conditions import characteristic
 
 WITHIN = Box(lower=Fraction(0), upper=Fraction(1))
 THETA = symbol(WEIGHT)

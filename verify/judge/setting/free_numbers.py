@@ -25,14 +25,13 @@ from gainproof.verify.judge.exact.constant_value import constant_value
 from gainproof.verify.judge.exact.expression import Expr, mul, number, power, symbol, symbols_of
 from gainproof.verify.judge.exact.expression_text import labelled
 from gainproof.verify.judge.exact.free_names import free_name, is_free, token_of, with_tokens
-from gainproof.verify.judge.exact.limits import Undecided
-from gainproof.verify.judge.exact.poly import Poly, coefficients_in, degree
+from gainproof.verify.judge.exact.polynomial import Poly, coefficients_in, degree
+from gainproof.verify.judge.exact.simplification import expression_of, tidied
 from gainproof.verify.judge.exact.statement import Rel, Statement
-from gainproof.verify.judge.exact.tidy import expression_of, tidied
+from gainproof.verify.judge.exact.work_limits import Undecided
 from gainproof.verify.judge.fixed_gain.rational_system import lowest, numerator_and_denominator
-from gainproof.verify.judge.freed.monomials import Monomial, monomial_expr, monomials, ordered
-from gainproof.verify.judge.hypothesis import settle
-from gainproof.verify.judge.meaning.square import determinant
+from gainproof.verify.judge.hypotheses import settle
+from gainproof.verify.judge.meaning.square_matrices import determinant
 from gainproof.verify.judge.setting.environment import (
     DEVIATION,
     INDEX,
@@ -41,9 +40,7 @@ from gainproof.verify.judge.setting.environment import (
     Fact,
     NotEstablished,
 )
-from gainproof.verify.judge.setting.established import UNIQUENESS, characteristic
-from gainproof.verify.judge.setting.factor import Factor, number_root
-from gainproof.verify.judge.setting.matrix import Exprs, minus, plus, times, transposed
+from gainproof.verify.judge.setting.matrices import Exprs, minus, plus, times, transposed
 from gainproof.verify.judge.setting.own_matrices import (
     SIGMA,
     Own,
@@ -54,8 +51,16 @@ from gainproof.verify.judge.setting.own_matrices import (
     require_sign,
 )
 from gainproof.verify.judge.setting.quantities import environment_of
-from gainproof.verify.judge.setting.stability import circle_moved, left_half_plane
+from gainproof.verify.judge.setting.spectral_factor import Factor, number_root
+from gainproof.verify.judge.setting.stability_conditions import circle_moved, left_half_plane
 from gainproof.verify.judge.setting.steady_state import SteadyState
+from gainproof.verify.judge.setting.steady_state_conditions import UNIQUENESS, characteristic
+from gainproof.verify.judge.transcendental.monomials import (
+    Monomial,
+    monomial_expr,
+    monomials,
+    ordered,
+)
 
 MOST_STATES = 3
 ONE, ZERO = number(1), number(0)

@@ -28,11 +28,11 @@ from gainproof.verify.judge.exact.expression import (
     weighted,
     whole_power,
 )
-from gainproof.verify.judge.exact.limits import Undecided
-from gainproof.verify.judge.exact.poly import fraction, rational
+from gainproof.verify.judge.exact.polynomial import fraction, rational
 from gainproof.verify.judge.exact.statement import Rel, Statement
+from gainproof.verify.judge.exact.work_limits import Undecided
 from gainproof.verify.judge.setting.environment import ANY_REAL, SAMPLE, Fact, NotEstablished
-from gainproof.verify.judge.setting.matrix import (
+from gainproof.verify.judge.setting.matrices import (
     Exprs,
     Numbers,
     exprs,

@@ -32,13 +32,13 @@ from gainproof.verify.judge.exact.expression import (
     symbols_of,
 )
 from gainproof.verify.judge.exact.expression_text import labelled
-from gainproof.verify.judge.exact.formal import decide_formally
+from gainproof.verify.judge.exact.formal_identities import decide_formally
 from gainproof.verify.judge.exact.free_names import is_free, with_tokens
-from gainproof.verify.judge.exact.limits import Undecided
 from gainproof.verify.judge.exact.statement import Rel, Statement
+from gainproof.verify.judge.exact.work_limits import Undecided
 from gainproof.verify.judge.fixed_gain.rational_system import lowest
-from gainproof.verify.judge.hypothesis import settle
-from gainproof.verify.judge.meaning.square import determinant, inverse
+from gainproof.verify.judge.hypotheses import settle
+from gainproof.verify.judge.meaning.square_matrices import determinant, inverse
 from gainproof.verify.judge.scope import Scope
 from gainproof.verify.judge.setting.environment import (
     ANY_REAL,
@@ -46,10 +46,10 @@ from gainproof.verify.judge.setting.environment import (
     Fact,
     NotEstablished,
 )
-from gainproof.verify.judge.setting.established import UNIQUENESS, characteristic
-from gainproof.verify.judge.setting.matrix import Exprs, minus, plus, scaled, times, transposed
+from gainproof.verify.judge.setting.matrices import Exprs, minus, plus, scaled, times, transposed
 from gainproof.verify.judge.setting.own_matrices import not_symmetric, read_matrices
-from gainproof.verify.judge.setting.stability import left_half_plane
+from gainproof.verify.judge.setting.stability_conditions import left_half_plane
+from gainproof.verify.judge.setting.steady_state_conditions import UNIQUENESS, characteristic
 
 ZERO, ONE = number(0), number(1)
 MOST_STATES = 3

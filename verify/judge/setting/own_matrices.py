@@ -9,6 +9,7 @@ from dataclasses import dataclass, field, replace
 from fractions import Fraction
 
 from gainproof.verify.judge.claim.record import Setting, Unit
+from gainproof.verify.judge.claim_symbols import closure
 from gainproof.verify.judge.exact.box import Box
 from gainproof.verify.judge.exact.calculus import substituted
 from gainproof.verify.judge.exact.constant_value import constant_value
@@ -20,15 +21,13 @@ from gainproof.verify.judge.exact.expression import (
     symbol,
     symbols_of,
 )
+from gainproof.verify.judge.exact.formula_tree import read_tree
 from gainproof.verify.judge.exact.free_names import free_name, is_free, token_of
-from gainproof.verify.judge.exact.limits import Undecided
 from gainproof.verify.judge.exact.statement import Rel, Statement
-from gainproof.verify.judge.exact.tree import read_tree
+from gainproof.verify.judge.exact.work_limits import Undecided
 from gainproof.verify.judge.formula import Graph
-from gainproof.verify.judge.freed.monomials import UNIT, Monomial, monomials, ordered
-from gainproof.verify.judge.hypothesis import settle
-from gainproof.verify.judge.meaning.reach import Reach, names_in
-from gainproof.verify.judge.reach import closure
+from gainproof.verify.judge.hypotheses import settle
+from gainproof.verify.judge.meaning.definition_names import Reach, names_in
 from gainproof.verify.judge.scope import Scope
 from gainproof.verify.judge.setting.environment import (
     DEVIATION,
@@ -37,7 +36,8 @@ from gainproof.verify.judge.setting.environment import (
     POSITIVE,
     Environment,
 )
-from gainproof.verify.judge.setting.factor import number_root
+from gainproof.verify.judge.setting.spectral_factor import number_root
+from gainproof.verify.judge.transcendental.monomials import UNIT, Monomial, monomials, ordered
 
 T, SIGMA = symbol(INTERVAL), symbol(DEVIATION)
 Rows = Sequence[Sequence[Expr]]

@@ -23,9 +23,8 @@ from gainproof.verify.judge.exact.calculus import substituted
 from gainproof.verify.judge.exact.constant_value import constant_value
 from gainproof.verify.judge.exact.expression import Expr, mul, number, power, symbol
 from gainproof.verify.judge.exact.free_names import free_name
-from gainproof.verify.judge.exact.limits import Undecided
-from gainproof.verify.judge.freed.monomials import monomials
-from gainproof.verify.judge.meaning.square import determinant
+from gainproof.verify.judge.exact.work_limits import Undecided
+from gainproof.verify.judge.meaning.square_matrices import determinant
 from gainproof.verify.judge.setting.environment import (
     DEVIATION,
     INDEX,
@@ -33,7 +32,6 @@ from gainproof.verify.judge.setting.environment import (
     RATIO,
     Environment,
 )
-from gainproof.verify.judge.setting.factor import number_root
 from gainproof.verify.judge.setting.free_numbers import over_gains
 from gainproof.verify.judge.setting.own_matrices import (
     SIGMA,
@@ -50,7 +48,9 @@ from gainproof.verify.judge.setting.own_matrices import (
 )
 from gainproof.verify.judge.setting.position_velocity import position_velocity, with_assigned
 from gainproof.verify.judge.setting.quantities import steady_state
+from gainproof.verify.judge.setting.spectral_factor import number_root
 from gainproof.verify.judge.setting.two_measurements import Noise
+from gainproof.verify.judge.transcendental.monomials import monomials
 
 
 @dataclass(frozen=True)

@@ -13,10 +13,10 @@ from __future__ import annotations
 from fractions import Fraction
 
 from gainproof.verify.judge.exact.expression import Expr, number, power, symbol
-from gainproof.verify.judge.exact.poly import Poly, coefficients_in, degree
+from gainproof.verify.judge.exact.polynomial import Poly, coefficients_in, degree
 from gainproof.verify.judge.setting.chart_field import HIGH, LOW, ChartField, Quotient
 from gainproof.verify.judge.setting.environment import NotEstablished
-from gainproof.verify.judge.setting.triangle import sign_on_triangle
+from gainproof.verify.judge.setting.triangle_signs import sign_on_triangle
 from gainproof.verify.judge.setting.two_measurements import Entries, Noise
 
 V, W = symbol(LOW), symbol(HIGH)

@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
-from dataclasses import replace
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass, replace
 
 from gainproof.verify.judge.exact.box import Box
 from gainproof.verify.judge.exact.calculus import substituted
@@ -16,14 +16,14 @@ from gainproof.verify.judge.exact.expression import (
     symbol,
     walk,
 )
-from gainproof.verify.judge.exact.limits import Undecided
-from gainproof.verify.judge.exact.points import try_points
+from gainproof.verify.judge.exact.rational_points import try_points
+from gainproof.verify.judge.exact.simplification import expression_of
 from gainproof.verify.judge.exact.statement import Outcome, Rel, Statement
-from gainproof.verify.judge.exact.tidy import expression_of
-from gainproof.verify.judge.meaning.square import determinant
+from gainproof.verify.judge.exact.work_limits import Undecided
+from gainproof.verify.judge.meaning.square_matrices import determinant
+from gainproof.verify.judge.setting import plane_chart, quadrant_chart
 from gainproof.verify.judge.setting.chart_decision import Plane
-from gainproof.verify.judge.setting.chart_field import HIGH, LOW, ChartField, field_over
-from gainproof.verify.judge.setting.charts import Chart, chart_of
+from gainproof.verify.judge.setting.chart_field import HIGH, LOW, ChartField, SignInside, field_over
 from gainproof.verify.judge.setting.environment import (
     DEVIATION,
     INDEX,
@@ -34,9 +34,10 @@ from gainproof.verify.judge.setting.environment import (
     Fact,
     NotEstablished,
 )
-from gainproof.verify.judge.setting.established import UNIQUENESS
-from gainproof.verify.judge.setting.matrix import Exprs, minus, plus, times, transposed
-from gainproof.verify.judge.setting.stability import circle_moved, left_half_plane
+from gainproof.verify.judge.setting.matrices import Exprs, minus, plus, times, transposed
+from gainproof.verify.judge.setting.stability_conditions import circle_moved, left_half_plane
+from gainproof.verify.judge.setting.steady_state_conditions import UNIQUENESS
+from gainproof.verify.judge.setting.triangle_signs import sign_on_triangle
 from gainproof.verify.judge.setting.two_measurements import (
     Entries,
     Noise,
@@ -235,3 +236,37 @@ def _facts(
         shown("the closed form in index and S is the same", same),
         Fact(f"cited: {UNIQUENESS[0]}", UNIQUENESS[1]),
     )
+
+
+@dataclass(frozen=True)
+class Chart:
+    """Index, the squares of index and S, and the covariances in the base variables of a chart;
+    `onto` shows that all positive pairs are met, `sign_inside` is what is known of signs there.
+    """
+
+    index: Expr
+    index2: Expr
+    ratio2: Expr
+    entries: Entries
+    onto: Callable[[ChartField], Mapping[str, str]]
+    sign_inside: SignInside
+
+
+def chart_of(noise: Noise) -> Chart:
+    """Raises Undecided where there is none."""
+    if noise == plane_chart.COVERED:
+        index2, ratio2 = plane_chart.squares()
+        found, onto = plane_chart.charted_entries(), plane_chart.refuse_unless_onto
+        return Chart(sqrt(index2), index2, ratio2, found, onto, sign_on_triangle)
+    if quadrant_chart.is_covered(noise):
+        index, _ = quadrant_chart.coordinates(noise)
+        index2, ratio2 = quadrant_chart.squares(noise)
+        return Chart(
+            index,
+            index2,
+            ratio2,
+            quadrant_chart.charted_entries(noise),
+            lambda field: quadrant_chart.refuse_unless_onto(field, noise),
+            quadrant_chart.sign_on_quadrant,
+        )
+    raise Undecided("position and velocity measured, with a process noise that has no chart")

@@ -11,7 +11,7 @@ from __future__ import annotations
 from fractions import Fraction
 
 from gainproof.verify.judge.exact.expression import Expr, number, power, symbol
-from gainproof.verify.judge.exact.poly import Poly, fraction, terms
+from gainproof.verify.judge.exact.polynomial import Poly, fraction, terms
 from gainproof.verify.judge.setting.chart_field import HIGH, LOW, ChartField
 from gainproof.verify.judge.setting.environment import NotEstablished
 from gainproof.verify.judge.setting.two_measurements import Entries, Noise

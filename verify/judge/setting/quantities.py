@@ -23,8 +23,8 @@ from gainproof.verify.judge.exact.expression import (
     whole_power,
 )
 from gainproof.verify.judge.exact.graph_writing import graph_of
-from gainproof.verify.judge.exact.limits import Undecided
 from gainproof.verify.judge.exact.statement import Statement
+from gainproof.verify.judge.exact.work_limits import Undecided
 from gainproof.verify.judge.setting.environment import (
     ANY_REAL,
     DEVIATION,
@@ -37,7 +37,7 @@ from gainproof.verify.judge.setting.environment import (
 )
 from gainproof.verify.judge.setting.fading_memory import WITHIN, fading_memory
 from gainproof.verify.judge.setting.growing_memory import first, growing_memory
-from gainproof.verify.judge.setting.matrix import Exprs, model_matrices, times, transposed
+from gainproof.verify.judge.setting.matrices import Exprs, model_matrices, times, transposed
 from gainproof.verify.judge.setting.steady_state import SteadyState, solve
 
 T, SIGMA = symbol(INTERVAL), symbol(DEVIATION)

@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from fractions import Fraction
 
-from gainproof.verify.judge.setting.matrix import Numbers
+from gainproof.verify.judge.setting.matrices import Numbers
 
 Laurent = dict[int, Fraction]
 

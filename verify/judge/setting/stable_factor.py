@@ -15,7 +15,7 @@ from math import comb
 
 import flint
 
-from gainproof.verify.judge.exact.algebraic import Algebraic, real_roots
+from gainproof.verify.judge.exact.algebraic_numbers import Algebraic, real_roots
 from gainproof.verify.judge.exact.box import Box
 from gainproof.verify.judge.exact.expression import (
     Expr,
@@ -26,15 +26,15 @@ from gainproof.verify.judge.exact.expression import (
     weighted,
     whole_power,
 )
-from gainproof.verify.judge.exact.limits import Undecided
-from gainproof.verify.judge.exact.poly import Ball, rational
+from gainproof.verify.judge.exact.polynomial import Ball, rational
 from gainproof.verify.judge.exact.statement import Rel
-from gainproof.verify.judge.freed.folding import folded
+from gainproof.verify.judge.exact.work_limits import Undecided
 from gainproof.verify.judge.setting.environment import INDEX
-from gainproof.verify.judge.setting.factor import Factor, number_root
-from gainproof.verify.judge.setting.matrix import Numbers
+from gainproof.verify.judge.setting.matrices import Numbers
+from gainproof.verify.judge.setting.spectral_factor import Factor, number_root
 from gainproof.verify.judge.setting.spectrum import Laurent, at_point, spectrum
 from gainproof.verify.judge.setting.three_states import three_states
+from gainproof.verify.judge.transcendental.constant_folding import folded
 
 ROOT = "root of the spectrum"
 """d1, where it is no rational number."""

@@ -18,12 +18,9 @@ from operator import mul
 from typing import Any
 
 from gainproof.verify.judge.exact.expression import Expr, number
-from gainproof.verify.judge.exact.limits import Undecided
-from gainproof.verify.judge.freed.folding import folded
+from gainproof.verify.judge.exact.work_limits import Undecided
 from gainproof.verify.judge.setting.environment import Fact
-from gainproof.verify.judge.setting.established import established
-from gainproof.verify.judge.setting.factor import Factor
-from gainproof.verify.judge.setting.matrix import (
+from gainproof.verify.judge.setting.matrices import (
     Exprs,
     Numbers,
     exprs,
@@ -32,8 +29,11 @@ from gainproof.verify.judge.setting.matrix import (
     solve_rows,
     times,
 )
+from gainproof.verify.judge.setting.spectral_factor import Factor
 from gainproof.verify.judge.setting.spectrum import resolvent
 from gainproof.verify.judge.setting.stable_factor import stable_factor
+from gainproof.verify.judge.setting.steady_state_conditions import established
+from gainproof.verify.judge.transcendental.constant_folding import folded
 
 
 @dataclass(frozen=True)

@@ -14,9 +14,9 @@ from fractions import Fraction
 
 from gainproof.verify.judge.exact.box import Box
 from gainproof.verify.judge.exact.expression import Expr, mul, number, power, sqrt, symbol
-from gainproof.verify.judge.exact.limits import Undecided
-from gainproof.verify.judge.exact.tidy import tidied
-from gainproof.verify.judge.setting.factor import Factor, number_root
+from gainproof.verify.judge.exact.simplification import tidied
+from gainproof.verify.judge.exact.work_limits import Undecided
+from gainproof.verify.judge.setting.spectral_factor import Factor, number_root
 from gainproof.verify.judge.setting.spectrum import Laurent
 
 SHARE = "measurement noise over innovation deviation"

@@ -20,9 +20,9 @@ from gainproof.subjects.derived import Derived, DerivedStep
 from gainproof.verify.certificate import check_statement
 from gainproof.verify.judge.exact.calculus import substituted
 from gainproof.verify.judge.exact.expression import Expr, mul, neg, number, power, symbol, walk
+from gainproof.verify.judge.exact.formula_tree import read_tree
 from gainproof.verify.judge.exact.graph_writing import graph_of
-from gainproof.verify.judge.exact.limits import Malformed, Undecided
-from gainproof.verify.judge.exact.tree import read_tree
+from gainproof.verify.judge.exact.work_limits import Malformed, Undecided
 
 FIELDS: Mapping[str, tuple[str, ...]] = {
     "equal": ("left", "right"),

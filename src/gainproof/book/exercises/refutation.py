@@ -14,15 +14,15 @@ from fractions import Fraction
 from typing import Any
 
 from gainproof.book.exercises.tower_values import TowerValues
+from gainproof.verify.judge.exact.ball_text import enclosure, separated
+from gainproof.verify.judge.exact.balls import NoValue, Unresolved, enclosed
 from gainproof.verify.judge.exact.calculus import substituted
-from gainproof.verify.judge.exact.enclose import NoValue, Unresolved, enclosed
-from gainproof.verify.judge.exact.enclosure import enclosure, separated
 from gainproof.verify.judge.exact.expression import Expr, add, number, symbols_of
-from gainproof.verify.judge.exact.graph import read_values
-from gainproof.verify.judge.exact.limits import Malformed, Undecided
-from gainproof.verify.judge.exact.poly import Ball
+from gainproof.verify.judge.exact.expression_graph import read_values
+from gainproof.verify.judge.exact.formula_tree import read_tree
+from gainproof.verify.judge.exact.polynomial import Ball
 from gainproof.verify.judge.exact.statement import Enclosure
-from gainproof.verify.judge.exact.tree import read_tree
+from gainproof.verify.judge.exact.work_limits import Malformed, Undecided
 
 PRECISIONS = (128, 512)
 DIGITS, MOST_NAMES = 8, 6

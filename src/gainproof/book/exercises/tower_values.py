@@ -18,9 +18,9 @@ from gainproof.verify.judge.exact.expression import (
     symbol,
     symbols_of,
 )
-from gainproof.verify.judge.exact.graph import rational
-from gainproof.verify.judge.exact.limits import Malformed, Undecided
+from gainproof.verify.judge.exact.expression_graph import rational
 from gainproof.verify.judge.exact.witness import inside
+from gainproof.verify.judge.exact.work_limits import Malformed, Undecided
 
 _PATTERNS = tuple(
     tuple(Fraction(text) for text in pattern.split())

@@ -4,13 +4,12 @@ from __future__ import annotations
 
 from typing import NamedTuple
 
-import numpy as np
 from numpy.typing import ArrayLike
 
-from gainproof.time_varying.sequence import Samples, samples_of
+from gainproof.time_varying.sequence import Samples, by_samples
 from gainproof.time_varying.three_states.covariance import Factors
 from gainproof.time_varying.three_states.process_noise import DEFAULT
-from gainproof.time_varying.three_states.track import step, update, where_detected
+from gainproof.time_varying.three_states.track import Step, step, update
 
 
 class GainSequence(NamedTuple):
@@ -53,10 +52,9 @@ def gain_sequence(
     Raises ValueError for intervals without a first axis and for lists that do not fit; else as
     `step`.
     """
-    lengths, seen = samples_of(intervals, detected)
-    steps = [where_detected(update(predicted, measurement_variance), predicted, seen[0])]
-    for interval, now in zip(lengths, seen[1:], strict=True):
-        before = steps[-1].factors
-        steps.append(step(before, interval, strength, measurement_variance, now, process_noise))
-    columns = zip(*([*found[1:], *found.factors] for found in steps), strict=True)
-    return GainSequence(*(np.stack(np.broadcast_arrays(*each)) for each in columns))
+    first = update(predicted, measurement_variance)
+
+    def following(before: Factors, interval: ArrayLike, seen: ArrayLike) -> Step:
+        return step(before, interval, strength, measurement_variance, seen, process_noise)
+
+    return GainSequence(*by_samples(first, predicted, following, intervals, detected))

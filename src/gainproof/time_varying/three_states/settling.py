@@ -6,9 +6,10 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from gainproof.time_varying.covariance import Reals
+from gainproof.time_varying.process_noise import Noise
 from gainproof.time_varying.settling import last_outside, least_run
 from gainproof.time_varying.three_states.covariance import Factors
-from gainproof.time_varying.three_states.process_noise import DEFAULT, Noise, noise_called
+from gainproof.time_varying.three_states.process_noise import DEFAULT, noise_called
 from gainproof.time_varying.three_states.track import start, step
 
 # H (z I - F)^-1 at z = -1, half the sampling frequency

@@ -4,14 +4,13 @@ from __future__ import annotations
 
 from typing import NamedTuple
 
-import numpy as np
 from numpy.typing import ArrayLike
 
 from gainproof.generated import recursion_three_states
 from gainproof.time_varying.covariance import Real
 from gainproof.time_varying.three_states.covariance import Factors
 from gainproof.time_varying.three_states.process_noise import DEFAULT, noise_called
-from gainproof.time_varying.track import detections
+from gainproof.time_varying.track import where_detected
 
 
 class Step(NamedTuple):
@@ -80,19 +79,3 @@ def step(
     """
     before = predict(factors, interval, strength, process_noise)
     return where_detected(update(before, measurement_variance), before, detected)
-
-
-def where_detected(found: Step, before: Factors, detected: ArrayLike) -> Step:
-    """An update where a position was detected, else the covariances before it and no gains.
-
-    Raises TypeError where `detected` is not true or false.
-    """
-    seen = detections(detected)
-    if seen.all():
-        return found
-    pairs = zip(found.factors, before, strict=True)
-    chosen = Factors(*(np.where(seen, x, y)[()] for x, y in pairs))
-    used = np.where(seen, 1.0, 0.0).astype(np.asarray(found.position_gain).dtype)
-    gains = [gain * used for gain in found[1:4]]
-    shown = np.broadcast_to(found.innovation_variance, np.shape(chosen.diagonal_1))
-    return Step(chosen, gains[0], gains[1], gains[2], shown[()])

@@ -8,13 +8,13 @@ from typing import Any
 
 import pytest
 
-from gainproof.verify.judge.cells import pieces as pieces_module
+from gainproof.verify.judge.cells import cells_and_borders as pieces_module
 from gainproof.verify.judge.cells import projection as projection_module
+from gainproof.verify.judge.cells.critical_polynomials import CellQuestion
 from gainproof.verify.judge.cells.decision import decide_in_cells
-from gainproof.verify.judge.cells.question import CellQuestion
 from gainproof.verify.judge.exact.box import Box
 from gainproof.verify.judge.exact.expression import number, power, sqrt, symbol
-from gainproof.verify.judge.exact.poly import constant
+from gainproof.verify.judge.exact.polynomial import constant
 from gainproof.verify.judge.exact.statement import Rel, Statement
 
 x, y = symbol("x"), symbol("y")

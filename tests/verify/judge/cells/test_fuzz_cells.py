@@ -6,7 +6,7 @@ import pytest
 from cell_fuzz import disagreements
 from samples import samples
 
-from gainproof.verify.judge.cells.question import CellQuestion
+from gainproof.verify.judge.cells.critical_polynomials import CellQuestion
 
 
 @pytest.mark.sampled

@@ -12,8 +12,8 @@ from gainproof.verify.judge.exact.box import Box
 from gainproof.verify.judge.exact.calculus import substituted
 from gainproof.verify.judge.exact.constant_value import constant_value
 from gainproof.verify.judge.exact.expression import Expr, number, symbol
-from gainproof.verify.judge.exact.limits import Nowhere, Undecided
 from gainproof.verify.judge.exact.statement import Outcome, Rel, Statement
+from gainproof.verify.judge.exact.work_limits import Nowhere, Undecided
 
 k, n, y = symbol("k"), symbol("n"), symbol("y")
 zero = number(0)

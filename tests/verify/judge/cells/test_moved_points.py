@@ -8,12 +8,12 @@ from fractions import Fraction
 import pytest
 from one_of_each import cases
 
-from gainproof.verify.judge.cells.ground import value_at
 from gainproof.verify.judge.cells.lifting import cells
+from gainproof.verify.judge.cells.parameter_polynomials import value_at
 from gainproof.verify.judge.cells.projection import projected
 from gainproof.verify.judge.exact.box import Box
-from gainproof.verify.judge.exact.limits import DEFAULT_LIMITS
-from gainproof.verify.judge.exact.poly import from_terms, ring
+from gainproof.verify.judge.exact.polynomial import from_terms, ring
+from gainproof.verify.judge.exact.work_limits import DEFAULT_LIMITS
 
 BOXES = (
     Box(stated=False),

@@ -11,8 +11,8 @@ from one_of_each import cases, further
 from gainproof.verify.judge.cells.decision import decide_in_cells
 from gainproof.verify.judge.exact.box import Box
 from gainproof.verify.judge.exact.expression import Expr, number, power, sqrt, symbol
-from gainproof.verify.judge.exact.limits import Limits, Undecided
 from gainproof.verify.judge.exact.statement import Outcome, Rel, Statement
+from gainproof.verify.judge.exact.work_limits import Limits, Undecided
 
 x, y, z, w = (symbol(name) for name in "xyzw")
 REAL, STATED, POSITIVE = Box(stated=False), Box(), Box(lower=Fraction(0))

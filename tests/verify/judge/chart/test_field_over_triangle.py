@@ -9,12 +9,12 @@ import pytest
 
 from gainproof.verify.judge.exact.box import Box
 from gainproof.verify.judge.exact.expression import Expr, number, power, sqrt, symbol
-from gainproof.verify.judge.exact.limits import Undecided
-from gainproof.verify.judge.exact.poly import Poly, ring
+from gainproof.verify.judge.exact.polynomial import Poly, ring
 from gainproof.verify.judge.exact.statement import Rel, Statement
+from gainproof.verify.judge.exact.work_limits import Undecided
 from gainproof.verify.judge.setting.chart_decision import Plane
 from gainproof.verify.judge.setting.chart_field import HIGH, LOW
-from gainproof.verify.judge.setting.triangle import sign_on_triangle
+from gainproof.verify.judge.setting.triangle_signs import sign_on_triangle
 
 R = ring(("v", "w"))
 v, w = R.gen(0), R.gen(1)

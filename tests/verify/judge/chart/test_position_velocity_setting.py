@@ -12,12 +12,11 @@ from mpmath import inverse, matrix, mp, mpf
 from one_of_each import cases, further
 
 from gainproof.verify.judge.claim.file import read_claim_text
-from gainproof.verify.judge.exact.enclose import enclosed
+from gainproof.verify.judge.exact.balls import enclosed
 from gainproof.verify.judge.exact.expression import Expr, number
-from gainproof.verify.judge.exact.limits import Undecided
+from gainproof.verify.judge.exact.work_limits import Undecided
 from gainproof.verify.judge.judge import judge_file
 from gainproof.verify.judge.setting import position_velocity as module
-from gainproof.verify.judge.setting.charts import chart_of
 from gainproof.verify.judge.setting.environment import (
     DEVIATION,
     INDEX,
@@ -26,7 +25,7 @@ from gainproof.verify.judge.setting.environment import (
     NotEstablished,
 )
 from gainproof.verify.judge.setting.plane_chart import COVERED
-from gainproof.verify.judge.setting.position_velocity import position_velocity
+from gainproof.verify.judge.setting.position_velocity import chart_of, position_velocity
 from gainproof.verify.judge.setting.two_measurements import (
     Entries,
     Noise,

@@ -52,15 +52,14 @@ def setting(lines: str, quantity: str = "gain.1") -> Setting:
 
 def test_monotone() -> None:
     found = claim("monotone", 'about = [\'\\frac{1}{a}\', "a"]\ntrend = "decreasing"')
-    assert found.about == ("\\frac{1}{a}", "a")
-    assert found.subject is not None
-    assert found.subject["nodes"][-1][0] == "div"
-    assert found.trend == "decreasing"
+    assert found.own["about"].symbol == "a"
+    assert found.own["about"].expression["nodes"][-1][0] == "div"
+    assert found.own["trend"].word == "decreasing"
 
 
 def test_asymptotics() -> None:
     found = claim("asymptotics", "latex = 'a = b \\quad (b \\to 0)'\norder = 2")
-    assert found.order == 2
+    assert found.own["order"].number == 2
 
 
 def test_value() -> None:
@@ -73,15 +72,16 @@ def test_location() -> None:
     found = claim(
         "location", "polynomial = 'z^2 - a'\nvariable = 'z'\nwhere = 'inside the unit circle'"
     )
-    assert found.polynomial is not None
-    assert (found.variable, found.where) == ("z", "inside the unit circle")
+    assert found.own["polynomial"].expression["nodes"][0] == ["symbol", "z"]
+    assert found.own["variable"].symbol == "z"
+    assert found.own["where"].word == "inside the unit circle"
 
 
 def test_steady_state() -> None:
     fields = "latex = 'p = a p'\nrecursion = 'p_k = b p_{k-1}'\nprevious = 'p_{k-1}'"
     found = claim("steady_state", fields)
-    assert found.recursion is not None
-    assert found.previous == "p_{k-1}"
+    assert len(found.own["recursion"].formulas) == 1
+    assert found.own["previous"].symbol == "p_{k-1}"
 
 
 def test_shape() -> None:

@@ -8,7 +8,7 @@ import pytest
 
 import gainproof.verify
 from gainproof.verify.judge.claim.file import ClaimFile, read_claim_file
-from gainproof.verify.judge.reader.latex import reading_to_latex
+from gainproof.verify.judge.reader.latex_printer import reading_to_latex
 from gainproof.verify.judge.reader.reader import read_formula
 
 

@@ -10,9 +10,9 @@ from claim_texts import MODELS
 
 from gainproof.verify.judge.claim.errors import ClaimFileError
 from gainproof.verify.judge.claim.file import read_claim_text
-from gainproof.verify.judge.claim.letters import NOISE_ORDERS, filter_meanings, usual_letters
+from gainproof.verify.judge.claim.usual_letters import NOISE_ORDERS, filter_meanings, usual_letters
 from gainproof.verify.judge.judge import judge_file
-from gainproof.verify.judge.reader.names import canonical_token
+from gainproof.verify.judge.reader.printed_names import canonical_token
 from gainproof.verify.judge.verdict import ClaimVerdict
 
 HEAD = 'format = "gainproof claims 1"\n'

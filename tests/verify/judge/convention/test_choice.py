@@ -5,8 +5,8 @@ from __future__ import annotations
 import pytest
 from claim_texts import algebra, claim_file
 
-from gainproof.verify.judge.choice import choose
 from gainproof.verify.judge.convention import _models
+from gainproof.verify.judge.convention_choice import choose
 from gainproof.verify.judge.trial import Trial
 from gainproof.verify.judge.verdict import Finding
 

@@ -5,7 +5,7 @@ it alone it is judged under each.
 from __future__ import annotations
 
 from gainproof.verify.judge.claim.file import read_claim_text
-from gainproof.verify.judge.reach import reached
+from gainproof.verify.judge.claim_symbols import reached
 
 TEXT = r"""
 format = "gainproof claims 1"

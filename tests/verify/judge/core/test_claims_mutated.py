@@ -19,6 +19,8 @@ from one_of_each import cases
 from samples import samples
 
 SEED = 7
+ONE_SEED = 3
+"""By default, with fewer mutants of each claim."""
 SAMPLE = 3
 HAND_PICKED = (
     "kosuge-slides table-ab-RV",
@@ -45,16 +47,17 @@ def chosen(models: Sequence[Mapping[str, Any]]) -> list[Subject]:
     return subjects(HAND_PICKED, models, 60.0, 1)
 
 
-@pytest.mark.parametrize("seed", cases((3, 5, SEED), lambda seed: seed == 3))
+@pytest.mark.parametrize("seed", cases((3, 5, SEED), lambda seed: seed == ONE_SEED))
 def test_no_false_mutant_is_proved_and_rewritings_are(
     models: Sequence[Mapping[str, Any]], seed: int
 ) -> None:
     names = Random(seed).sample(names_proved_before(), SAMPLE)
     some = subjects(names, models, 60.0, 1)
     assert len(some) > SAMPLE / 2
-    records = run(some, models, 5, seed, 60.0, 1)
+    count = 3 if seed == ONE_SEED else 5
+    records = run(some, models, count, seed, 60.0, 1)
     broken = [mutant for record in records.values() for mutant in record["mutants"]]
-    assert len(broken) > 3 * len(some)
+    assert len(broken) > 0.6 * count * len(some)
     assert any(mutant["near"] for mutant in broken)
     assert accepted(records) == 0, report(records)
     other = [entry for record in records.values() for entry in record["rewrites"]]

@@ -10,10 +10,10 @@ from fractions import Fraction
 import pytest
 
 from gainproof.verify.judge.claim.record import Setting, SymbolEntry
-from gainproof.verify.judge.exact.algebraic import rational_point
+from gainproof.verify.judge.exact.algebraic_numbers import rational_point
 from gainproof.verify.judge.exact.box import Box
 from gainproof.verify.judge.exact.expression import Expr, power, symbol
-from gainproof.verify.judge.exact.place import Place
+from gainproof.verify.judge.exact.places import Place
 from gainproof.verify.judge.setting.environment import DEVIATION, INDEX, INTERVAL, Environment
 from gainproof.verify.judge.source_symbols import in_source_symbols
 from gainproof.verify.judge.verdict import Finding

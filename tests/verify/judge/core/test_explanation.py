@@ -10,8 +10,8 @@ from lecture_judged import lecture_claims
 
 from gainproof.verify.judge.exact.expression import add, mul, neg, number, power, sqrt, symbol
 from gainproof.verify.judge.exact.expression_text import written
-from gainproof.verify.judge.explain import sections
-from gainproof.verify.judge.readable import readable
+from gainproof.verify.judge.explanation import sections
+from gainproof.verify.judge.readable_expression import readable
 
 
 @pytest.fixture(scope="module")

@@ -15,8 +15,8 @@ from small_claims import HEAD, check, judged
 
 from gainproof.verify.judge.claim.file import read_claim_text
 from gainproof.verify.judge.exact.expression import Expr, symbols_of
-from gainproof.verify.judge.exact.limits import Undecided
 from gainproof.verify.judge.exact.statement import Rel
+from gainproof.verify.judge.exact.work_limits import Undecided
 from gainproof.verify.judge.setting.environment import Environment
 from gainproof.verify.judge.setting.own_model import own_environment
 

@@ -10,9 +10,9 @@ from hypothesis import strategies as st
 from samples import samples
 
 from gainproof.verify.judge.exact.expression import Expr
-from gainproof.verify.judge.exact.graph import read_graph
+from gainproof.verify.judge.exact.expression_graph import read_graph
 from gainproof.verify.judge.exact.graph_writing import graph_of
-from gainproof.verify.judge.exact.limits import Limits, Malformed
+from gainproof.verify.judge.exact.work_limits import Limits, Malformed
 
 VALUE = {"value": 0}
 

@@ -10,9 +10,9 @@ from typing import Any
 import pytest
 from claim_texts import SOLVED
 
-from gainproof.verify.judge.choice import choose
 from gainproof.verify.judge.claim.file import read_claim_file, read_claim_text
 from gainproof.verify.judge.claim.record import Claim, Setting
+from gainproof.verify.judge.convention_choice import choose
 from gainproof.verify.judge.judge import judge_file
 from gainproof.verify.judge.trial import Trial, try_claim
 from gainproof.verify.judge.verdict import ClaimVerdict

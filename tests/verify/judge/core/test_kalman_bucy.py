@@ -18,7 +18,7 @@ from gainproof.verify.judge.claim.file import read_claim_text
 from gainproof.verify.judge.claim.record import ClaimFile
 from gainproof.verify.judge.exact.expression import Expr, walk
 from gainproof.verify.judge.exact.free_names import free_name
-from gainproof.verify.judge.hypothesis import settle
+from gainproof.verify.judge.hypotheses import settle
 from gainproof.verify.judge.judge import judge_file
 from gainproof.verify.judge.setting import kalman_bucy as module
 from gainproof.verify.judge.setting.environment import NotEstablished

@@ -9,7 +9,7 @@ import pytest
 from gainproof.verify.judge.exact.box import Box
 from gainproof.verify.judge.exact.expression import Expr, number, sqrt, symbol
 from gainproof.verify.judge.exact.limit import decide_limit
-from gainproof.verify.judge.exact.limits import Undecided
+from gainproof.verify.judge.exact.work_limits import Undecided
 
 x = symbol("x")
 POSITIVE = Box(lower=Fraction(0))

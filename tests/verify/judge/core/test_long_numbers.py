@@ -12,9 +12,9 @@ import mpmath
 import pytest
 from small_claims import check, judged
 
-from gainproof.verify.judge.exact.enclosure import enclosure, is_long, separated
-from gainproof.verify.judge.exact.limits import Undecided
+from gainproof.verify.judge.exact.ball_text import enclosure, is_long, separated
 from gainproof.verify.judge.exact.statement import Enclosure
+from gainproof.verify.judge.exact.work_limits import Undecided
 
 EXPONENTS = (138_000, 139_000, -139_000, 10**7, -(10**7) - 1, 10**12 + 7, -(10**15))
 

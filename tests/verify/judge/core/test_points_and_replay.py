@@ -13,10 +13,10 @@ from lecture_judged import lecture_claims
 from gainproof.verify.judge.exact.box import Box
 from gainproof.verify.judge.exact.decision import decide
 from gainproof.verify.judge.exact.expression import power, sqrt, symbol
-from gainproof.verify.judge.exact.limits import Undecided
-from gainproof.verify.judge.exact.points import failure_where
+from gainproof.verify.judge.exact.rational_points import failure_where
 from gainproof.verify.judge.exact.statement import Enclosure, Rel, Statement, Witness
-from gainproof.verify.judge.hypothesis import settle
+from gainproof.verify.judge.exact.work_limits import Undecided
+from gainproof.verify.judge.hypotheses import settle
 from gainproof.verify.judge.replay import replay, replay_json
 
 x, y = symbol("x"), symbol("y")

@@ -13,15 +13,15 @@ from one_of_each import further
 from gainproof.verify.judge.exact.calculus import roots_made_prime, substituted
 from gainproof.verify.judge.exact.constant_value import constant_value
 from gainproof.verify.judge.exact.expression import Expr, number, symbol
-from gainproof.verify.judge.exact.limits import Malformed, Undecided
-from gainproof.verify.judge.exact.local import Local
-from gainproof.verify.judge.exact.place import Place
+from gainproof.verify.judge.exact.places import Place
+from gainproof.verify.judge.exact.tower_at_place import Local
 from gainproof.verify.judge.exact.tower_building import build_tower
 from gainproof.verify.judge.exact.witness import value_ball
+from gainproof.verify.judge.exact.work_limits import Malformed, Undecided
 from gainproof.verify.judge.setting import steady_state as module
 from gainproof.verify.judge.setting.environment import DEVIATION, INDEX, INTERVAL, NotEstablished
-from gainproof.verify.judge.setting.factor import Factor
 from gainproof.verify.judge.setting.quantities import memory, steady_state
+from gainproof.verify.judge.setting.spectral_factor import Factor
 from gainproof.verify.judge.setting.stable_factor import stable_factor
 from gainproof.verify.judge.setting.three_states import SHARE
 from gainproof.verify.oracles import doubling, least_squares

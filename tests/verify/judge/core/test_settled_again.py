@@ -8,9 +8,9 @@ import pytest
 
 from gainproof.verify.judge.exact.box import Box
 from gainproof.verify.judge.exact.expression import Expr, number, power, sqrt, symbol
-from gainproof.verify.judge.exact.limits import Undecided
 from gainproof.verify.judge.exact.statement import Rel, Statement
-from gainproof.verify.judge.hypothesis import settle
+from gainproof.verify.judge.exact.work_limits import Undecided
+from gainproof.verify.judge.hypotheses import settle
 
 X, Y = symbol("x"), symbol("y")
 ABOVE_ONE, POSITIVE = Box(Fraction(1)), Box(Fraction(0))

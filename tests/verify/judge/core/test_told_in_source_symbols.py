@@ -14,13 +14,13 @@ from claim_texts import claim_file
 from one_of_each import further
 from scipy.linalg import solve_discrete_are
 
-from gainproof.verify.judge.exact.algebraic import Algebraic, rational_point
+from gainproof.verify.judge.exact.algebraic_numbers import Algebraic, rational_point
 from gainproof.verify.judge.exact.box import Box
 from gainproof.verify.judge.exact.expression import Expr, number, power, sqrt, symbol
-from gainproof.verify.judge.exact.image import image, images
-from gainproof.verify.judge.exact.limits import Undecided
-from gainproof.verify.judge.exact.place import Place
-from gainproof.verify.judge.exact.region import region_text
+from gainproof.verify.judge.exact.images import image, images
+from gainproof.verify.judge.exact.places import Place
+from gainproof.verify.judge.exact.region_text import region_text
+from gainproof.verify.judge.exact.work_limits import Undecided
 from gainproof.verify.judge.judge import judge_file
 from gainproof.verify.judge.setting.environment import Environment
 from gainproof.verify.judge.verdict import ClaimVerdict

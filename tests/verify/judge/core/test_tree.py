@@ -6,9 +6,9 @@ from typing import Any
 
 import pytest
 
-from gainproof.verify.judge.exact.graph import read_graph
-from gainproof.verify.judge.exact.limits import Limits, Malformed
-from gainproof.verify.judge.exact.tree import read_tree
+from gainproof.verify.judge.exact.expression_graph import read_graph
+from gainproof.verify.judge.exact.formula_tree import read_tree
+from gainproof.verify.judge.exact.work_limits import Limits, Malformed
 
 HALF: dict[str, Any] = {"nodes": [["number", "1/2"]], "outputs": {"value": 0}}
 

@@ -9,8 +9,8 @@ import pytest
 from gainproof.verify.judge.exact.box import Box
 from gainproof.verify.judge.exact.decision import decide
 from gainproof.verify.judge.exact.expression import Expr, number, power, sqrt, symbol
-from gainproof.verify.judge.exact.limits import Limits, Undecided
 from gainproof.verify.judge.exact.statement import Outcome, Rel, Statement
+from gainproof.verify.judge.exact.work_limits import Limits, Undecided
 
 x, y = symbol("x"), symbol("y")
 REAL, STATED = Box(stated=False), Box()

@@ -8,8 +8,8 @@ import pytest
 from small_claims import check, judged
 
 from gainproof.verify.judge.exact.expression import number, symbol
-from gainproof.verify.judge.exact.limits import Undecided
 from gainproof.verify.judge.exact.statement import Outcome, Rel, Statement
+from gainproof.verify.judge.exact.work_limits import Undecided
 from gainproof.verify.judge.kinds import equivalence
 from gainproof.verify.judge.verdict import Finding, of_parts
 

@@ -9,8 +9,8 @@ from small_claims import check, judged
 from gainproof.verify import check_answer
 from gainproof.verify.judge.answer_certificate import answer_certificate
 from gainproof.verify.judge.claim.record import SymbolEntry
-from gainproof.verify.judge.reader.latex import reading_to_latex
-from gainproof.verify.judge.reader.plain import reading_to_plain
+from gainproof.verify.judge.reader.latex_printer import reading_to_latex
+from gainproof.verify.judge.reader.plain_printer import reading_to_plain
 from gainproof.verify.judge.reader.reader import read_formula, read_plain
 
 EXACT = r"\begin{pmatrix} \frac{1}{3} & \sqrt{2} \\ -\frac{2}{7} & \frac{1}{1000} \end{pmatrix}"

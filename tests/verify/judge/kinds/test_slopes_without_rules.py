@@ -212,8 +212,8 @@ def test_drawn_functions_against_difference_quotients() -> None:
     [
         (r"SLOPE \leq \frac{9}{BELOW}", "inequality", "xy"),
         further(r"SLOPE \leq \frac{9}{BELOW}", "inequality", "xyz"),
-        further(r"SLOPE = \frac{2 x^3 BELOW}{ROOT BELOW}", "identity", "xy"),
-        (r"SLOPE = \frac{2 x^3 BELOW}{ROOT BELOW}", "identity", "xyz"),
+        (r"SLOPE = \frac{2 x^3 BELOW}{ROOT BELOW}", "identity", "xy"),
+        further(r"SLOPE = \frac{2 x^3 BELOW}{ROOT BELOW}", "identity", "xyz"),
         (r"x < 1 \implies SLOPE \leq \frac{9}{BELOW}", "implication", "xy"),
         further(r"x < 1 \implies SLOPE \leq \frac{9}{BELOW}", "implication", "xyz"),
     ],

@@ -11,7 +11,7 @@ import numpy as np
 import pytest
 from small_claims import check, judged
 
-from gainproof.verify.judge.exact.algebraic import real_roots
+from gainproof.verify.judge.exact.algebraic_numbers import real_roots
 from gainproof.verify.judge.exact.root_count import NumberField
 
 NEAR = 1e-7

@@ -54,9 +54,9 @@ def test_an_inverse_in_a_closed_definition_that_a_hypothesis_speaks_of(
 @pytest.mark.parametrize(("before", "after"), [("(Q + ", ")"), ("(I_n + ", ")^{-1}"), ("Q (", ")")])
 @pytest.mark.parametrize("relation", ["=", further("<")])
 def test_definitions_too_deep_inside_one_another(before: str, after: str, relation: str) -> None:
-    names = ["B", *(f"L_{{{n}}}" for n in range(1, 41))]
+    names = ["B", *(f"L_{{{n}}}" for n in range(1, 61))]
     lines = [
-        f"'{name}' = {{ definition = '{before * 12}{last}{after * 12}', meaning = 'deeper' }}"
+        f"'{name}' = {{ definition = '{before * 6}{last}{after * 6}', meaning = 'deeper' }}"
         for last, name in pairwise(names)
     ]
     kind = "identity" if relation == "=" else "inequality"

@@ -10,10 +10,10 @@ from matrix_claims import SYMBOLS, claim, judged_matrices, text_of
 
 from gainproof.verify.judge.claim.errors import ClaimFileError
 from gainproof.verify.judge.claim.file import read_claim_text
-from gainproof.verify.judge.matrices.cases import cases_of
 from gainproof.verify.judge.matrices.certificate import rejected
-from gainproof.verify.judge.matrices.layers import Layers
-from gainproof.verify.judge.matrices.macaulay import Budget, UnprovedError
+from gainproof.verify.judge.matrices.claim_directions import cases_of
+from gainproof.verify.judge.matrices.ideal_membership import Budget, UnprovedError
+from gainproof.verify.judge.matrices.layered_proof import Layers
 from gainproof.verify.judge.matrices.shapes import Shapes
 
 BAD_LETTERS = {

@@ -15,14 +15,14 @@ from one_of_each import further
 import gainproof.verify
 from gainproof.verify.judge.claim.file import read_claim_text
 from gainproof.verify.judge.claim.record import Claim
-from gainproof.verify.judge.matrices.cases import cases_of
-from gainproof.verify.judge.matrices.decide import decide
-from gainproof.verify.judge.matrices.layers import Proofs
-from gainproof.verify.judge.matrices.letter import MatrixClaim, MatrixSetting
+from gainproof.verify.judge.matrices.claim_directions import cases_of
+from gainproof.verify.judge.matrices.decision import decide
+from gainproof.verify.judge.matrices.layered_proof import Proofs
+from gainproof.verify.judge.matrices.letters import MatrixClaim, MatrixSetting
+from gainproof.verify.judge.matrices.misprints import slips
 from gainproof.verify.judge.matrices.reader import read_statement
 from gainproof.verify.judge.matrices.repair import repairs
 from gainproof.verify.judge.matrices.shapes import ShapeFault, Shapes
-from gainproof.verify.judge.matrices.slips import slips
 from gainproof.verify.judge.matrices.tree import Statement
 from gainproof.verify.judge.reader.errors import ReaderError
 

@@ -10,7 +10,7 @@ import pytest
 from samples import samples
 
 from gainproof.verify.judge.claim.file import read_claim_text
-from gainproof.verify.judge.matrices.decide import decide
+from gainproof.verify.judge.matrices.decision import decide
 from gainproof.verify.judge.verdict import Finding
 
 HEAD = """

@@ -9,9 +9,9 @@ from one_of_each import further
 from small_claims import check, judged
 
 from gainproof.verify.judge.exact.expression import add, number, power, sqrt, symbol
-from gainproof.verify.judge.exact.limits import Undecided
 from gainproof.verify.judge.exact.statement import Rel, Statement
-from gainproof.verify.judge.hypothesis import settle
+from gainproof.verify.judge.exact.work_limits import Undecided
+from gainproof.verify.judge.hypotheses import settle
 from gainproof.verify.judge.replay import replay
 
 SYMBOLS = {

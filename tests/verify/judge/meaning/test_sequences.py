@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 from small_claims import check, judged
 
-from gainproof.verify.judge.explain import sections
+from gainproof.verify.judge.explanation import sections
 
 NUMBER = "{ unit = '1', meaning = 'a term' }"
 SYMBOLS = {

@@ -11,8 +11,8 @@ from one_of_each import cases
 
 import gainproof.verify.claims
 from gainproof.verify.judge.claim.file import read_claim_text
-from gainproof.verify.judge.reader.latex import reading_to_latex
-from gainproof.verify.judge.reader.plain import reading_to_plain
+from gainproof.verify.judge.reader.latex_printer import reading_to_latex
+from gainproof.verify.judge.reader.plain_printer import reading_to_plain
 from gainproof.verify.judge.reader.reader import read_formula, read_plain
 
 FOLDER = Path(gainproof.verify.claims.__path__[0])

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 import pytest
 
 from gainproof.verify.judge.reader.errors import ReaderError
-from gainproof.verify.judge.reader.names import canonical_token
+from gainproof.verify.judge.reader.printed_names import canonical_token
 from gainproof.verify.judge.reader.reader import read_conditions, read_formula, read_plain
 
 

@@ -14,9 +14,9 @@ from hypothesis import strategies as st
 from samples import samples
 
 from gainproof.verify.judge.formula import Graph
-from gainproof.verify.judge.reader.latex import graph_to_latex
-from gainproof.verify.judge.reader.names import canonical_token
-from gainproof.verify.judge.reader.plain import graph_to_plain
+from gainproof.verify.judge.reader.latex_printer import graph_to_latex
+from gainproof.verify.judge.reader.plain_printer import graph_to_plain
+from gainproof.verify.judge.reader.printed_names import canonical_token
 from gainproof.verify.judge.reader.reader import read_expression
 from gainproof.verify.judge.reader.words import FUNCTION_WORDS
 

@@ -12,7 +12,7 @@ from declared import Declared
 
 from gainproof.verify.judge.formula import INFINITY, Relation
 from gainproof.verify.judge.reader.errors import ReaderError
-from gainproof.verify.judge.reader.names import canonical_token
+from gainproof.verify.judge.reader.printed_names import canonical_token
 from gainproof.verify.judge.reader.reader import read_expression, read_formula
 
 NUMBERS = r"a b c k n T x y \alpha \theta \sigma_v x_k^{-} \hat{x}_k(+) b_i b_1 b_2 b_n P(k|k-1)"

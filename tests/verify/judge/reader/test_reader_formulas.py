@@ -9,7 +9,7 @@ from typing import Any
 import pytest
 
 from gainproof.verify.judge.formula import INFINITY, MINUS_INFINITY, Relation
-from gainproof.verify.judge.reader.names import canonical_token
+from gainproof.verify.judge.reader.printed_names import canonical_token
 from gainproof.verify.judge.reader.reader import read_conditions, read_expression, read_formula
 
 

@@ -15,7 +15,7 @@ from reader_fuzz import check_input, random_text, read_or_refuse
 from samples import samples
 
 from gainproof.verify.judge.reader.errors import ReaderError
-from gainproof.verify.judge.reader.limits import MOST_CHARACTERS
+from gainproof.verify.judge.reader.formula_limits import MOST_CHARACTERS
 from gainproof.verify.judge.reader.reader import read_formula
 
 INPUTS = 1_000

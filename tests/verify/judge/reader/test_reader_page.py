@@ -11,9 +11,9 @@ import pytest
 from declared import Declared
 
 from gainproof.verify.judge.reader.errors import ReaderError
-from gainproof.verify.judge.reader.latex import reading_to_latex
-from gainproof.verify.judge.reader.names import canonical_token
-from gainproof.verify.judge.reader.plain import reading_to_plain
+from gainproof.verify.judge.reader.latex_printer import reading_to_latex
+from gainproof.verify.judge.reader.plain_printer import reading_to_plain
+from gainproof.verify.judge.reader.printed_names import canonical_token
 from gainproof.verify.judge.reader.reader import read_formula, read_plain
 from gainproof.verify.judge.reader.source_code import PREFIXES, SAME
 from gainproof.verify.judge.reader.words import FUNCTION_COMMANDS, FUNCTION_WORDS, PLAIN_FORMS

@@ -14,8 +14,8 @@ from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 from samples import samples
 
-from gainproof.verify.judge.reader.latex import graph_to_latex, reading_to_latex
-from gainproof.verify.judge.reader.names import canonical_token
+from gainproof.verify.judge.reader.latex_printer import graph_to_latex, reading_to_latex
+from gainproof.verify.judge.reader.printed_names import canonical_token
 from gainproof.verify.judge.reader.reader import read_expression, read_formula
 
 

@@ -8,10 +8,14 @@ import pytest
 from claim_texts import algebra, claim_file, judged, steady
 
 from gainproof.verify.judge.judge import judge_file
-from gainproof.verify.judge.reader.names import canonical_token
+from gainproof.verify.judge.reader.printed_names import canonical_token
 from gainproof.verify.judge.reader.reader import read_formula
-from gainproof.verify.judge.repair.printed import printed
-from gainproof.verify.judge.repair.senseless import is_more_senseless, lacks_more, senseless_parts
+from gainproof.verify.judge.repair.printed_formula import printed
+from gainproof.verify.judge.repair.senseless_parts import (
+    is_more_senseless,
+    lacks_more,
+    senseless_parts,
+)
 
 RV, RA = steady("random-velocity"), steady("random-acceleration")
 LENGTHS = algebra(

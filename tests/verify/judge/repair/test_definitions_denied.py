@@ -7,9 +7,9 @@ from claim_texts import MODELS, algebra, claim_file, judged
 
 from gainproof.verify.judge.claim.record import Claim, Setting
 from gainproof.verify.judge.convention import Convention, conventions
-from gainproof.verify.judge.repair import chained, definition
-from gainproof.verify.judge.repair.definition_points import FAR_POINTS, far_points
-from gainproof.verify.judge.repair.printed import printed
+from gainproof.verify.judge.repair import definition, definition_chains
+from gainproof.verify.judge.repair.definition import FAR_POINTS, far_points
+from gainproof.verify.judge.repair.printed_formula import printed
 from gainproof.verify.judge.repair.proof import standing
 from gainproof.verify.judge.scope import Scope
 from gainproof.verify.judge.setting.environment import Environment
@@ -47,10 +47,10 @@ def test_equivalence_holds_where_both_parts_do_or_neither(body: str, denied: boo
     convention = next(iter(conventions(found.settings["s"], MODELS, {})))
     assert isinstance(convention, Convention)
     scope = Scope(convention.setting, convention.environment)
-    bodies = chained.printed_bodies(convention.setting)
+    bodies = definition_chains.printed_bodies(convention.setting)
     points = {"c0": far_points(found.claims[0], "g", convention)}
     assert len(points["c0"]) == FAR_POINTS
-    chain = chained.Chain("g", found.claims, points, scope, bodies)
+    chain = definition_chains.Chain("g", found.claims, points, scope, bodies)
     read = claim_file(BOUNDED, [("identity", f"g = {body}")]).claims[0].formula
     assert read is not None
     side = printed(read.readings[0]).sides[1]

@@ -22,7 +22,7 @@ from gainproof.verify.judge.claim.record import ClaimFile
 from gainproof.verify.judge.formula import Formula, Reading
 from gainproof.verify.judge.formula import Relation as Printed
 from gainproof.verify.judge.judge import judge_file
-from gainproof.verify.judge.reader.latex import reading_to_latex
+from gainproof.verify.judge.reader.latex_printer import reading_to_latex
 from gainproof.verify.judge.reader.reader import read_formula
 from gainproof.verify.judge.verdict import ClaimVerdict
 

@@ -10,14 +10,14 @@ from claim_texts import MODELS, algebra, claim_file, judged, memory, steady
 from gainproof.verify.judge.claim.record import Claim, Setting
 from gainproof.verify.judge.convention import Convention, conventions
 from gainproof.verify.judge.exact.expression import Expr
-from gainproof.verify.judge.repair import chained
-from gainproof.verify.judge.repair.catalogue import changes
+from gainproof.verify.judge.repair import definition_chains
 from gainproof.verify.judge.repair.definition import definition_task
-from gainproof.verify.judge.repair.edit import LARGE, PLAIN, SLIGHT
-from gainproof.verify.judge.repair.points import free_points, generic_points
-from gainproof.verify.judge.repair.printed import printed
-from gainproof.verify.judge.repair.table import sample_numbers, table_of
-from gainproof.verify.judge.repair.values import Values, truth
+from gainproof.verify.judge.repair.edits import LARGE, PLAIN, SLIGHT
+from gainproof.verify.judge.repair.exchanged_symbols import sample_numbers, table_of
+from gainproof.verify.judge.repair.formula_values import Values, truth
+from gainproof.verify.judge.repair.generic_points import free_points, generic_points
+from gainproof.verify.judge.repair.printed_formula import printed
+from gainproof.verify.judge.repair.single_changes import changes
 from gainproof.verify.judge.scope import Scope
 
 CHAIN = algebra(
@@ -110,7 +110,7 @@ def test_what_a_changed_definition_reaches_not_is_known(token: str) -> None:
         for name in "abcd":
             fresh.symbol(name)
         points[claim.id] = free_points(claim, claim.formula.readings[0].conditions, fresh, 2)
-    bodies = chained.printed_bodies(setting)
+    bodies = definition_chains.printed_bodies(setting)
     definition = setting.symbols[token].definition
     assert definition is not None
     formula = printed(definition.readings[0])
@@ -130,7 +130,7 @@ def test_what_a_changed_definition_reaches_not_is_known(token: str) -> None:
 
     several = 0
     for chosen in (found.claims[:1], found.claims[1:2], found.claims[:2], found.claims[2:]):
-        chain = chained.Chain(token, chosen, points, scope, bodies)
+        chain = definition_chains.Chain(token, chosen, points, scope, bodies)
         for body in tried:
             all_found = [one for claim in chosen for one in afresh(claim, body)]
             expected = False not in all_found and True in all_found

@@ -8,11 +8,11 @@ import pytest
 from claim_texts import MODELS, algebra, claim_file, judged, steady
 
 from gainproof.verify.judge.convention import Convention, conventions
-from gainproof.verify.judge.reader.names import canonical_token
+from gainproof.verify.judge.reader.printed_names import canonical_token
 from gainproof.verify.judge.reader.reader import read_formula
-from gainproof.verify.judge.repair.printed import printed
+from gainproof.verify.judge.repair.printed_formula import printed
 from gainproof.verify.judge.repair.proof import is_of_use, is_proved
-from gainproof.verify.judge.repair.senseless import is_more_senseless, senseless_parts
+from gainproof.verify.judge.repair.senseless_parts import is_more_senseless, senseless_parts
 from gainproof.verify.judge.verdict import ClaimVerdict
 
 RV = steady("random-velocity")

@@ -9,10 +9,10 @@ from claim_texts import MODELS, algebra, claim_file, judged, memory, steady
 
 from gainproof.verify.judge.convention import Convention, conventions
 from gainproof.verify.judge.reader.reader import read_formula
-from gainproof.verify.judge.repair.points import free_points
-from gainproof.verify.judge.repair.printed import printed
-from gainproof.verify.judge.repair.trivial import OffTheModel
-from gainproof.verify.judge.repair.values import Values, values_at
+from gainproof.verify.judge.repair.formula_values import Values, values_at
+from gainproof.verify.judge.repair.generic_points import free_points
+from gainproof.verify.judge.repair.printed_formula import printed
+from gainproof.verify.judge.repair.trivial_formulas import OffTheModel
 from gainproof.verify.judge.scope import Scope
 
 

@@ -1,0 +1,1 @@
+"""Steady states of models in numbers, with proved errors (`gainproof steady`)."""

@@ -1,0 +1,124 @@
+"""A steady state as a page for people."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Iterator, Mapping, Sequence
+from fractions import Fraction
+from math import ceil, floor, log10
+
+from gainproof.steady.state import Enclosed, Sample, SteadyState
+from gainproof.terminal_text import filled
+from gainproof.terminal_text import width as columns
+from gainproof.verify.enclosure.poles import Pole
+from gainproof.verify.judge.claim.model_file import Component, ModelFile
+from gainproof.verify.judge.claim.units import unit_text_of
+
+MOST_DIGITS, LEAST_DIGITS = 16, 5
+DECIDED = "decided by `python -m gainproof.verify.check_enclosure`, or a copy of it"
+
+
+def page(
+    model: ModelFile,
+    values: Mapping[str, Fraction],
+    found: SteadyState,
+    written: str | None = None,
+) -> str:
+    """The whole page; `written` is the file of the certificate, if there is one."""
+    width = columns()
+    lines = [_title(model, values)]
+    states = [_with_unit(c) for c in model.states]
+    measured = [c.name for c in model.measurements]
+    across = [c.name for c in model.states]
+    for heading, matrix, head in (
+        ("filter gain", found.filter_gain, measured),
+        ("predictor gain", found.predictor_gain, measured),
+        ("predicted covariance", found.predicted_covariance, across),
+        ("updated covariance", found.updated_covariance, across),
+    ):
+        lines += ["", heading, *_table(matrix, states, head, width)]
+    lines += ["", "poles", *(f"  {_pole(pole)}" for pole in found.poles), ""]
+    size = len(json.dumps(found.certificate))
+    said = f"written to {written}" if written else "written with --certificate FILE"
+    lines += filled(
+        "Proved: a true value differs from that shown here by no more than its row's last column "
+        "and the rounding of its last digit; --json has all digits and errors. The certificate, "
+        f"{size} bytes, is {said} and {DECIDED}.",
+        columns=width,
+    )
+    return "\n".join(lines)
+
+
+def samples_page(model: ModelFile, values: Mapping[str, Fraction], found: Sequence[Sample]) -> str:
+    """The gains of the first samples, one a row."""
+    one = len(model.measurements) == 1
+    head = [
+        x.name if one else f"{x.name}, {z.name}" for x in model.states for z in model.measurements
+    ]
+    gains = Enclosed(
+        tuple(sum(each.filter_gain.values, ()) for each in found),
+        tuple(sum(each.filter_gain.errors, ()) for each in found),
+        (),
+        (),
+    )
+    names = [str(k) for k in range(1, len(found) + 1)]
+    lines = [_title(model, values), "", "filter gain, sample by sample"]
+    return "\n".join([*lines, *_table(gains, names, head, columns())])
+
+
+def _title(model: ModelFile, values: Mapping[str, Fraction]) -> str:
+    said = ", ".join(f"{token} = {_short(x)}" for token, x in values.items())
+    return f"{model.title}{f', at {said}' if said else ''}"
+
+
+def _short(x: Fraction) -> str:
+    exact = str(x)
+    return exact if len(exact) <= 8 or Fraction(repr(float(x))) != x else repr(float(x))
+
+
+def _with_unit(component: Component) -> str:
+    unit = "" if component.unit is None else unit_text_of(component.unit)
+    return component.name if unit in ("", "1") else f"{component.name} [{unit}]"
+
+
+def _table(
+    matrix: Enclosed, names: Sequence[str], head: Sequence[str], width: int
+) -> Iterator[str]:
+    """With as many digits as the width has room for, and in several pieces where it has none."""
+    name = max(map(len, names))
+    errors = [f"+- {_upwards(max(row))}" if any(row) else "exact" for row in matrix.errors]
+    for digits in range(MOST_DIGITS, LEAST_DIGITS - 1, -1):
+        cells = [[_cell(x, digits) for x in row] for row in matrix.values]
+        wide = max(len(cell) for row in (*cells, list(head)) for cell in row) + 2
+        room = (width - name - 2 - max(map(len, errors)) - 2) // wide
+        if room >= len(head):
+            break
+    room = max(room, 1)
+    for start in range(0, len(head), room):
+        yield " " * (name + 2) + "".join(f"{x:>{wide}}" for x in head[start : start + room])
+        for label, row, error in zip(names, cells, errors, strict=True):
+            shown = "".join(f"{x:>{wide}}" for x in row[start : start + room])
+            yield f"  {label:<{name}}{shown}  {error}"
+
+
+def _cell(x: float, digits: int) -> str:
+    return f"{x:.{digits}g}"
+
+
+def _upwards(x: float) -> str:
+    """One digit, rounded up."""
+    power = floor(log10(x))
+    digit = ceil(Fraction(x) / Fraction(10) ** power)
+    return f"{digit}e{power:+03d}" if digit < 10 else f"1e{power + 1:+03d}"
+
+
+def _pole(pole: Pole) -> str:
+    z = pole.centre
+    shown = (
+        f"{z.real:.12g}"
+        if not z.imag
+        else f"{z.real:.12g} {'+' if z.imag > 0 else '-'} {abs(z.imag):.12g}i"
+    )
+    if pole.count > 1:
+        return f"{pole.count} within {_upwards(pole.radius)} of {shown}"
+    return shown if not pole.radius else f"{shown}  +- {_upwards(pole.radius)}"
