@@ -351,7 +351,7 @@ def test_any_call_ends_as_it_does_in_numpy(
 ) -> None:
     there = importlib.import_module(f"{PACKAGE}._compiled")
     monkeypatch.setattr(there, "PIECE", 700)
-    monkeypatch.setattr(there, "BLOCK", 50)
+    monkeypatch.setattr(there, "BLOCK", 500)
     for seed in range(samples(100)):
         said = [
             outcome(getattr(module, kernel), *one_call(kernel, np.random.default_rng(seed)))

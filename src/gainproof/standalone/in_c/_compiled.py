@@ -1,8 +1,9 @@
 """The kernels in C, bit for bit NumPy's, where `compile` beside this file was run.
 
-Arrays in one piece, and numbers beside them, are looked at and computed by functions of a library.
-What these refuse, and all other shapes, are for NumPy's guards and blocks, which have the messages;
-there only what is computed for a block is computed in C. Without a library nothing changes.
+Arrays in one piece, and numbers beside them, are looked at and computed by functions of a library;
+what lies otherwise too, of a copy, where it is no more than a block. What these refuse and all else
+is for NumPy's guards and blocks, which have the messages; there only what is computed for a block
+is computed in C. Without a library nothing changes.
 """
 
 from __future__ import annotations
@@ -29,7 +30,7 @@ if TYPE_CHECKING:
     from numpy.typing import ArrayLike
 
     from gainproof.generated._blocks import Span
-    from gainproof.generated._signature import Arrays, Block, Real, Signature
+    from gainproof.generated._signature import Array, Arrays, Block, Real, Signature
 
 Function: TypeAlias = Callable[..., int]
 
@@ -117,8 +118,13 @@ def in_c(block: Block, double: Function | None, single: Function | None) -> Comp
     def whole(inputs: Arrays, results: Arrays, fresh: bool, workers: int) -> bool:
         size, kind = results[0].size, results[0].dtype
         function = single if kind == np.float32 else double
-        laid = _laid(inputs, results) if function and size else None
-        if function is None or laid is None or not (fresh or _apart(laid, len(inputs))):
+        if function is None or not size:
+            return False
+        laid = _laid(inputs, results, fresh)
+        if laid is None and size <= BLOCK:
+            inputs = [_copied(x, results[0]) for x in inputs]
+            laid = _laid(inputs, results, fresh)
+        if laid is None:
             return False
         length = max(BLOCK, min(PIECE, -(-size // workers)))
         if size <= length:
@@ -146,7 +152,7 @@ def in_c(block: Block, double: Function | None, single: Function | None) -> Comp
 
     def block_in_c(given: Arrays, out: Arrays, work: Arrays, is_single: bool) -> None:
         function = single if is_single else double
-        laid = _laid(given, out) if function else None
+        laid = _laid(given, out, True) if function else None
         # C knows no numbers across their natural places
         if function is None or laid is None:
             block(given, out, work, is_single)
@@ -166,8 +172,10 @@ class Laid(NamedTuple):
     lengths: list[int]
 
 
-def _laid(inputs: Arrays, outputs: Arrays) -> Laid | None:
-    """None where an array is not in one piece, or is neither one number nor as long as outputs."""
+def _laid(inputs: Arrays, outputs: Arrays, apart: bool) -> Laid | None:
+    """None where an array is not in one piece, or is neither one number nor as long as outputs, or
+    where an input shares memory with an output; `apart`: none does.
+    """
     size, own = outputs[0].size, 0
     arrays = (*inputs, *outputs)
     for place, x in enumerate(inputs):
@@ -177,17 +185,20 @@ def _laid(inputs: Arrays, outputs: Arrays) -> Laid | None:
             return None
     if any(x.flags.num & IN_ONE_PIECE != IN_ONE_PIECE for x in arrays):
         return None
-    return Laid(own, [x.ctypes.data for x in arrays], [x.nbytes for x in arrays])
-
-
-def _apart(laid: Laid, count: int) -> bool:
-    """Whether none of so many inputs shares memory with an output."""
+    laid = Laid(own, [x.ctypes.data for x in arrays], [x.nbytes for x in arrays])
+    if apart:
+        return laid
     ranges = list(zip(laid.places, laid.lengths, strict=True))
-    return not any(
-        x < y + filled and y < x + read
-        for x, read in ranges[:count]
-        for y, filled in ranges[count:]
-    )
+    read, filled = ranges[: len(inputs)], ranges[len(inputs) :]
+    shared = any(x < y + m and y < x + n for x, n in read for y, m in filled)
+    return None if shared else laid
+
+
+def _copied(x: Array, output: Array) -> Array:
+    """An input with an element for each of the output's."""
+    own: Array = np.empty(output.shape, x.dtype)
+    own[...] = x
+    return own
 
 
 @cache
