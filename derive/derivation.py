@@ -6,6 +6,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import Any
 
+from gainproof.derive.printer.graph import Graph
 from gainproof.derive.relation import Relation
 
 
@@ -43,6 +44,34 @@ def joined(
 ) -> Step:
     """A step that is shown with the one before it and shares its sentence and reason."""
     return Step(name, "", relation, "", tower, hint or {}, joins=True)
+
+
+def kernel_step(
+    kernel: str,
+    graph: Graph,
+    outputs: Mapping[str, Any],
+    tower: str = "main",
+    name: str = "",
+    nodes: Mapping[str, Any] | None = None,
+    **hint: Any,
+) -> Step:
+    """That the outputs of a kernel's graph are what they stand for, checked and not shown.
+
+    `name`: in the id that of the kernel, unless several steps are on one. `nodes`: what nodes of
+    the graph stand for besides, by number. `hint`: roots, branches and gaps of named nodes, see
+    `algebra.evidence`.
+    """
+    return Step(
+        f"kernel-{name or kernel}".replace("_", "-"),
+        f"The kernel {kernel} computes what it says.",
+        Relation(
+            "program", {"program": kernel, "outputs": outputs} | ({"nodes": nodes} if nodes else {})
+        ),
+        "Evaluate the kernel's graph as rational functions of the tower.",
+        tower,
+        {"graph": graph, **hint},
+        shown=False,
+    )
 
 
 @dataclass(frozen=True)

@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Callable, Collection, Iterator, Mapping
 from dataclasses import dataclass, field
-from typing import Any, Protocol
+from types import MappingProxyType
+from typing import TYPE_CHECKING, Any, Protocol
 
 import sympy as sp
 
@@ -14,9 +15,12 @@ from gainproof.derive.algebra.positive_forms import NoPlainSign
 from gainproof.derive.algebra.tower import NoValue, Tower
 from gainproof.derive.derivation import Derivation, PageError, Step
 from gainproof.derive.model import ScaledModel
-from gainproof.derive.printer.graph import Graph
+from gainproof.derive.printer.graph import Graph, symbols_of
 from gainproof.derive.printer.kernel import Kernel, Module
 from gainproof.derive.sensors.algebraic_graphs import algebraic
+
+if TYPE_CHECKING:
+    from gainproof.derive.pages.derivation import Written
 
 FORMAT = "gainproof certificate 1"
 
@@ -141,6 +145,36 @@ class Subject:
                 if claim["kind"] == "program":
                     found |= set(self.programs[claim["claim"]["program"]].inputs.values())
         return found
+
+
+def page_subject(
+    name: str,
+    page: Written,
+    module: Module,
+    graphs: Mapping[str, Graph],
+    sources: tuple[str, ...],
+    latex: Mapping[str, str] = MappingProxyType({}),
+    symbols: Mapping[str, str] = MappingProxyType({}),
+) -> Subject:
+    """The subject of a page without a model, with what certificates hold of its kernels' graphs.
+
+    `latex`: of names that are no letters. `symbols`: what inputs of kernels stand for that have
+    another name.
+    """
+    return Subject(
+        name=name,
+        title=page.title,
+        model=None,
+        derivation=Derivation(page.opening, page.steps, sources, {**page.latex, **latex}),
+        towers=page.towers,
+        programs={
+            kernel: Program({x: symbols.get(x, x) for x in symbols_of(graph)}, graph)
+            for kernel, graph in graphs.items()
+        },
+        module=module,
+        textbook=dict,
+        settings=page.settings,
+    )
 
 
 def _texts(value: Any) -> Iterator[str]:

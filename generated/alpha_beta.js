@@ -10,8 +10,8 @@
       if (!within(alpha, 1e-30, 0.9999999)) refuse("closed_loop_poles", "alpha", "a number at least 1e-30 and at most 0.9999999, in float32 at least 1e-12 and at most 0.999999", alpha);
       if (!within(beta, 1e-30, 1.9999999)) refuse("closed_loop_poles", "beta", "a number at least 1e-30 and at most 1.9999999, in float32 at least 1e-12 and at most 1.999999", beta);
       const t3 = 1.0 - alpha;
-      const t5 = alpha + beta;
-      const t6 = t5 * 0.5;
+      const t4 = alpha + beta;
+      const t6 = t4 * 0.5;
       const t8 = t6 * t6;
       const half_sum_difference = 1.0 - t6;
       const quarter_discriminant_difference = t8 - beta;

@@ -1172,8 +1172,8 @@ def _closed_loop_poles_block(
     half_sum, modulus, quarter_discriminant = out
     w0, w1, w2 = work
     t3 = subtract(n0, alpha, w0)
-    t5 = add(alpha, beta, w1)
-    t6 = multiply(t5, n1, w1)
+    t4 = add(alpha, beta, w1)
+    t6 = multiply(t4, n1, w1)
     t8 = square(t6, w2)
     subtract(n0, t6, half_sum)
     subtract(t8, beta, quarter_discriminant)

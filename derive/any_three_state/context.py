@@ -9,24 +9,14 @@ from gainproof.derive.algebra.leading_elements import Edge
 from gainproof.derive.algebra.tower import Tower
 from gainproof.derive.any_three_state.basis import Basis, symbolic_basis
 from gainproof.derive.any_three_state.model_numbers import Shape
-from gainproof.derive.any_three_state.names import LATEX
 from gainproof.derive.any_three_state.quantities import Quantities
 from gainproof.derive.any_three_state.towers import edges, main_tower
-from gainproof.derive.any_two_state.names import ODDS
-from gainproof.derive.model import Model, ScaledModel
+from gainproof.derive.any_two_state.context import MeasuredContext
 
 
 @dataclass(frozen=True)
-class Context:
-    """A model with its scaled shape; tower, forms and both ends of the index are made once."""
-
-    original: Model
-    shape: Shape
-
-    @property
-    def model(self) -> ScaledModel:
-        """The scaled model."""
-        return self.shape.model
+class Context(MeasuredContext[Shape]):
+    """One of three states; tower, forms and both ends of the index are made once."""
 
     @cached_property
     def tower(self) -> Tower:
@@ -47,13 +37,3 @@ class Context:
     def edges(self) -> tuple[Edge, Edge]:
         """Small and large index. Raises NoLeadingTerm."""
         return edges(self.shape, self.tower)
-
-    def latex(self) -> dict[str, str]:
-        """LaTeX of all symbols, the model's own included."""
-        own = {quantity.name: quantity.latex for quantity in self.original.quantities}
-        for entry in self.original.parameters:
-            name = entry.quantity.name
-            own[name] = entry.quantity.latex
-            if entry.below_one:
-                own[f"{name}{ODDS}"] = rf"x_{{{entry.quantity.latex}}}"
-        return {**LATEX, **own}

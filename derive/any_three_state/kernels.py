@@ -12,28 +12,16 @@ from gainproof.derive.any_three_state.basis import Basis, symbolic_basis
 from gainproof.derive.any_three_state.model_numbers import Shape
 from gainproof.derive.any_three_state.quantities import ValuesOf
 from gainproof.derive.any_two_state.kernel_numbers import Numbers
-from gainproof.derive.any_two_state.kernels import SCALE, Made, difference, plain_root
+from gainproof.derive.any_two_state.kernels import Made, graph_of, plain_root
 from gainproof.derive.printer.graph import GraphBuilder, Node
 from gainproof.derive.printer.nested_roots import nested_fixed_point
 
 
 def made(shape: Shape, parts: ValuesOf) -> Made:
-    """The graph. Raises ModelError, naming the reason, where a form is not found.
-
-    Outputs that vanish for every index are left out.
-    """
+    """The graph. Raises ModelError, naming the reason, where a form is not found."""
     builder = GraphBuilder()
     basis, names = graph_basis(builder, shape)
-    outputs: dict[str, Any] = {}
-    scales: dict[str, Any] = {}
-    for name, value in parts(basis).items():
-        if value.is_zero:
-            continue
-        outputs[name] = value.value
-        if value.cancels:
-            names[difference(name)] = outputs[name]
-            scales[name + SCALE] = value.scale
-    return Made(builder.graph(outputs | scales, names), parts(symbolic_basis(shape)))
+    return graph_of(builder, names, parts(basis), parts(symbolic_basis(shape)))
 
 
 def graph_basis(builder: GraphBuilder, shape: Shape) -> tuple[Basis, dict[str, Node]]:

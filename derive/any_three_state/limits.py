@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from functools import partial
 
 import sympy as sp
 
@@ -13,11 +14,11 @@ from gainproof.derive.any_three_state import derivatives
 from gainproof.derive.any_three_state.context import Context
 from gainproof.derive.any_three_state.names import DEVIATION, GAINS, INDEX, ROOT
 from gainproof.derive.any_three_state.towers import powers_of_root, variable
-from gainproof.derive.any_two_state.limits import first_leading, known_limit
+from gainproof.derive.any_two_state.limits import leading_limit
 from gainproof.derive.any_two_state.signed_values import Signed
-from gainproof.derive.derivation import Step, joined
+from gainproof.derive.derivation import Step
 from gainproof.derive.expression import real
-from gainproof.derive.relation import increasing_onto, limit
+from gainproof.derive.relation import increasing_onto
 
 
 def limit_steps(c: Context) -> Mapping[str, list[Step]]:
@@ -33,28 +34,10 @@ def limit_steps(c: Context) -> Mapping[str, list[Step]]:
     found = {}
     for edge, word in zip(ends, ("small", "large"), strict=True):
         named = {**values, DEVIATION.name: Signed()} if word == "large" else values
-        group = (_limit(c, edge, word, name, value) for name, value in named.items())
+        ways = variable(c.shape)[0], partial(_power, c), partial(_value, c)
+        group = (leading_limit(c.tower, edge, name, form, *ways) for name, form in named.items())
         found[f"{word}-index"] = [step for step in group if step is not None]
     return {**found, "range": _range(c, ends)}
-
-
-def _limit(c: Context, edge: Edge, word: str, name: str, form: Signed) -> Step | None:
-    """The limit of a quantity over its leading power of the index."""
-    point = {"small": "0", "large": "infinity"}[word]
-    fractions = [c.tower.elements[name]]
-    if not form.is_zero and not form.cancels:
-        fractions.append(c.tower.fraction(form.value))
-    found = first_leading(edge, fractions)
-    if found is None or not known_limit(edge, found[0].coefficient):
-        return None
-    leading, needed = found
-    power = _power(c, leading.order)
-    hint: dict[str, object] = {"ends": {point: edge.end}}
-    if needed:
-        hint["limit_form"] = form.value / power
-    value = _value(c, leading.coefficient)
-    relation = limit(real(name) / power, point, value, variable(c.shape)[0])
-    return joined(f"{word}-{name.replace('_', '-')}", relation, hint=hint)
 
 
 def _power(c: Context, order: int) -> sp.Expr:

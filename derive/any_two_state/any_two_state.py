@@ -10,13 +10,12 @@ from gainproof.derive.any_two_state.module import module_of
 from gainproof.derive.any_two_state.names import LATEX
 from gainproof.derive.any_two_state.page_slots import given
 from gainproof.derive.any_two_state.programs import kernel_steps
-from gainproof.derive.any_two_state.proved_module import require_kernels
+from gainproof.derive.any_two_state.proved_module import measured_subject, require_kernels
 from gainproof.derive.any_two_state.scaling import scale_free
 from gainproof.derive.any_two_state.towers import known_roots
-from gainproof.derive.derivation import Derivation
 from gainproof.derive.model import Model, ModelError
 from gainproof.derive.pages.derivation import FOLDER, written
-from gainproof.derive.subject import Program, Subject
+from gainproof.derive.subject import Subject
 
 PAGE = "first-measured-two-states"
 
@@ -33,16 +32,4 @@ def derive_any_two_state(model: Model, folder: Path = FOLDER) -> Subject:
     found = module_of(c)
     require_kernels(found, model)
     page = written(PAGE, given(c, kernel_steps(known_roots(c.shape), found)), folder)
-    return Subject(
-        name=model.name,
-        title=model.title,
-        model=c.model,
-        derivation=Derivation(page.opening, page.steps, (), {**LATEX, **c.latex()}),
-        towers={"main": c.tower},
-        programs={
-            name: Program({entry.name: entry.name for entry in kernel.inputs}, kernel.graph)
-            for name, kernel in ((entry.name, entry) for entry in found.module.kernels)
-        },
-        module=found.module,
-        textbook=dict,
-    )
+    return measured_subject(c, found, page, LATEX)

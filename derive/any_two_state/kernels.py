@@ -40,23 +40,30 @@ class Made:
 
 
 def made(shape: Shape, parts: FormsOf) -> Made:
-    """The graph. Raises ModelError, naming the reason, where a form is not found.
-
-    Outputs that vanish for every index are left out.
-    """
+    """The graph. Raises ModelError, naming the reason, where a form is not found."""
     builder = GraphBuilder()
     basis, names = graph_basis(builder, shape)
+    return graph_of(builder, names, parts(basis), parts(symbolic_basis(shape)))
+
+
+def graph_of(
+    builder: GraphBuilder,
+    names: Mapping[str, Node],
+    values: Mapping[str, Signed],
+    symbolic: Mapping[str, Signed],
+) -> Made:
+    """The graph of nodes as values, and what they stand for; values that vanish are left out."""
     outputs: dict[str, Any] = {}
     scales: dict[str, Any] = {}
-    for name, value in parts(basis).items():
+    named = dict(names)
+    for name, value in values.items():
         if value.is_zero:
             continue
         outputs[name] = value.value
         if value.cancels:
-            names[difference(name)] = outputs[name]
+            named[difference(name)] = outputs[name]
             scales[name + SCALE] = value.scale
-    symbolic = parts(symbolic_basis(shape))
-    return Made(builder.graph(outputs | scales, names), symbolic)
+    return Made(builder.graph(outputs | scales, named), symbolic)
 
 
 def difference(output: str) -> str:

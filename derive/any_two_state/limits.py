@@ -2,14 +2,15 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
+from functools import partial
 
 import sympy as sp
 
 from gainproof.derive.algebra.derivative import by
 from gainproof.derive.algebra.leading_elements import Edge, Leading, NoLeadingTerm
 from gainproof.derive.algebra.positive_forms import NoPlainSign, nonnegative_form
-from gainproof.derive.algebra.tower import Fraction
+from gainproof.derive.algebra.tower import Fraction, Tower
 from gainproof.derive.any_two_state import covariance_forms, derivatives, forms
 from gainproof.derive.any_two_state.context import Context
 from gainproof.derive.any_two_state.names import ALPHA, DEVIATION, INDEX, ROOT
@@ -27,36 +28,46 @@ def limit_steps(c: Context) -> Mapping[str, list[Step]]:
         small, large = c.edges
     except NoLeadingTerm:
         return {"small-index": [], "large-index": [], "range": []}
-    values: dict[str, Signed | None] = {
+    values = {
         **forms.gains(c.basis),
         "predicted_11": Signed(forms.variance_excess(c.basis)),
         "updated_22": covariance_forms.updated_22(c.basis),
     }
     found = {}
-    for edge, word, point in ((small, "small", "0"), (large, "large", "infinity")):
-        named = {DEVIATION.name: None, **values} if edge.at_infinity else values
-        group = (_limit(c, edge, (word, point), name, value) for name, value in named.items())
+    for edge, word in ((small, "small"), (large, "large")):
+        named = {DEVIATION.name: Signed(), **values} if edge.at_infinity else values
+        ways = variable(c.shape)[0], partial(_power, c), partial(_value, c)
+        group = (leading_limit(c.tower, edge, name, form, *ways) for name, form in named.items())
         found[f"{word}-index"] = [step for step in group if step is not None]
     return {**found, "range": _range(c, (small, large))}
 
 
-def _limit(
-    c: Context, edge: Edge, end: tuple[str, str], name: str, form: Signed | None
+def leading_limit(
+    tower: Tower,
+    edge: Edge,
+    name: str,
+    form: Signed,
+    parameter: str,
+    power: Callable[[int], sp.Expr],
+    value: Callable[[sp.Expr], sp.Expr],
 ) -> Step | None:
-    """The limit of a quantity over its leading power of the index."""
-    word, point = end
-    fractions = [c.tower.elements[name]]
-    if form is not None and not form.is_zero and not form.cancels:
-        fractions.append(c.tower.fraction(form.value))
+    """The limit of a quantity over its leading power of the index; nothing where it is not known.
+
+    `power`: of the parameter by its order. `value`: a limit over the model's own numbers.
+    """
+    word, point = ("large", "infinity") if edge.at_infinity else ("small", "0")
+    fractions = [tower.elements[name]]
+    if not form.is_zero and not form.cancels:
+        fractions.append(tower.fraction(form.value))
     found = first_leading(edge, fractions)
     if found is None or not known_limit(edge, found[0].coefficient):
         return None
     leading, needed = found
-    expression = real(name) / _power(c, leading.order)
+    size = power(leading.order)
     hint: dict[str, object] = {"ends": {point: edge.end}}
-    if needed and form is not None:
-        hint["limit_form"] = form.value / _power(c, leading.order)
-    relation = limit(expression, point, _value(c, leading.coefficient), variable(c.shape)[0])
+    if needed:
+        hint["limit_form"] = form.value / size
+    relation = limit(real(name) / size, point, value(leading.coefficient), parameter)
     return joined(f"{word}-{name.replace('_', '-')}", relation, hint=hint)
 
 

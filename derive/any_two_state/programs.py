@@ -9,9 +9,9 @@ import sympy as sp
 from gainproof.derive.any_two_state.kernels import SCALE, Made, known_values
 from gainproof.derive.any_two_state.names import INDEX
 from gainproof.derive.any_two_state.proved_module import Printed
-from gainproof.derive.derivation import Step
+from gainproof.derive.derivation import Step, kernel_step
 from gainproof.derive.expression import real
-from gainproof.derive.relation import Relation, described
+from gainproof.derive.relation import described
 
 DEGREES = {"gain_derivatives": 1, "gain_second_derivatives": 2}
 
@@ -24,14 +24,7 @@ def kernel_steps(roots: Mapping[str, sp.Expr], found: Printed) -> list[Step]:
 def _program_steps(roots: Mapping[str, sp.Expr], found: Printed) -> list[Step]:
     """One step for each kernel: it computes what its outputs are called."""
     return [
-        Step(
-            f"kernel-{name.replace('_', '-')}",
-            f"The kernel {name} computes what it says.",
-            Relation("program", {"program": name, "outputs": _meant(name, entry)}),
-            "Evaluate the kernel's graph in the tower.",
-            hint={"graph": entry.graph, "roots": roots},
-            shown=False,
-        )
+        kernel_step(name, entry.graph, _meant(name, entry), roots=roots)
         for name, entry in found.graphs.items()
     ]
 

@@ -9,14 +9,18 @@ from typing import Any
 
 import sympy as sp
 
+from gainproof.derive.any_two_state.context import MeasuredContext
 from gainproof.derive.any_two_state.kernels import SCALE, Made, difference
 from gainproof.derive.catalogue_module import catalogue_module
+from gainproof.derive.derivation import Derivation
 from gainproof.derive.model import Model, ModelError, ScaledModel
+from gainproof.derive.pages.derivation import Written
 from gainproof.derive.printer.bound import prove
 from gainproof.derive.printer.formats import FLOAT32, FLOAT64
 from gainproof.derive.printer.graph import symbols_of
 from gainproof.derive.printer.kernel import Input, Kernel, Module, Output, closed
 from gainproof.derive.printer.step_ranges import PrintingError
+from gainproof.derive.subject import Program, Subject
 
 GAINS = ("alpha", "beta", "gamma")
 INDEX_RANGE, SINGLE_RANGE = ("1e-20", "1e20"), ("1e-4", "1e4")
@@ -79,6 +83,25 @@ def require_kernels(found: Printed, model: Model) -> None:
         own = f"model {model.name}: "
         reasons = "; ".join(dict.fromkeys(r.removeprefix(own) for r in found.refused.values()))
         raise ModelError(f"{own}no kernel has a proved bound: {reasons}")
+
+
+def measured_subject(
+    c: MeasuredContext[Any], found: Printed, page: Written, latex: Mapping[str, str]
+) -> Subject:
+    """The subject of such a model; `latex`: of other symbols than its own."""
+    return Subject(
+        name=c.original.name,
+        title=c.original.title,
+        model=c.model,
+        derivation=Derivation(page.opening, page.steps, (), {**latex, **c.latex()}),
+        towers=page.towers,
+        programs={
+            kernel.name: Program({entry.name: entry.name for entry in kernel.inputs}, kernel.graph)
+            for kernel in found.module.kernels
+        },
+        module=found.module,
+        textbook=dict,
+    )
 
 
 def _proved(choices: list[Kernel]) -> Kernel:

@@ -10,8 +10,8 @@ from typing import Any
 
 import sympy as sp
 
-from gainproof.derive.derivation import Derivation, Step
-from gainproof.derive.expression import real
+import gainproof.derive.growing_memory
+from gainproof.derive.derivation import Derivation
 from gainproof.derive.growing_memory import module
 from gainproof.derive.growing_memory.fit import (
     GAIN_NAMES,
@@ -22,7 +22,7 @@ from gainproof.derive.growing_memory.fit import (
     recursion_tower,
 )
 from gainproof.derive.pages.derivation import FOLDER, Given, written
-from gainproof.derive.relation import Relation
+from gainproof.derive.pages.kernel_page import page_module
 from gainproof.derive.source import GAUSS_MARKOV, LECTURE
 from gainproof.derive.subject import Program, Subject
 
@@ -33,6 +33,7 @@ TITLES = (
     "Least-squares parabola (growing memory)",
 )
 PAGE = "least-squares"
+WORDS = Path(gainproof.derive.growing_memory.__path__[0]) / "kernels.md"
 
 
 def mean() -> Subject:
@@ -58,39 +59,29 @@ def build(degree: int, folder: Path = FOLDER) -> Subject:
     f = fit(degree)
     graphs = module.kernel_graphs(f)
     name, title = NAMES[degree], TITLES[degree]
-    programs = [
-        Step(
-            f"kernel-{kernel.replace('_', '-')}",
-            f"The kernel {kernel} computes what it says.",
-            Relation(
-                "program",
-                {
-                    "program": kernel,
-                    "outputs": {entry: real(entry) for entry in graph["outputs"]},
-                },
-            ),
-            "Evaluate the kernel's graph as a rational function.",
-            tower="later" if kernel == "predicted_covariance" else "main",
-            hint={"graph": graph},
-            shown=False,
-        )
-        for kernel, graph in graphs.items()
-    ]
-    given = Given((batch_tower(f), recursion_tower(f)), slots={"": _slots(f)})
+    towers = batch_tower(f), recursion_tower(f)
+    given = Given(towers, slots={"": _slots(f)}, programs=graphs)
     page = written(PAGE, given, folder)
     sources = (LECTURE.key, GAUSS_MARKOV.key)
     return Subject(
         name=name,
         title=title,
         model=None,
-        derivation=Derivation(page.opening, (*page.steps, *programs), sources, page.latex),
+        derivation=Derivation(page.opening, page.steps, sources, page.latex),
         towers=page.towers,
         programs={
             kernel: Program({"sample_number": "k"}, graph) for kernel, graph in graphs.items()
         },
-        module=module.kernel_module(f, name, title, graphs),
+        module=page_module(WORDS, graphs, name, f"{title}: gains by sample number", _words(f)),
         textbook=lambda: module.textbook_forms(f),
     )
+
+
+def _words(f: Fit) -> dict[str, str]:
+    """What the words of kernels leave open."""
+    pairs = zip(GAIN_NAMES, f.gain, strict=False)
+    gains = "\n".join(f"{name} = {value}" for name, value in pairs)
+    return {"first": str(f.degree), "next": str(f.degree + 1), "gains": gains}
 
 
 def _slots(f: Fit) -> dict[str, Any]:

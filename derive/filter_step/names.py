@@ -1,4 +1,4 @@
-"""The quantities of a step: their names, what kernels say of them, how they are printed."""
+"""The quantities of a step: their names, how they are printed."""
 
 from __future__ import annotations
 
@@ -11,29 +11,6 @@ POSITION_GAINS = tuple(f"position_gain_{ij}" for ij in PLACES)
 VELOCITY_GAINS = tuple(f"velocity_gain_{ij}" for ij in PLACES)
 BY_AXIS = {word: tuple(f"{axis}_{word}" for axis in AXES) for word in (*STATES[:2], "observed")}
 
-UNITS = {"position": "m", "velocity": "m/s", "acceleration": "m/s^2"}
-MEANINGS = {
-    **{word: f"{word} after the last update, {unit}" for word, unit in UNITS.items()},
-    **{f"updated_{word}": f"{word} after this update, {unit}" for word, unit in UNITS.items()},
-    "interval": "t, time since the last update, s",
-    "observed": "z, what is observed of the position, m",
-    "alpha": "gain of the position (0 where nothing was observed)",
-    "beta": "gain of the velocity times t",
-    "gamma": "gain of the acceleration times t^2",
-    **{
-        f"{axis}_{word}": f"{word} along {axis} after the last update, {UNITS[word]}"
-        for axis in AXES
-        for word in STATES[:2]
-    },
-    **{
-        f"updated_{axis}_{word}": f"{word} along {axis} after this update, {UNITS[word]}"
-        for axis in AXES
-        for word in STATES[:2]
-    },
-    **{f"{axis}_observed": f"what is observed of the position along {axis}, m" for axis in AXES},
-    **{f"position_gain_{ij}": f"entry {ij} of K1, dimensionless" for ij in PLACES},
-    **{f"velocity_gain_{ij}": f"entry {ij} of K2, 1/s" for ij in PLACES},
-}
 SIGNED = (
     *STATES,
     "observed",

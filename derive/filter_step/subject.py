@@ -12,12 +12,11 @@ from typing import Any
 import sympy as sp
 
 from gainproof.derive.algebra.tower import Parameter, Tower
-from gainproof.derive.derivation import Derivation, Step
+from gainproof.derive.derivation import Derivation, Step, kernel_step
 from gainproof.derive.expression import real
 from gainproof.derive.filter_step import forms
 from gainproof.derive.filter_step.forms import AXES
 from gainproof.derive.filter_step.kernels import graphs, inputs
-from gainproof.derive.filter_step.module import kernel_module
 from gainproof.derive.filter_step.names import (
     BY_AXIS,
     GAINS,
@@ -29,12 +28,13 @@ from gainproof.derive.filter_step.names import (
     root_of,
 )
 from gainproof.derive.pages.derivation import FOLDER, Given, written
+from gainproof.derive.pages.kernel_page import page_module
 from gainproof.derive.printer.graph import Graph
-from gainproof.derive.relation import Relation
 from gainproof.derive.source import LECTURE
 from gainproof.derive.subject import Program, Subject
 
 NAME = "filter-step"
+WORDS = Path(__file__).with_name("kernels.md")
 SYMBOLS = {"interval": "t"}
 
 
@@ -44,19 +44,19 @@ def build(folder: Path = FOLDER) -> Subject:
     `folder`: where the page is. Raises PageError with the line of a mistake on it.
     """
     made = graphs()
-    page = written(NAME, Given(towers(), slots=_slots()), folder)
-    programs = (step for name, graph in made.items() for step in _programs(name, graph))
+    kernels = [step for name, graph in made.items() for step in _programs(name, graph)]
+    page = written(NAME, Given(towers(), slots=_slots(), steps={"kernels": kernels}), folder)
     return Subject(
         name=NAME,
         title=page.title,
         model=None,
-        derivation=Derivation(page.opening, (*page.steps, *programs), (LECTURE.key,), LATEX),
+        derivation=Derivation(page.opening, page.steps, (LECTURE.key,), LATEX),
         towers=page.towers,
         programs={
             name: Program({entry: SYMBOLS.get(entry, entry) for entry in inputs(name)}, graph)
             for name, graph in made.items()
         },
-        module=kernel_module(NAME, page.title, made),
+        module=page_module(WORDS, made, NAME, page.title),
         textbook=dict,
     )
 
@@ -114,17 +114,9 @@ def _rows(names: Sequence[str]) -> list[list[sp.Symbol]]:
 
 
 def _program(name: str, graph: Graph, meant: Mapping[str, sp.Expr], tower: str) -> Step:
-    place = f" {tower.replace('_', ' ')}" if tower != "main" else ""
     outputs = {f"updated_{output}": value for output, value in meant.items()}
-    return Step(
-        f"kernel-{name.replace('_', '-')}{place.replace(' ', '-')}",
-        f"The kernel {name} computes what it says{place}.",
-        Relation("program", {"program": name, "outputs": outputs}),
-        "Evaluate the kernel's graph as a rational function.",
-        tower=tower,
-        hint={"graph": graph, "roots": {}},
-        shown=False,
-    )
+    step = name if tower == "main" else f"{name}_{tower}"
+    return kernel_step(name, graph, outputs, tower, step)
 
 
 def towers() -> tuple[Tower, ...]:

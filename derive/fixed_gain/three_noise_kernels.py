@@ -8,7 +8,8 @@ from __future__ import annotations
 
 from gainproof.derive.fixed_gain import three_noise_forms as forms
 from gainproof.derive.fixed_gain.three_noise_forms import ONE, After, Noise, Place
-from gainproof.derive.fixed_gain.two_kernels import SCALE, difference
+from gainproof.derive.pages.kernel_formulas import SCALE
+from gainproof.derive.pages.kernel_page import difference
 from gainproof.derive.printer.graph import Graph, GraphBuilder
 
 NOISES: dict[str, Noise] = {

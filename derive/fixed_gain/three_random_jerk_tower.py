@@ -48,23 +48,11 @@ def curve_towers() -> tuple[Tower, ...]:
     )
 
 
-def curve_roots() -> dict[str, dict[str, sp.Expr]]:
-    """The roots in the kernels of the curve."""
+def curve_roots() -> dict[str, sp.Expr]:
+    """The roots in the kernels of the curve, by lag c and z, by the gain w."""
     s, cube = 1 + WIDE, real("g") / (3 * (1 + 2 * WIDE))
     # s - c = (s^3 - c^3)/(s^2 + s c + c^2) with s^3 - c^3 = s^2 (3 s^2 - 3 s + 1)/(3 (2 s - 1))
     z = 3 * (2 * s - 1) * (s**2 + s * cube + cube**2) / (s**2 * (3 * s**2 - 3 * s + 1))
     scaled = real("alpha") * KALMAN
-    return {
-        "random_jerk_by_lag": {
-            "c": cube,
-            "c_of_map": cube**2,
-            "z": z,
-            "z_of_map": z**2,
-            "z_inside": z**4,
-        },
-        "random_jerk_by_gain": {
-            "w": scaled,
-            "w_of_map": scaled**2,
-            "w_inside": scaled**4,
-        },
-    }
+    by_lag = {"c": cube, "c_of_map": cube**2, "z": z, "z_of_map": z**2, "z_inside": z**4}
+    return {**by_lag, "w": scaled, "w_of_map": scaled**2, "w_inside": scaled**4}

@@ -1,17 +1,12 @@
-"""The printed module of a least-squares fit."""
+"""The kernels of a least-squares fit: graphs, and the forms of textbooks."""
 
 from __future__ import annotations
 
 import sympy as sp
 
-from gainproof.derive.catalogue_module import catalogue_module
 from gainproof.derive.expression import real
 from gainproof.derive.growing_memory.fit import GAIN_NAMES, Fit, K, entry_names
 from gainproof.derive.printer.graph import Graph, GraphBuilder, Node
-from gainproof.derive.printer.kernel import Input, Kernel, Module, Output
-
-LARGEST = 2**53
-PLACES = ("position", "velocity", "acceleration")
 
 
 def kernel_graphs(f: Fit) -> dict[str, Graph]:
@@ -98,55 +93,3 @@ def textbook_forms(f: Fit) -> dict[str, dict[str, sp.Expr]]:
         kernel: {output: sp.sympify(value).subs(number) for output, value in entries.items()}
         for kernel, entries in forms.items()
     }
-
-
-def kernel_module(f: Fit, name: str, title: str, graphs: dict[str, Graph]) -> Module:
-    """The module of one degree."""
-    kernels = (_kernel(f, name, kernel, graph) for kernel, graph in graphs.items())
-    return catalogue_module(name, f"{title}: gains by sample number", kernels)
-
-
-SUMMARIES = {
-    "gains": "Gain of the newest sample in a least-squares fit to samples 0..k.",
-    "updated_covariance": "Covariance of the fit at sample k, in units of sigma_v^2 and T.",
-    "predicted_covariance": "Covariance of the fit to samples 0..k-1, predicted to sample k.",
-}
-
-
-def _kernel(f: Fit, name: str, kernel: str, graph: Graph) -> Kernel:
-    first = f.degree + (kernel == "predicted_covariance")
-    return Kernel(
-        name=kernel,
-        result="".join(word.capitalize() for word in kernel.split("_")),
-        summary=SUMMARIES[kernel],
-        equations=tuple(
-            f"{entry} = {value}" for entry, value in zip(GAIN_NAMES, f.gain, strict=False)
-        )
-        if kernel == "gains"
-        else ("inverse of the sum of the squared rows (1, -j, j^2/2, ...)",),
-        inputs=(
-            Input(
-                "sample_number",
-                "number k of the newest sample, counted from 0",
-                str(first),
-                str(LARGEST),
-                lower_open=False,
-                upper_open=False,
-                integer=True,
-            ),
-        ),
-        outputs=tuple(Output(entry, _meaning(entry)) for entry in graph["outputs"]),
-        graph=graph,
-        source=f"derivation {name}",
-    )
-
-
-def _meaning(entry: str) -> str:
-    if entry in GAIN_NAMES:
-        order = GAIN_NAMES.index(entry)
-        return f"{PLACES[order]} gain" + (f" times T^{order}" if order else "")
-    kind, digits = entry.split("_")
-    i, j = (PLACES[int(digit) - 1] for digit in digits)
-    power = sum(int(digit) for digit in digits) - 2
-    what = f"variance of the {kind} {i}" if i == j else f"covariance of {kind} {i} and {j}"
-    return f"{what} times T^{power}/sigma_v^2" if power else f"{what} over sigma_v^2"

@@ -23,17 +23,23 @@ from gainproof.derive.any_two_state.kernels import Made, graph_end_root, symboli
 from gainproof.derive.any_two_state.model_numbers import Shape, require_first_measured
 from gainproof.derive.any_two_state.names import D0, D2, INDEX, LATEX
 from gainproof.derive.any_two_state.programs import kernel_steps
-from gainproof.derive.any_two_state.proved_module import Wording, linear, printed, require_kernels
+from gainproof.derive.any_two_state.proved_module import (
+    Wording,
+    linear,
+    measured_subject,
+    printed,
+    require_kernels,
+)
 from gainproof.derive.any_two_state.scaling import scale_free
 from gainproof.derive.any_two_state.signed_values import Signed
 from gainproof.derive.any_two_state.towers import end_root
-from gainproof.derive.derivation import Derivation, Step
+from gainproof.derive.derivation import Step
 from gainproof.derive.expression import real
 from gainproof.derive.model import Model
 from gainproof.derive.pages.derivation import Given, written
 from gainproof.derive.pages.model_slots import model_slots
 from gainproof.derive.printer.graph import GraphBuilder, Node
-from gainproof.derive.subject import Program, Subject
+from gainproof.derive.subject import Subject
 
 SUMMARIES = {
     "gains": "Steady-state filter gain.",
@@ -78,19 +84,7 @@ def derive_one_state(model: Model) -> Subject:
     require_kernels(found, model)
     tower, roots = _tower(c.shape)
     page = written("one-state", _given(c, tower, kernel_steps(roots, found)))
-    return Subject(
-        name=model.name,
-        title=model.title,
-        model=scaled,
-        derivation=Derivation(page.opening, page.steps, (), {**LATEX, **page.latex, **c.latex()}),
-        towers=page.towers,
-        programs={
-            kernel.name: Program({entry.name: entry.name for entry in kernel.inputs}, kernel.graph)
-            for kernel in found.module.kernels
-        },
-        module=found.module,
-        textbook=dict,
-    )
+    return measured_subject(c, found, page, {**LATEX, **page.latex})
 
 
 def _outputs(x: Basis) -> dict[str, dict[str, Any]]:

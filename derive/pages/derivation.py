@@ -12,13 +12,15 @@ import sympy as sp
 
 from gainproof.derive.algebra.limits import End
 from gainproof.derive.algebra.tower import Generator, NoValue, Parameter, Tower
-from gainproof.derive.derivation import Step
+from gainproof.derive.derivation import Step, kernel_step
 from gainproof.derive.expression import real
 from gainproof.derive.pages.evaluation import Definition, Meanings
 from gainproof.derive.pages.formula import NAME, Formula, FormulaError, nearest, read_formula
+from gainproof.derive.pages.hints import read_hint
 from gainproof.derive.pages.matrices import Letters, letters_of
 from gainproof.derive.pages.page import (
     Block,
+    Hint,
     Include,
     InWords,
     Item,
@@ -58,9 +60,10 @@ class Given:
 
     `towers`: settings that are not written on it. `models` by name. `slots`: values by group and
     slot, text (in formulas one in the names of the page), numbers or expressions; those of the page
-    itself have the group "". `hints`: what evidence needs, by step (see `algebra.evidence`),
-    formulas as text in the names of the page. `ends`: of towers with roots. `programs`: the graphs
-    of kernels; `roots`: what their named roots are. `steps`: by name, that the program makes.
+    itself have the group "". `hints`: what evidence needs that no hint of the page says, by step
+    (see `algebra.evidence`), formulas as text in the names of the page. `ends`: of towers with
+    roots. `programs`: the graphs of kernels; `roots`: what their named roots are. `steps`: by name,
+    that the program makes.
     """
 
     towers: tuple[Tower, ...] = ()
@@ -94,7 +97,7 @@ def written(name: str, given: Given, folder: Path = FOLDER) -> Written:
         raise Place(page.file, 1).error("a page starts with '# Title'")
     making = _Making(given, folder)
     steps = tuple(making.steps(page))
-    unknown = sorted(set(given.hints) - {step.id for step in steps})
+    unknown = sorted(set(making.hints) - {step.id for step in steps})
     if unknown:
         raise Place(page.file, 1).error(f"hints for steps that are not there: {unknown}")
     shown = {step.id for step in steps if step.shown}
@@ -127,6 +130,7 @@ class _Making:
     proved: dict[str, WordStatement] = field(default_factory=dict)
     latex: dict[str, str] = field(default_factory=dict)
     heading: str = ""
+    hints: dict[str, Mapping[str, Any]] = field(default_factory=dict)
     ids: set[str] = field(default_factory=set)
     references: list[tuple[Place, str]] = field(default_factory=list)
 
@@ -134,15 +138,29 @@ class _Making:
         slots = self.given.slots.get("", {})
         self.meanings = replace(self.meanings, models=self.given.models, slots=slots)
         self.towers |= {tower.name: tower for tower in self.given.towers}
+        self.hints |= self.given.hints
 
     def steps(self, page: Page) -> Iterator[Step]:
+        for block in page.blocks:
+            if isinstance(block, Hint):
+                self._hinted(block)
         for block in page.blocks:
             try:
                 yield from self._block(block)
             except FormulaError as error:
                 raise block.place.error(str(error)) from None
 
+    def _hinted(self, block: Hint) -> None:
+        if block.id in self.hints:
+            raise block.place.error(f"there is a hint for {block.id!r} already")
+        try:
+            self.hints[block.id] = read_hint(block.lines)
+        except FormulaError as error:
+            raise block.place.error(str(error)) from None
+
     def _block(self, block: PageBlock) -> Iterator[Step]:
+        if isinstance(block, Hint):
+            return
         if isinstance(block, PageStep):
             for step in self._step(block):
                 found = REFERENCE.findall(f"{step.sentence} {step.reason}")
@@ -288,7 +306,7 @@ class _Making:
         letters = self.letters[step.tower]
         if said.form == "where":
             return replace(step, relation=letters.meaning(said.parts[0].text))
-        found = letters.proved(step.id, said, self.given.hints.get(step.id, {}), self.proved)
+        found = letters.proved(step.id, said, self.hints.get(step.id, {}), self.proved)
         self.proved[step.id] = found
         made = found.step("")
         return replace(step, relation=made.relation, hint=made.hint)
@@ -362,7 +380,7 @@ class _Making:
         return next(names, quantity)
 
     def _with_hint(self, step: Step) -> Step:
-        found = dict(self.given.hints.get(step.id, {}))
+        found = dict(self.hints.get(step.id, {}))
         if step.relation.kind in ("limit", "increasing_onto"):
             found["ends"] = self.given.ends.get(step.tower, ENDS)
         return replace(step, hint={key: self._hint(value) for key, value in found.items()})
@@ -382,29 +400,25 @@ class _Making:
         if graph is None:
             raise FormulaError(f"no kernel {block.name!r}; known: {', '.join(self.given.programs)}")
         tower = self.towers[self._setting(block.setting)]
-        known, outputs = {*tower.variables, *tower.expressions}, {}
+        known, named = {*tower.variables, *tower.expressions}, graph.get("names", {})
+        outputs: dict[str, Any] = {name: real(name) for name in graph["outputs"]}
+        roots = {key: self._hint(x) for key, x in self.given.roots.items() if key in named}
         for line in block.lines:
             assert isinstance(line.meaning, Formula)
             try:
-                outputs[line.name] = self.meanings.value(line.meaning)
-                self._require_in(known, outputs[line.name], tower.name)
+                if line.name not in (*outputs, *named):
+                    listed = ", ".join([*outputs, *named])
+                    raise FormulaError(f"no output or root {line.name!r}; known: {listed}")
+                said = outputs if line.name in outputs else roots
+                said[line.name] = self.meanings.value(line.meaning)
+                self._require_in(known, said[line.name], tower.name)
             except FormulaError as error:
                 raise line.place.error(str(error)) from None
-        if list(outputs) != list(graph["outputs"]):
-            raise FormulaError(
-                f"the outputs {', '.join(graph['outputs'])} are wanted, in this order"
-            )
-        named = graph.get("names", {})
-        roots = {key: text for key, text in self.given.roots.items() if key in named}
-        return Step(
-            self._id(f"kernel-{block.name.replace('_', '-')}"),
-            f"The kernel {block.name} computes what it says.",
-            Relation("program", {"program": block.name, "outputs": outputs}),
-            "Evaluate the kernel's graph in the tower.",
-            block.setting,
-            {"graph": graph, "roots": {k: self._hint(x) for k, x in roots.items()}},
-            shown=False,
-        )
+        for value in outputs.values():
+            self._require_in(known, value, tower.name)
+        step = kernel_step(block.name, graph, outputs, block.setting, roots=roots)
+        self._id(step.id)
+        return step
 
     def _made(self, name: str) -> tuple[Step, ...]:
         if name not in self.given.steps:

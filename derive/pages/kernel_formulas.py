@@ -5,11 +5,13 @@
         velocity = (step + p)/N
 
 Lines that begin with four blanks are formulas, in the notation of pages, and go on where the next
-begins with more; all else is prose, but for headings that begin with `## Where`: what stands below
-such a one holds where its conditions do and comes before what stands above. A name may be used
-before its line. Operations are made in the order that is written, from the left, so that rounding
-is the author's; in kernels a number stands behind what it multiplies. Numbers are exact: what 0 and
-1 make superfluous is left out.
+begins with more; all else is prose, but for headings. What stands below one that begins with
+`## Where` holds where its conditions do and comes before what stands above; so does what stands
+below `### NAME` for that kernel, where `NAME_kernel = 1`. A name may be used before its line.
+Operations are made in the order that is written, from the left, so that rounding is the author's;
+in kernels a number stands behind what it multiplies. Numbers are exact: what 0 and 1 make
+superfluous is left out. A number that is written may be taken away, what is worked out may not:
+where it is negative the form is not one for this model.
 """
 
 from __future__ import annotations
@@ -27,10 +29,17 @@ from gainproof.derive.derivation import PageError
 from gainproof.derive.pages.formula import NAME, Formula, FormulaError, read_formula
 from gainproof.derive.printer.graph import Graph, GraphBuilder, Node
 
-WHERE = "## Where "
+HEADING, WHERE, OF_KERNEL = "## ", "## Where ", "### "
+ROW = "_kernel"
+"""Ends the name of the row of a kernel's outputs."""
+PLANE = "_in_plane"
+"""The end of the names of kernels in the plane."""
 INDENT = "    "
-CALLS = {"atan2": 2, "cos": 1, "exp": 1, "expm1": 1, "sin": 1, "sqrt": 1}
-"""Functions, with how many arguments they have."""
+CALLS = {"atan2": 2, "cos": 1, "exp": 1, "expm1": 1, "sin": 1, "sqrt": 1, "near_cbrt": 1}
+CALLS |= {"unknown": 2, "fixed_point": 2}
+"""Functions, with how many arguments they have: with `u = unknown(start, within)`, a number, the
+root of `u = map` is `fixed_point(u, map)`, see `printer.fixed_point`.
+"""
 SCALE = "_scale"
 """Ends the name of what an output of changing sign is measured by: its parts, added."""
 TURN = "_turn"
@@ -59,29 +68,41 @@ class Condition:
 
 @dataclass(frozen=True)
 class Section:
-    """Formulas by name, and the conditions under which they hold."""
+    """Formulas by name, and the conditions under which they hold; `of_kernel`: those of one."""
 
     conditions: tuple[Condition, ...]
-    formulas: Mapping[str, Formula]
+    formulas: dict[str, Formula]
+    of_kernel: bool = False
 
 
 def read_sections(text: str) -> tuple[Section, ...]:
     """The sections of a page. Raises FormulaError, with the line, for what is no formula."""
-    found: list[tuple[tuple[Condition, ...], dict[str, Formula]]] = [((), {})]
+    found = [Section((), {})]
+    outside = formulas = found[0]
     for number, line in _joined(text):
         try:
-            if line.startswith(WHERE):
-                found.append((tuple(map(_condition, line[len(WHERE) :].split(" and "))), {}))
+            if line.startswith(OF_KERNEL):
+                kernel = line.removeprefix(OF_KERNEL).split(" ")[0].removesuffix(PLANE)
+                given = (*outside.conditions, _condition(f"{kernel}{ROW} = 1"))
+                formulas = Section(given, {}, of_kernel=True)
+            elif line.startswith(WHERE):
+                given = tuple(map(_condition, line[len(WHERE) :].split(" and ")))
+                outside = formulas = Section(given, {})
+                found.append(outside)
+            elif line.startswith(HEADING):
+                formulas = outside
             else:
                 match = _LINE.fullmatch(line)
                 if match is None:
                     raise FormulaError("wanted a line `name = formula`")
-                if match[1] in found[-1][1]:
+                if match[1] in formulas.formulas:
                     raise FormulaError(f"{match[1]} has a formula here already")
-                found[-1][1][match[1]] = read_formula(match[2])
+                formulas.formulas[match[1]] = read_formula(match[2])
+                if formulas is not found[-1] and formulas.of_kernel:
+                    found.append(formulas)
         except FormulaError as error:
             raise FormulaError(f"line {number}: {error}") from error
-    return tuple(Section(*each) for each in found)
+    return tuple(found)
 
 
 def read_page(page: Path) -> tuple[Section, ...]:
@@ -104,12 +125,14 @@ def _joined(text: str) -> list[tuple[int, str]]:
         if line.startswith(f"{INDENT} ") and found:
             first, start = found[-1]
             found[-1] = (first, f"{start} {line.strip()}")
-        elif line.startswith((INDENT, WHERE)):
+        elif line.startswith((INDENT, WHERE, OF_KERNEL)):
             found.append((number, line.strip()))
         elif line.startswith((" ", "\t")):
             raise FormulaError(f"line {number}: a formula begins with four blanks, prose with none")
         elif _NEARLY.match(line):
             raise FormulaError(f"line {number}: wanted a heading `{WHERE}...`, came {line!r}")
+        elif line.startswith(HEADING):
+            found.append((number, line))
     return found
 
 
@@ -208,7 +231,11 @@ def formulas_that_hold(
         return _RELATIONS[condition.relation](*sides)
 
     for section in sections:
+        if section.of_kernel and str(section.conditions[-1].left) not in known:
+            continue
         if all(map(holds, section.conditions)):
+            for name in section.formulas if section.of_kernel else ():
+                formulas.pop(name, None)  # comes in the order of the kernel's own
             formulas |= section.formulas
     return formulas
 
@@ -233,7 +260,7 @@ def _value(formula: Formula, known: Mapping[str, Value]) -> Value:
     if formula.kind == "number":
         return Fraction(formula.text)
     if formula.kind == "call" and formula.text in CALLS:
-        return _call(formula.text, [_value(part, known) for part in formula.parts])
+        return _call(formula.text, [_value(part, known) for part in formula.parts], known)
     if formula.kind not in (*_OPERATIONS, "neg", "pow"):
         raise FormulaError(f"no sum, product, quotient or function that is known: {formula}")
     first, *others = formula.parts
@@ -243,6 +270,9 @@ def _value(formula: Formula, known: Mapping[str, Value]) -> Value:
     if formula.kind == "pow":
         return reduce(_product, [found] * int(formula.text))
     for part in others:
+        if part.kind == "neg" and isinstance(found, Node) and _is_number(part.parts[0]):
+            found = found - _value(part.parts[0], known)
+            continue
         other = _value(part, known)
         if formula.kind == "div" and other == 0:
             raise ZeroDivisionError(f"no form: {formula} divides by 0")
@@ -250,16 +280,25 @@ def _value(formula: Formula, known: Mapping[str, Value]) -> Value:
     return found
 
 
-def _call(function: str, values: Sequence[Value]) -> Node:
-    """A function of nodes: what it makes of numbers is no exact number, or needs no function."""
+def _is_number(formula: Formula) -> bool:
+    return formula.kind == "number" or (
+        formula.kind == "div" and all(map(_is_number, formula.parts))
+    )
+
+
+def _call(function: str, values: Sequence[Value], known: Mapping[str, Value]) -> Node:
+    """A function of nodes, or the root of a number."""
     if len(values) != CALLS[function]:
         raise FormulaError(f"{function}: {CALLS[function]} wanted in brackets, {len(values)} came")
-    nodes = [value for value in values if isinstance(value, Node)]
-    if len(nodes) < len(values):
+    nodes = [node for node in (*values, *known.values()) if isinstance(node, Node)]
+    if function == "sqrt" and nodes:
+        return nodes[0].builder.sqrt(values[0])
+    if function == "fixed_point":
+        values = (*values, values[-1])
+    if not all(isinstance(value, Node) for value in values[: 1 if function == "unknown" else None]):
         raise FormulaError(f"{function} of a number: write its value")
-    if function == "sqrt":
-        return nodes[0].builder.sqrt(nodes[0])
-    return nodes[0].builder.call(function, *nodes)
+    found: Node = values[0].builder.call(function, *values)
+    return found
 
 
 def _sum(one: Value, other: Value) -> Value:

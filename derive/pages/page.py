@@ -13,7 +13,8 @@ A blank line stands between blocks; the first line of a block says what it is.
         statement                     indented: what it says, see `statement`
         id (...): statement           more, shown together with the first
     because ...                       why it follows
-    kernel NAME (in NAME)             what the outputs of a kernel are
+    hint id                           what a proof uses besides, see `hints`: one a line
+    kernel NAME (in NAME)             its outputs that are no quantity of their name, and its roots
     include PART (SLOTS)              the blocks of another file, with values for its slots; which
                                       one a slot may say, {name}, and that it is none
     steps NAME                        steps that the program makes, of that name; indented, in place
@@ -247,7 +248,19 @@ class Include:
         return f"{self.kind} {self.part}" + (f" ({self.slots})" if self.slots else "")
 
 
-PageBlock = Prose | PageStep | Block | Include
+@dataclass(frozen=True)
+class Hint:
+    """The hint for a statement: lines of `hints`."""
+
+    id: str
+    lines: tuple[str, ...]
+    place: Place
+
+    def __str__(self) -> str:
+        return "\n".join([f"hint {self.id}", *map(_indented, self.lines)])
+
+
+PageBlock = Prose | PageStep | Block | Include | Hint
 
 
 @dataclass(frozen=True)
@@ -313,13 +326,16 @@ class _Reading:
                     )
                 case "names" | "let" | "setting" | "matrices" | "kernel":
                     yield self._block(kind, rest)
+                case "hint":
+                    lines = tuple(text for _, text in self._lines(rest[1:]))
+                    yield Hint(first.removeprefix("hint "), lines, self._at(number))
                 case "include" | "steps":
                     yield self._include(kind, rest)
                 case _:
                     self._at_error(
                         number,
                         "a block is wanted that starts with #, ##, ###, names, let, setting, "
-                        f"matrices, kernel, include or steps, {first.strip()[:40]!r} came",
+                        f"matrices, hint, kernel, include or steps, {first.strip()[:40]!r} came",
                     )
 
     def _chunks(self, text: str) -> Iterator[Numbered]:
@@ -429,7 +445,7 @@ class _Reading:
             wanted = f"{kind}{' NAME' * named}{' (in NAME)' * placed}"
             self._at_error(number, f"{wanted} is wanted, {first!r} came")
         lines = self._lines(beneath)
-        if not lines and kind != "setting":
+        if not lines and kind not in ("setting", "kernel"):
             self._at_error(number, f"indented lines are wanted beneath {first!r}")
         inputs = kind == "setting" and lines and " = " not in lines[0][1]
         parameters = self._parameters(lines.pop(0)) if inputs else ()

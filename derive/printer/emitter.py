@@ -14,7 +14,7 @@ from typing import ClassVar
 from gainproof.derive.printer.affine import in_two_parts
 from gainproof.derive.printer.arithmetic import literal
 from gainproof.derive.printer.formats import FLOAT64, Format
-from gainproof.derive.printer.kernel import Kernel, least_admitted
+from gainproof.derive.printer.kernel import Input, Kernel, least_admitted
 from gainproof.derive.printer.printed_program import plain
 from gainproof.derive.printer.program import Program, Step
 from gainproof.derive.printer.register_plan import late
@@ -32,6 +32,8 @@ class Language:
     """How long the text of an operation may be that stands where its result is used, if that is at
     one place; else it gets a name.
     """
+    words: ClassVar[tuple[str, str]] = ("&&", "||")
+    """And, or."""
 
     def number(self, value: float) -> str:
         """A literal that is read as just that number."""
@@ -56,6 +58,14 @@ class Language:
     def choice(self, less: str, more: str, yes: str, no: str) -> str:
         """`yes` where less < more, else `no`."""
         return f"{less} < {more} ? {yes} : {no}"
+
+    def within(self, given: Input, name: str, ends: tuple[float, float]) -> str:
+        """Whether an input lies in its domain; comparisons with NaN are false."""
+        both, either = self.words
+        size = self.call("abs", [name]) if given.signed else name
+        text = f"{size} >= {self.number(ends[0])} {both} {size} <= {self.number(ends[1])}"
+        text += f" {both} {name} == {self.call('floor', [name])}" if given.integer else ""
+        return f"{name} == {self.number(0.0)} {either} ({text})" if given.zero else text
 
     def statement(self, name: str, text: str) -> str:
         """A step that gets its name."""

@@ -4,14 +4,14 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
-from typing import Any
+from typing import Any, ClassVar
 
 from gainproof.derive.printer.bound import Bounds, KernelBound
 from gainproof.derive.printer.cube_root_start import added_bits
 from gainproof.derive.printer.docstring import described, wanted_text
 from gainproof.derive.printer.emitter import Language, body, named, required, unlike
 from gainproof.derive.printer.formats import FLOAT64, FORMATS, Format
-from gainproof.derive.printer.kernel import Input, Kernel, Module
+from gainproof.derive.printer.kernel import Kernel, Module
 from gainproof.derive.printer.program import FUNCTIONS
 from gainproof.derive.printer.test_program_points import points
 
@@ -68,6 +68,8 @@ end
 
 @dataclass(frozen=True)
 class _Octave(Language):
+    words: ClassVar[tuple[str, str]] = ("&", "|")
+
     def number(self, value: float) -> str:
         text = super().number(value)
         return text if self.form is FLOAT64 else f"single({text})"
@@ -129,7 +131,7 @@ def _function(module: Module, kernel: Kernel, pair: Sequence[KernelBound]) -> It
             yield from (f"    {name} = {name} .* shape;" for name in inputs)
         for given, name, ends in zip(kernel.inputs, inputs, bound.inputs, strict=True):
             told = wanted_text(given).replace("'", "''")
-            text = f"{_within(given, name, language, ends)}, '{given.name}', {name}"
+            text = f"{language.within(given, name, ends)}, '{given.name}', {name}"
             yield f"    require({text}, '{told}');"
         for each, (before, least) in zip(kernel.requirements, wanted, strict=True):
             yield from (f"    {line}" for line in before.lines)
@@ -146,14 +148,6 @@ def _function(module: Module, kernel: Kernel, pair: Sequence[KernelBound]) -> It
     if "near_cbrt" in operations:
         for kind, bound in zip(kinds, pair, strict=True):
             yield from ("", NEAR_CBRT[kind].rstrip().format(added_bits(bound.format)))
-
-
-def _within(given: Input, name: str, language: _Octave, ends: tuple[float, float]) -> str:
-    """Whether an input lies in its domain; comparisons with NaN are false."""
-    size = f"abs({name})" if given.signed else name
-    text = f"{size} >= {language.number(ends[0])} & {size} <= {language.number(ends[1])}"
-    text += f" & {name} == floor({name})" if given.integer else ""
-    return f"{name} == 0 | ({text})" if given.zero else text
 
 
 def _trial(module: Module, values: Mapping[str, Any]) -> Iterator[str]:

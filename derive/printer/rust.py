@@ -11,7 +11,7 @@ from gainproof.derive.printer.cube_root_start import added_bits
 from gainproof.derive.printer.docstring import described
 from gainproof.derive.printer.emitter import Body, Language, body, named, required, unlike
 from gainproof.derive.printer.formats import FLOAT32, FLOAT64, FORMATS, Format
-from gainproof.derive.printer.kernel import Input, Kernel, Module
+from gainproof.derive.printer.kernel import Kernel, Module
 from gainproof.derive.printer.program import FUNCTIONS
 from gainproof.derive.printer.test_program_points import points
 
@@ -121,7 +121,7 @@ def _kernel(kernel: Kernel, pair: Sequence[KernelBound], row: int) -> tuple[list
     names = {given.name: name for given, name in zip(kernel.inputs, inputs, strict=True)}
     made = body(kernel, language, named(names))
     conditions: list[tuple[Body | None, str, str]] = [
-        (None, _within(given, names[given.name], language, ends), given.name)
+        (None, language.within(given, names[given.name], ends), given.name)
         for given, ends in zip(kernel.inputs, bound.inputs, strict=True)
     ]
     for each, (wanted, least) in zip(
@@ -144,14 +144,6 @@ def _kernel(kernel: Kernel, pair: Sequence[KernelBound], row: int) -> tuple[list
     calls |= {"floor"} if any(each.integer for each in kernel.inputs) else set()
     signed = any(each.signed for each in kernel.inputs)
     return lines, {*calls, *(("fabs",) if signed or "abs" in calls else ())}
-
-
-def _within(given: Input, name: str, language: _Rust, ends: tuple[float, float]) -> str:
-    """Whether an input lies in its domain; comparisons with NaN are false."""
-    size = f"fabs({name})" if given.signed else name
-    text = f"{size} >= {language.number(ends[0])} && {size} <= {language.number(ends[1])}"
-    text += f" && {name} == floor({name})" if given.integer else ""
-    return f"{name} == {language.number(0.0)} || ({text})" if given.zero else text
 
 
 def _trial(module: Module, values: Mapping[str, Any]) -> Iterator[str]:

@@ -7,11 +7,13 @@ is taken of is claimed too (see `algebraic_graphs`).
 
 from __future__ import annotations
 
-from gainproof.derive.derivation import Derivation
+from pathlib import Path
+
 from gainproof.derive.pages.derivation import Given, written
-from gainproof.derive.printer.graph import symbols_of
+from gainproof.derive.pages.kernel_formulas import PLANE
+from gainproof.derive.pages.kernel_page import page_graphs, page_module
+from gainproof.derive.printer.graph import Graph
 from gainproof.derive.sensors.algebraic_graphs import algebraic
-from gainproof.derive.sensors.converted_module import graphs, kernel_module
 from gainproof.derive.source import (
     DEBIASED,
     ELEMENTARY,
@@ -20,23 +22,11 @@ from gainproof.derive.source import (
     TRACKER_LIBRARY,
     UNBIASED,
 )
-from gainproof.derive.subject import Program, Subject
+from gainproof.derive.subject import Subject, page_subject
 
 NAME = "converted-measurements"
+FORMULAS = Path(__file__).with_name("converted_kernels.md")
 SOURCES = (DEBIASED, UNBIASED, MODIFIED, TRACKER_LIBRARY, PROBABILITY, ELEMENTARY)
-HINTS = {
-    "classical-radial": {"form": "(1 - L)/2"},
-    "estimate-limit": {"form": "1/(2 L^2)"},
-    "estimate-limit-across": {"form": "(1 - L) (1 + L) (r_m + sigma_r)/(2 L^2)"},
-    "crossing": {"form": "L"},
-    "crossing-classical": {"form": "r_m sigma_theta + sigma_r"},
-    "crossing-debiased": {"form": "L^3"},
-    "crossing-unbiased": {"form": "1/L"},
-    "space-definite-minor": {
-        "form": "L along(r_m, L_eta) crosswise(r_m, L_eta) + (1 - L)^2 whole C_1 W_uu/2"
-    },
-}
-"""Without the differences that hide a sign."""
 LATEX = {
     "azimuth": r"\theta",
     "measured_azimuth": r"\theta_m",
@@ -64,26 +54,20 @@ LATEX = {
 """Where the names on the page are no letters."""
 
 
+def graphs() -> dict[str, Graph]:
+    """The graph of each kernel by its name: those in the plane, in space, of correlated noises."""
+    found = page_graphs(FORMULAS)
+    return {name: found[name] for name in sorted(found, key=_place)}
+
+
+def _place(kernel: str) -> tuple[bool, bool]:
+    return kernel.startswith("correlated"), not kernel.endswith(PLANE)
+
+
 def build() -> Subject:
     """Derive the moments, the four conversions, what they are exact for, and their growth."""
     made = graphs()
     plain = {name: algebraic(graph) for name, graph in made.items()}
-    page = written(NAME, Given(hints=HINTS, programs=plain))
-    return Subject(
-        name=NAME,
-        title=page.title,
-        model=None,
-        derivation=Derivation(
-            page.opening,
-            page.steps,
-            tuple(each.key for each in SOURCES),
-            {**page.latex, **LATEX},
-        ),
-        towers=page.towers,
-        programs={
-            name: Program({entry: entry for entry in symbols_of(graph)}, graph)
-            for name, graph in plain.items()
-        },
-        module=kernel_module(NAME, page.title, made),
-        textbook=dict,
-    )
+    page = written(NAME, Given(programs=plain))
+    module = page_module(FORMULAS, made, NAME, page.title)
+    return page_subject(NAME, page, module, plain, tuple(each.key for each in SOURCES), LATEX)

@@ -7,15 +7,17 @@ atan2 is taken of is claimed too (see `algebraic_graphs`).
 
 from __future__ import annotations
 
-from gainproof.derive.derivation import Derivation
+from pathlib import Path
+
 from gainproof.derive.pages.derivation import Given, written
-from gainproof.derive.printer.graph import symbols_of
+from gainproof.derive.pages.kernel_page import page_graphs, page_module
+from gainproof.derive.printer.graph import Graph
 from gainproof.derive.sensors.algebraic_graphs import algebraic
-from gainproof.derive.sensors.polar_module import graphs, kernel_module
 from gainproof.derive.source import ELEMENTARY, LECTURE, PROBABILITY
-from gainproof.derive.subject import Program, Subject
+from gainproof.derive.subject import Subject, page_subject
 
 NAME = "polar-coordinates"
+FORMULAS = Path(__file__).with_name("polar_kernels.md")
 LATEX = {
     "elevation_loss": r"\ell_E",
     "bearing_loss": r"\ell_B",
@@ -26,27 +28,17 @@ LATEX = {
 """Where the names on the page are no letters."""
 
 
+def graphs() -> dict[str, Graph]:
+    """The graph of each kernel by its name."""
+    return page_graphs(FORMULAS)
+
+
 def build() -> Subject:
     """Derive the map, its inverse, their derivatives, noise, bias and rates."""
     made = graphs()
     plain = {name: algebraic(graph) for name, graph in made.items()}
     roots = {"horizontal_distance": "h", "distance": "R", "slant_range": "R"}
     page = written(NAME, Given(programs=plain, roots=roots))
-    return Subject(
-        name=NAME,
-        title=page.title,
-        model=None,
-        derivation=Derivation(
-            page.opening,
-            page.steps,
-            (LECTURE.key, PROBABILITY.key, ELEMENTARY.key),
-            {**page.latex, **LATEX},
-        ),
-        towers=page.towers,
-        programs={
-            name: Program({entry: entry for entry in symbols_of(graph)}, graph)
-            for name, graph in plain.items()
-        },
-        module=kernel_module(NAME, page.title, made),
-        textbook=dict,
-    )
+    module = page_module(FORMULAS, made, NAME, page.title)
+    sources = LECTURE.key, PROBABILITY.key, ELEMENTARY.key
+    return page_subject(NAME, page, module, plain, sources, LATEX)

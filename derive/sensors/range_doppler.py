@@ -5,53 +5,57 @@ The derivation is the page `range-doppler` of `derive/pages`; here is what it do
 
 from __future__ import annotations
 
-from typing import Any
+from dataclasses import replace
+from pathlib import Path
 
-from gainproof.derive.derivation import Derivation
 from gainproof.derive.pages.derivation import Given, written
-from gainproof.derive.printer.graph import symbols_of
+from gainproof.derive.pages.kernel_formulas import PLANE
+from gainproof.derive.pages.kernel_page import page_graphs, page_module
+from gainproof.derive.printer.graph import Graph
 from gainproof.derive.sensors.range_doppler_components import component_steps, kernel_steps
-from gainproof.derive.sensors.range_doppler_module import graphs, kernel_module, of_two_stations
+from gainproof.derive.sensors.range_doppler_names import SPACE_AXES, places, velocities
 from gainproof.derive.sensors.range_doppler_pairs import pair_steps, pair_towers
 from gainproof.derive.sensors.range_doppler_textbook import textbook
 from gainproof.derive.sensors.range_doppler_towers import towers
 from gainproof.derive.source import DOPPLER, ELEMENTARY
-from gainproof.derive.subject import Program, Subject
+from gainproof.derive.subject import Subject, page_subject
 
 NAME = "range-doppler"
+FORMULAS = Path(__file__).with_name("range_doppler_kernels.md")
+PAIRS = ("bistatic_range_doppler", "range_doppler_difference")
+"""The kernels of two stations."""
+NAMED = (
+    "(other_)?((place|velocity|turning)_[xyz]|range_rate)|(baseline|drift|reach)_[xyz]"
+    "|range_(rate_)?difference(_D_[xyz])?"
+)
+"""What proofs put names for."""
 LATEX = {"q": "f_+", "new_rate": "g_+", "new_unit": "u_+", "new_turning": "h_+"}
-LENGTH, VECTOR = ("unit", "1"), ("unit", "d")
-HINTS: dict[str, dict[str, Any]] = {
-    "parts-of-velocity": {"numbers": ["r' w"]},
-    "turning-size": {"numbers": ["r' w"], "squares": [("g I_1", LENGTH, {"weight": "1/f^2"})]},
-    "rate-size": {"numbers": ["r' w"], "squares": [("h", VECTOR, {"weight": "f^2"})]},
-    "range-convex": {
-        "numbers": ["r' a"],
-        "squares": [("u_new - u", VECTOR, {"weight": "f_new/2"})],
-    },
-    "range-remainder": {
-        "numbers": ["r' a"],
-        "squares": [("(f_new - f) I_1", LENGTH, {"weight": "1/(2 f)"})],
-    },
-    "range-remainder-across": {"numbers": ["r' a"]},
-    "range-change": {
-        "numbers": ["r' a"],
-        "squares": [("I_1", "range-convex", {"weight": "2 f"})],
-    },
-    "rate-remainder": {"numbers": ["a' w"]},
-    "inner-product-size": {"numbers": ["r' a"], "squares": [("P a", VECTOR)]},
-    "hessian-semidefinite": {"squares": [("P", VECTOR, {"weight": "1/f"})]},
-    "hessian-largest": {"squares": [("u'", LENGTH, {"weight": "1/f"})]},
-    "bend-along": {"numbers": ["r' w"]},
-    "course": {"heavy": ["a"], "numbers": ["r' w"]},
-    "range-acceleration": {"numbers": ["r' w"]},
-    "acceleration-across": {"numbers": ["r' w"]},
-    "acceleration-positive": {"numbers": ["r' w"], "squares": [("h", VECTOR, {"weight": "f"})]},
-    "bistatic-least": {"squares": [("u + u_2", VECTOR, {"weight": "f f_2"})]},
-    "difference-most": {"squares": [("u - u_2", VECTOR, {"weight": "f f_2"})]},
-    "range-difference": {"numbers": ["r' r_2"]},
-}
-"""What proofs use besides their conditions: see `pages.matrices`; inner products are numbers."""
+
+
+def graphs() -> dict[str, Graph]:
+    """The graph of each kernel by its name, those of two stations last."""
+    found = page_graphs(FORMULAS, _inputs, NAMED)
+    return {name: found[name] for name in sorted(found, key=of_two_stations)}
+
+
+def of_two_stations(kernel: str) -> bool:
+    """Whether a kernel has a second station."""
+    return kernel.removesuffix(PLANE) in PAIRS
+
+
+def _inputs(kernel: str) -> dict[str, str]:
+    who = {"target": "target", "station": "station"}
+    if of_two_stations(kernel):
+        who |= {"station": "first_station", "other_station": "second_station"}
+    found = {
+        name: argument
+        for called, whose in who.items()
+        for vector in (places, velocities)
+        for name, argument in zip(
+            vector(called, SPACE_AXES), vector(whose, SPACE_AXES), strict=True
+        )
+    }
+    return {**found, "carrier_frequency": "carrier_frequency"}
 
 
 def build() -> Subject:
@@ -63,26 +67,12 @@ def build() -> Subject:
     )
     given = Given(
         towers=(*held, *pair_towers()),
-        hints=HINTS,
         steps={
             "one-station": [*component_steps(held), *kernel_steps(single)],
             "two-stations": pair_steps(pairs),
         },
     )
     page = written(NAME, given)
-    return Subject(
-        name=NAME,
-        title=page.title,
-        model=None,
-        derivation=Derivation(
-            page.opening, page.steps, (DOPPLER.key, ELEMENTARY.key), {**page.latex, **LATEX}
-        ),
-        towers=page.towers,
-        programs={
-            name: Program({entry: entry for entry in symbols_of(graph)}, graph)
-            for name, graph in made.items()
-        },
-        module=kernel_module(NAME, page.title, made),
-        textbook=textbook,
-        settings=page.settings,
-    )
+    module = page_module(FORMULAS, made, NAME, page.title)
+    subject = page_subject(NAME, page, module, made, (DOPPLER.key, ELEMENTARY.key), LATEX)
+    return replace(subject, textbook=textbook)

@@ -7,11 +7,11 @@ from collections.abc import Mapping, Sequence
 import sympy as sp
 
 from gainproof.derive.algebra.tower import Tower
-from gainproof.derive.derivation import Step
+from gainproof.derive.derivation import Step, kernel_step
 from gainproof.derive.expression import column, real
+from gainproof.derive.pages.kernel_formulas import PLANE
 from gainproof.derive.printer.graph import Graph
 from gainproof.derive.relation import Relation, equal
-from gainproof.derive.sensors.kernel_page import PLANE
 from gainproof.derive.sensors.range_doppler_names import LIGHT, PLANE_AXES, SPACE_AXES
 from gainproof.derive.sensors.range_doppler_towers import (
     CARRIER,
@@ -30,8 +30,6 @@ from gainproof.derive.sensors.range_doppler_towers import (
     relative,
     tilt,
 )
-
-SIDES = {"plane": "", "above": " (the target above)", "below": " (the target below)"}
 
 
 def along(tower: Tower) -> tuple[str, ...]:
@@ -121,29 +119,11 @@ def kernel_steps(graphs: Mapping[str, Graph]) -> list[Step]:
 
 
 def _kernel(name: str, graph: Graph, tower: str) -> Step:
-    end = "" if tower == "plane" else f"-{tower}"
-    return Step(
-        f"kernel-{name.replace('_', '-')}{end}",
-        f"The kernel {name} computes what it says{SIDES[tower]}.",
-        Relation(
-            "program",
-            {
-                "program": name,
-                "outputs": {each: meant(each) for each in graph["outputs"]},
-                "nodes": _nodes(graph),
-            },
-        ),
-        "Evaluate the kernel's graph.",
-        tower=tower,
-        hint={"graph": graph, "roots": {"slant_range": RANGE}},
-        shown=False,
-    )
-
-
-def _nodes(graph: Graph) -> dict[str, sp.Symbol]:
-    """The number of each named node, as text, with what it is called in the towers."""
     names = graph.get("names", {}).items()
-    return {str(number): real(name) for name, number in names if name != str(RANGE)}
+    nodes = {str(number): real(name) for name, number in names if name != str(RANGE)}
+    outputs = {each: meant(each) for each in graph["outputs"]}
+    step = name if tower == "plane" else f"{name}_{tower}"
+    return kernel_step(name, graph, outputs, tower, step, nodes, roots={"slant_range": RANGE})
 
 
 def meant(output: str) -> sp.Expr:

@@ -13,11 +13,10 @@ import sympy as sp
 
 from gainproof.derive.algebra.tower import Tower
 from gainproof.derive.algebra.variables import above_zero, from_zero
-from gainproof.derive.derivation import Step
+from gainproof.derive.derivation import Step, kernel_step
 from gainproof.derive.expression import real
+from gainproof.derive.pages.kernel_formulas import PLANE
 from gainproof.derive.printer.graph import Graph
-from gainproof.derive.relation import Relation
-from gainproof.derive.sensors.kernel_page import PLANE
 from gainproof.derive.sensors.range_doppler_components import named, quiet
 from gainproof.derive.sensors.range_doppler_names import (
     PLANE_AXES,
@@ -123,12 +122,6 @@ SUMS = {
 }
 """What is added up, or subtracted."""
 VECTORS = {"baseline": ("place", -1), "drift": ("velocity", -1), "reach": ("place", 1)}
-WORDS = {
-    "pair_plane": "",
-    "pair_above": " (neither station straight above)",
-    "pair_below": " (neither station straight below)",
-    "pair_aside": " (neither station straight aside)",
-}
 
 
 def pair_steps(graphs: Mapping[str, Graph]) -> list[Step]:
@@ -159,23 +152,9 @@ def _kernel(name: str, graph: Graph, tower: str) -> Step:
     roots = {"slant_range": real("slant_range"), "other_range": real("other_range")}
     names = graph.get("names", {}).items()
     nodes = {str(number): meant(name) for name, number in names if name not in roots}
-    end = tower.removeprefix("pair_")
-    return Step(
-        f"kernel-{name.replace('_', '-')}{'' if end == 'plane' else f'-{end}'}",
-        f"The kernel {name} computes what it says{WORDS[tower]}.",
-        Relation(
-            "program",
-            {
-                "program": name,
-                "outputs": {each: meant(each) for each in graph["outputs"]},
-                "nodes": nodes,
-            },
-        ),
-        "Evaluate the kernel's graph.",
-        tower=tower,
-        hint={"graph": graph, "roots": roots},
-        shown=False,
-    )
+    outputs = {each: meant(each) for each in graph["outputs"]}
+    end = tower.removeprefix("pair").removesuffix("_plane")
+    return kernel_step(name, graph, outputs, tower, name + end, nodes, roots=roots)
 
 
 def meant(output: str) -> sp.Expr:

@@ -12,7 +12,7 @@ import sympy as sp
 
 from gainproof.derive.algebra.derivative import by
 from gainproof.derive.expression import real
-from gainproof.derive.sensors.kernel_page import PLANE
+from gainproof.derive.pages.kernel_formulas import PLANE
 from gainproof.derive.sensors.range_doppler_names import (
     LIGHT,
     PLANE_AXES,

@@ -3,20 +3,21 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
+from dataclasses import replace
+from fractions import Fraction
 from pathlib import Path
-from typing import Any
 
 import sympy as sp
 
-from gainproof.derive.derivation import Derivation, Step
+from gainproof.derive.derivation import Derivation, Step, kernel_step
 from gainproof.derive.expression import real
 from gainproof.derive.model import Model
 from gainproof.derive.pages.derivation import FOLDER, Given, written
 from gainproof.derive.pages.kernel_formulas import FIRST, SECOND, formula_of
+from gainproof.derive.pages.kernel_page import page_module
 from gainproof.derive.printer.graph import Graph
-from gainproof.derive.relation import Relation
+from gainproof.derive.printer.kernel import Kernel, Module, closed
 from gainproof.derive.steady_state.context import Context, context
-from gainproof.derive.steady_state.curvature_module import SCALE
 from gainproof.derive.steady_state.gain_towers import (
     Side,
     last_roots,
@@ -24,14 +25,15 @@ from gainproof.derive.steady_state.gain_towers import (
     sides,
 )
 from gainproof.derive.steady_state.kernels import (
+    FORMULAS,
     KERNELS,
     accurate_gains,
     alpha_graph,
     beta_graph,
     index_graph,
+    largest_beta,
     pole_graph,
 )
-from gainproof.derive.steady_state.module import ACCURATE_GAINS, kernel_module
 from gainproof.derive.steady_state.names import ALPHA, BETA, DEVIATION, INDEX, LATEX, ROOT_3
 from gainproof.derive.steady_state.page_slots import (
     TURN_TOWER,
@@ -56,8 +58,52 @@ from gainproof.derive.steady_state.pole_towers import (
 )
 from gainproof.derive.steady_state.textbook import textbook_forms
 from gainproof.derive.steady_state.towers import at_once_roots, graph_roots
-from gainproof.derive.subject import Program, Subject
+from gainproof.derive.subject import Program, Subject, in_double_words
 
+ACCURATE_GAINS = in_double_words("gains")
+
+
+def kernel_module(c: Context, graphs: Mapping[str, Graph]) -> Module:
+    """The module of a family."""
+    title = f"{c.model.title}: steady state with measured position"
+    shown = {name: graph for name, graph in graphs.items() if name != ACCURATE_GAINS}
+    found = page_module(FORMULAS, shown, c.model.name, title, _words(c))
+    kernels = tuple(_with_more(c, kernel, graphs[ACCURATE_GAINS]) for kernel in found.kernels)
+    return replace(found, kernels=kernels, results="_two_state_results")
+
+
+def _with_more(c: Context, kernel: Kernel, accurate: Graph) -> Kernel:
+    """With the graph in double-words, and the end of a domain that is no rational number."""
+    (given,) = kernel.inputs
+    if kernel.name == "gains":
+        wide = closed(given.name, given.meaning, Fraction(1, 2**400), 2**400)
+        return replace(kernel, accurate=wide, accurate_graph=accurate)
+    if given.name == "beta":
+        return replace(kernel, inputs=(replace(given, upper=largest_beta(c.e)),))
+    return kernel
+
+
+def _words(c: Context) -> dict[str, str]:
+    e, n = c.e, c.n
+    return {
+        "noise_ratio": str(c.model.noise_ratio),
+        "largest_beta": "2",
+        "kappa": "2/Lambda" if e == 0 else f"sqrt(4/Lambda^2 + {e / 4})",
+        "beside": str((1 + e) / 4),
+        "raised": f"(1 + {e / 2}/kappa)" if e else "1",
+        "h": f"sqrt(16/Lambda + {'' if e == 1 else f'{e} '}Lambda)" if e else "4/p",
+        "less": str(1 - n),
+        "rate": f"(rho - {n})" if n else "rho",
+        "e": str(e),
+        "product": ""
+        if e
+        else "\nIt is a product with Lambda - 4/(3 + 2 sqrt(3)), which keeps its digits.",
+        "relation": str(c.spectrum.relation),
+    }
+
+
+SCALE = "predicted_11_scale"
+"""What the second derivative of M11 is measured by for e > 0: its terms, added."""
 ON_TWO_SIDES = ("gains", "predictor_gains")
 PAGE = "measured-position-two-states"
 POLES = "closed_loop_poles"
@@ -141,32 +187,12 @@ def _kernel_steps(
         outputs = {output: _meant(name, output) for output in graph["outputs"]}
         if name in ON_TWO_SIDES and gain_sides:
             for side in gain_sides:
-                said = f"what it says, {side.tower.name.replace('_', ' ')}"
-                hint = {"roots": side.roots, "branches": side.branches, "gaps": side.gaps}
-                program = (name, graph, outputs)
-                yield _kernel(f"{name}_{side.tower.name}", said, program, side.tower.name, hint)
+                tower, hint = side.tower.name, {"branches": side.branches, "gaps": side.gaps}
+                yield kernel_step(
+                    name, graph, outputs, tower, f"{name}_{tower}", roots=side.roots, **hint
+                )
         elif name != POLES:
-            program, tower = (name, graph, outputs), towers.get(name, "main")
-            yield _kernel(name, "what it says", program, tower, {"roots": roots})
-
-
-def _kernel(
-    name: str,
-    said: str,
-    program: tuple[str, Graph, Mapping[str, sp.Expr]],
-    tower: str,
-    hint: Mapping[str, Any],
-) -> Step:
-    kernel, graph, outputs = program
-    return Step(
-        f"kernel-{name.replace('_', '-')}",
-        f"The kernel {kernel} computes {said}.",
-        Relation("program", {"program": kernel, "outputs": outputs}),
-        "Evaluate the kernel's graph in the tower.",
-        tower=tower,
-        hint={"graph": graph, **hint},
-        shown=False,
-    )
+            yield kernel_step(name, graph, outputs, towers.get(name, "main"), roots=roots)
 
 
 def _meant(kernel: str, output: str) -> sp.Expr:
@@ -191,38 +217,33 @@ def _pole_steps(c: Context, graph: Graph) -> Iterator[Step]:
     roots, limit = graph_roots(c.e), pole_limit(c.e)
     if limit is None:
         found = _pair(1 - (ALPHA + BETA) / 2, half_width(c.e, c.n))
-        yield _kernel("poles", "them", (POLES, graph, found), "main", {"roots": roots})
+        yield kernel_step(POLES, graph, found, name="poles", roots=roots)
         return
     roots |= {"turning_root": turning_root(c.e), "below": BELOW, "above": ABOVE}
     choices, gap = [f"choice_{number}" for number in range(1, 7)], limit / SIDE
-    yield _kernel(
+    negative = {"distance": "negative", "middle_size": "negative"}
+    yield kernel_step(
+        POLES,
+        graph,
+        _pair(real("pole_real"), real("pole_imaginary")),
         "complex_poles",
-        "the complex poles below the turning index",
-        (POLES, graph, _pair(real("pole_real"), real("pole_imaginary"))),
         "complex_poles",
-        {
-            "roots": roots,
-            "branches": {**dict.fromkeys(choices, "then"), "distance": "positive"},
-            "gaps": {**dict.fromkeys(choices, gap), "distance": gap / 4},
-        },
+        roots=roots,
+        branches={**dict.fromkeys(choices, "then"), "distance": "positive"},
+        gaps={**dict.fromkeys(choices, gap), "distance": gap / 4},
     )
-    yield _kernel(
+    yield kernel_step(
+        POLES,
+        graph,
+        _real_poles(),
         "real_poles",
-        "the real poles above the turning index",
-        (POLES, graph, _real_poles()),
         "real_poles",
-        {
-            "roots": roots,
-            "branches": {
-                **dict.fromkeys(choices, "else"),
-                "distance": "negative",
-                "middle_size": "negative",
-            },
-            "gaps": {
-                **dict.fromkeys(choices, G**2),
-                "distance": G**2 / 4,
-                "middle_size": middle_size(c.e),
-            },
+        roots=roots,
+        branches={**dict.fromkeys(choices, "else"), **negative},
+        gaps={
+            **dict.fromkeys(choices, G**2),
+            "distance": G**2 / 4,
+            "middle_size": middle_size(c.e),
         },
     )
 

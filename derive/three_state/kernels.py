@@ -14,11 +14,31 @@ from gainproof.derive.expression import real
 from gainproof.derive.pages.kernel_formulas import FIRST, Value, formula_graph, formula_of
 from gainproof.derive.printer.graph import Graph, GraphBuilder
 from gainproof.derive.steady_state.towers import rational
-from gainproof.derive.three_state import inverses, pole_tower
+from gainproof.derive.three_state import pole_tower
 from gainproof.derive.three_state.context import Context
 from gainproof.derive.three_state.kernel_basis import UNIT, KernelBasis, kernel_basis
 from gainproof.derive.three_state.kernel_poles import POLES, pole_graph
 from gainproof.derive.three_state.names import DELTA, ETA, GAINS, PREDICTED, UPDATED, XI
+
+# Where m1 = 1 and m2 = 0 all are rational in w = sqrt(1 - alpha), and 1 - w = alpha/(1 + w):
+# beta = 2 (1 - w)^2, gamma = 2 (1 - w)^3/(1 + w), Lambda = gamma/w.
+
+Forms = dict[str, Any]
+
+
+def gains_from_alpha(alpha: Any, w: Any) -> Forms:
+    """beta and gamma; `w` is the root of 1 - alpha."""
+    step = alpha / (w + 1)
+    square = step * step
+    return {"beta": square * 2, "gamma": (square * 2) * (step / (w + 1))}
+
+
+def index_from_alpha(alpha: Any, w: Any) -> Forms:
+    """The index."""
+    step = alpha / (w + 1)
+    square = step * step
+    return {"tracking_index": ((square * 2) * (step / (w + 1))) / w}
+
 
 FORMULAS = Path(__file__).with_name("kernels.md")
 """What the outputs are computed by; says how a formula is checked and how to make another."""
@@ -56,8 +76,8 @@ def kernel_graphs(c: Context) -> dict[str, Graph]:
         graphs[POLES] = pole_graph(c.spectrum)
     if c.spectrum.rational_in_root:
         graphs |= {
-            "index_from_alpha": _alpha_graph(inverses.index_from_alpha),
-            "gains_from_alpha": _alpha_graph(inverses.gains_from_alpha),
+            "index_from_alpha": _alpha_graph(index_from_alpha),
+            "gains_from_alpha": _alpha_graph(gains_from_alpha),
         }
     return graphs
 

@@ -8,12 +8,12 @@ from pathlib import Path
 import sympy as sp
 
 from gainproof.derive.algebra.tower import Tower
-from gainproof.derive.derivation import Derivation, Step
+from gainproof.derive.derivation import Derivation, Step, kernel_step
 from gainproof.derive.expression import real
 from gainproof.derive.model import Model, scale
 from gainproof.derive.pages.derivation import FOLDER, Given, written
+from gainproof.derive.pages.kernel_formulas import FIRST, SCALE, SECOND, formula_of
 from gainproof.derive.printer.graph import Graph
-from gainproof.derive.relation import Relation
 from gainproof.derive.source import ALGEBRA
 from gainproof.derive.subject import Program, Subject
 from gainproof.derive.three_state import page_hints, page_slots, pole_tower
@@ -25,16 +25,51 @@ from gainproof.derive.three_state.accurate_gains import (
     within_reach,
 )
 from gainproof.derive.three_state.context import Context, context
-from gainproof.derive.three_state.kernel_meanings import meant
 from gainproof.derive.three_state.kernel_poles import POLES
 from gainproof.derive.three_state.kernel_tower import kernel_tower, kernel_tower_steps
 from gainproof.derive.three_state.kernels import kernel_graphs, kernel_roots
 from gainproof.derive.three_state.module import ACCURATE_GAINS, kernel_module
-from gainproof.derive.three_state.names import LATEX, XI
+from gainproof.derive.three_state.names import DEVIATION, INDEX, LATEX, XI
 from gainproof.derive.three_state.pole_places import turning
 from gainproof.derive.three_state.pole_tower import MEAN, MODULUS, REAL, SQUARE
 from gainproof.derive.three_state.second_derivative_tower import bending_tower
 from gainproof.derive.three_state.textbook import textbook_forms
+
+NAMED = {
+    "position": real("predictor_position"),
+    "velocity": real("predictor_velocity"),
+    "acceleration": real("gamma"),
+    "pole_product": 1 - real("alpha"),
+}
+
+
+def meant(kernel: str, output: str) -> sp.Expr:
+    """What an output of a kernel stands for."""
+    name = formula_of(kernel, output)
+    plain = name.removeprefix(SECOND).removeprefix(FIRST)
+    order = 2 if name.startswith(SECOND) else int(plain != name)
+    if plain.endswith(SCALE):
+        return _parts(plain.removesuffix(SCALE), order)
+    value = NAMED.get(plain, real(plain))
+    return sp.Derivative(value, (INDEX, order)) if order else value
+
+
+def _parts(name: str, order: int) -> sp.Expr:
+    """The sum of the parts whose difference a derivative is.
+
+    Those of M11 are (sigma psi/Lambda)^2 and sigma^2 psi chi/Lambda^2; the falling part of M12 is
+    -M12' xi'/xi; those of X are the derivative of M and of what the update takes from it.
+    """
+    value = real(name)
+    own = sp.Derivative(value, (INDEX, order))
+    if name == "predicted_11":
+        return -sp.Derivative(real("alpha"), (INDEX, 2)) * DEVIATION**4
+    if name == "predicted_12":
+        slope = sp.Derivative(value, INDEX)
+        return own - 2 * slope * sp.Derivative(XI, INDEX) / XI
+    before = real(name.replace("updated", "predicted"))
+    return 2 * sp.Derivative(before, (INDEX, order)) - own
+
 
 PAGE = "measured-position-three-states"
 
@@ -118,15 +153,7 @@ def _tower(name: str) -> str:
 def _program_steps(c: Context, graphs: Mapping[str, Graph]) -> list[Step]:
     """Every kernel computes what its outputs are called."""
     return [
-        Step(
-            f"kernel-{name.replace('_', '-')}",
-            f"The kernel {name} computes what it says.",
-            Relation("program", {"program": name, "outputs": _meanings(c, name, graph)}),
-            "Evaluate the kernel's graph in the tower.",
-            tower=_tower(name),
-            hint={"graph": graph, "roots": _roots(c, name)},
-            shown=False,
-        )
+        kernel_step(name, graph, _meanings(c, name, graph), _tower(name), roots=_roots(c, name))
         for name, graph in graphs.items()
     ]
 

@@ -8,20 +8,18 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, replace
 from pathlib import Path
-from typing import Any
 
 import sympy as sp
 
 from gainproof.derive.algebra.derivative import derivative
 from gainproof.derive.algebra.tower import Tower
-from gainproof.derive.derivation import Derivation, Step
+from gainproof.derive.derivation import Derivation, Step, kernel_step
 from gainproof.derive.expression import real
 from gainproof.derive.model import Model
 from gainproof.derive.pages.derivation import FOLDER, Given, written
 from gainproof.derive.printer.graph import Graph, symbols_of
-from gainproof.derive.relation import Relation
 from gainproof.derive.subject import Program, Subject
-from gainproof.derive.vector_measurement import module, pole_kernels, pole_towers, poles
+from gainproof.derive.vector_measurement import module, pole_kernels, pole_towers, poles, radicands
 from gainproof.derive.vector_measurement.context import Context, context
 from gainproof.derive.vector_measurement.corner_towers import (
     fixed_index_tower,
@@ -35,11 +33,58 @@ from gainproof.derive.vector_measurement.limit_towers import FAR, ends_tower, in
 from gainproof.derive.vector_measurement.module import KNOWN
 from gainproof.derive.vector_measurement.names import DELTA, INDEX, LATEX, RATIO, SIGMA, UPDATED
 from gainproof.derive.vector_measurement.page_slots import page_slots
-from gainproof.derive.vector_measurement.pole_kernels import MEAN, MODULUS, SQUARE
-from gainproof.derive.vector_measurement.pole_module import is_of_poles
+from gainproof.derive.vector_measurement.pole_kernels import MEAN, MODULUS, POLES, SQUARE
 from gainproof.derive.vector_measurement.pole_towers import X
-from gainproof.derive.vector_measurement.textbook import textbook_forms
-from gainproof.derive.vector_measurement.towers import graph_roots, rational
+from gainproof.derive.vector_measurement.towers import graph_roots, rational, symbolic_noise
+
+# These forms subtract computed values and lose digits; nothing is printed from them.
+
+Forms = Mapping[str, sp.Expr]
+
+
+def textbook_forms(c: Context) -> Mapping[str, Forms]:
+    """Expressions by kernel and output, over Lambda and S alone: sigma from its quadratic, then
+    the equations of the filter solved one after another.
+    """
+    noise, area = symbolic_noise(c.noise), INDEX**2
+    n = rational(c.noise.n)
+    one = sp.sqrt(c.spectrum.constant)
+    mean = (one + sp.sqrt(radicands.eta_squared(noise, INDEX, RATIO)) / RATIO) / 2
+    delta = sp.sqrt(mean**2 - 4)
+    sigma = (mean + delta) / 2
+    cross = (area * (1 / sigma + n * delta) + RATIO**2 * one) / (delta**2 + RATIO**2)
+    rate = delta * cross - n * area
+    step = 2 * cross / sigma + rate + rational(c.noise.first) * area
+    first = 1 - (rate + area + RATIO**2) / (RATIO**2 * sigma**2)
+    updated = {"updated_11": first, "updated_12": cross / sigma, "updated_22": rate}
+    gains = {
+        "gain_11": first,
+        "gain_12": cross / sigma / RATIO**2,
+        "gain_21": cross / sigma,
+        "gain_22": rate / RATIO**2,
+    }
+    return {
+        "gains": gains,
+        POLES: _poles(gains),
+        "updated_covariance": updated,
+        "predicted_covariance": {
+            "predicted_11": first + step,
+            "predicted_12": cross * sigma,
+            "predicted_22": rate + area,
+        },
+    }
+
+
+def _poles(gains: Forms) -> Forms:
+    """From trace and determinant of F (I - K)."""
+    half = (2 - gains["gain_11"] - gains["gain_21"] - gains["gain_22"]) / 2
+    product = (1 - gains["gain_11"]) * (1 - gains["gain_22"]) - gains["gain_12"] * gains["gain_21"]
+    return {
+        MEAN: half,
+        MODULUS: sp.sqrt(product),
+        SQUARE: half**2 - product,
+    }
+
 
 NAME = "position-velocity"
 """The page, for every process noise in reach."""
@@ -83,9 +128,10 @@ def derive_position_velocity(
         slots={"": {**page_slots(c), **printed.slots(c.tower)}},
         hints=hints(c),
         ends=tower_ends(c.noise),
+        steps={"kernels": kernel_steps(c, graphs)},
     )
     page = written(NAME, given, folder)
-    steps = (*map(printed.beside, page.steps), *kernel_steps(c, graphs))
+    steps = tuple(map(printed.beside, page.steps))
     latex = {
         **{
             name: shown for name, shown in {**page.latex, **LATEX}.items() if _occurs(c.tower, name)
@@ -144,9 +190,11 @@ def kernel_steps(c: Context, graphs: Mapping[str, Graph]) -> list[Step]:
     known = "without_ratio" if c.noise.determinant else "ends"
     roots = {**graph_roots(c.noise), "far": FAR}
     steps = [
-        _program(name, "", _meant(c, name, graph), known if name == KNOWN else "main", graph, roots)
+        kernel_step(
+            name, graph, _meant(c, name, graph), known if name == KNOWN else "main", roots=roots
+        )
         for name, graph in graphs.items()
-        if not is_of_poles(name)
+        if name not in (pole_kernels.POLES, pole_kernels.REAL)
     ]
     return steps + _pole_steps(c, graphs)
 
@@ -187,7 +235,7 @@ def _pole_steps(c: Context, graphs: Mapping[str, Graph]) -> list[Step]:
         roots["slope_place"] = pole_towers.place(c.noise)
         places["centre_place"] = pole_towers.centre_place(c.noise)
     return [
-        _program(pole_kernels.POLES, "", outputs, pole_towers.POLES, graph, roots | places),
+        kernel_step(pole_kernels.POLES, graph, outputs, pole_towers.POLES, roots=roots | places),
         *_sides(c, graph, roots),
         _turning(c, graphs[pole_kernels.REAL]),
     ]
@@ -206,15 +254,15 @@ def _sides(c: Context, graph: Graph, roots: Mapping[str, sp.Expr]) -> list[Step]
         (pole_towers.ABOVE, 4 / (SIGMA**2 + 1) - A, "positive", X),
     )
     return [
-        _program(
+        kernel_step(
             pole_kernels.POLES,
-            f"-{tower.removeprefix('poles_')}",
+            graph,
             {MEAN + SCALE: scale},
             tower,
-            graph,
-            roots,
-            {"second_size": branch},
-            {"second_size": size * distance * (RATIO + place)},
+            f"{pole_kernels.POLES}_{tower.removeprefix('poles_')}",
+            roots=roots,
+            branches={"second_size": branch},
+            gaps={"second_size": size * distance * (RATIO + place)},
         )
         for tower, scale, branch, distance in sides
     ]
@@ -223,25 +271,4 @@ def _sides(c: Context, graph: Graph, roots: Mapping[str, sp.Expr]) -> list[Step]
 def _turning(c: Context, graph: Graph) -> Step:
     outputs = {output: real(output) for output in graph["outputs"]}
     roots = {"spread_root": pole_towers.spread_root(c.noise)}
-    return _program(pole_kernels.REAL, "", outputs, pole_towers.TURNING, graph, roots)
-
-
-def _program(
-    kernel: str,
-    suffix: str,
-    outputs: Mapping[str, sp.Expr],
-    tower: str,
-    graph: Graph,
-    roots: Mapping[str, sp.Expr],
-    branches: Mapping[str, str] | None = None,
-    gaps: Mapping[str, Any] | None = None,
-) -> Step:
-    return Step(
-        f"kernel-{kernel.replace('_', '-')}{suffix}",
-        f"The kernel {kernel} computes what it says.",
-        Relation("program", {"program": kernel, "outputs": outputs}),
-        "Evaluate the kernel's graph in the tower.",
-        tower=tower,
-        hint={"graph": graph, "roots": roots, "branches": branches or {}, "gaps": gaps or {}},
-        shown=False,
-    )
+    return kernel_step(pole_kernels.REAL, graph, outputs, pole_towers.TURNING, roots=roots)

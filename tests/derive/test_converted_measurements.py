@@ -16,7 +16,7 @@ from gainproof.derive.algebra.limits import End
 from gainproof.derive.derivation import PageError, Step
 from gainproof.derive.expression import real
 from gainproof.derive.relation import Relation, equal, limit, monotone, positive, same_sign
-from gainproof.derive.sensors.converted_module import graphs
+from gainproof.derive.sensors.converted_measurements import graphs
 from gainproof.derive.subject import Subject
 from gainproof.verify.certificate import check, check_statement
 

@@ -9,11 +9,12 @@ import pytest
 import sympy as sp
 from docstring_formulas import DIGITS, Text, Values, drawn, exact, expression, near, value
 
-from gainproof.derive.sensors.converted_module import FORMULAS, graphs
-from gainproof.derive.sensors.kernel_page import kernel_words
+from gainproof.derive.pages.kernel_page import kernel_words
+from gainproof.derive.sensors.converted_measurements import FORMULAS, graphs
 from gainproof.generated import converted_measurements
 
-EQUATIONS = {name: lines for name, (_, lines) in kernel_words(FORMULAS, graphs()).items()}
+WORDS = kernel_words(FORMULAS)
+EQUATIONS = {name: WORDS.of(name).equations for name in graphs()}
 PLANE = {
     "classical_conversion_in_plane": ("the variance ", "across it "),
     "debiased_conversion_in_plane": (),

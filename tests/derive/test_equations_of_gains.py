@@ -6,9 +6,11 @@ import numpy as np
 import pytest
 from docstring_formulas import Text, Values, drawn, exact, near, value
 
-from gainproof.derive.updated_gains import words
+from gainproof.derive.pages.kernel_page import kernel_words
+from gainproof.derive.updated_gains.subject import FORMULAS
 from gainproof.generated import updated_gains
 
+EQUATIONS = {name: told.equations for name, told in kernel_words(FORMULAS).own.items()}
 GAINS: dict[str, dict[str, str]] = {
     "first_order_gains": {"alpha": ": alpha = ", "beta": "beta = "},
     "first_order_errors": {
@@ -25,7 +27,7 @@ GAINS: dict[str, dict[str, str]] = {
 @pytest.mark.parametrize("seed", range(5))
 @pytest.mark.parametrize("name", GAINS)
 def test_gains_of_two_indices(name: str, seed: int) -> None:
-    text = Text(words.EQUATIONS[name])
+    text = Text(EQUATIONS[name])
     nominal, index = drawn(seed, -2, 2, 2)
     known = exact(L=nominal, Lambda=index)
     root = text.formula("n = ")
@@ -43,7 +45,7 @@ def test_gains_of_two_indices(name: str, seed: int) -> None:
 
 @pytest.mark.parametrize("seed", range(5))
 def test_the_index_of_an_axis(seed: int) -> None:
-    text = Text(words.EQUATIONS["tracking_index"])
+    text = Text(EQUATIONS["tracking_index"])
     given = drawn(seed, -1, 2, 3)
     known = exact(**dict(zip(("sigma_w", "T", "R"), given, strict=True)))
     wanted = value(text.formula("Lambda = "), known)
@@ -53,7 +55,7 @@ def test_the_index_of_an_axis(seed: int) -> None:
 
 @pytest.mark.parametrize("seed", range(5))
 def test_recursive_gains(seed: int) -> None:
-    text = Text(words.EQUATIONS["recursive_gains"])
+    text = Text(EQUATIONS["recursive_gains"])
     given = drawn(seed, -1, 1, 4)
     known = exact(**dict(zip(("alpha", "beta", "Lambda", "next_index"), given, strict=True)))
     known["e"] = value(text.formula(" e = "), known)
@@ -70,7 +72,7 @@ def test_recursive_gains(seed: int) -> None:
 
 @pytest.mark.parametrize("seed", range(5))
 def test_limits_of_the_update(seed: int) -> None:
-    text = Text(words.EQUATIONS["update_limits"])
+    text = Text(EQUATIONS["update_limits"])
     (nominal,) = drawn(seed, -2, 2, 1)
     known = exact(L=nominal)
     known["n"] = value(text.formula("n = "), known)
@@ -96,7 +98,7 @@ def test_limits_of_the_update(seed: int) -> None:
 
 @pytest.mark.parametrize("seed", range(5))
 def test_gains_along_the_line_of_sight(seed: int) -> None:
-    text = Text(words.EQUATIONS["line_of_sight_gains"])
+    text = Text(EQUATIONS["line_of_sight_gains"])
     along, across, angle = drawn(seed, -1, 0.4, 3)
     given = {"along": along, "across": across, "cosine": np.cos(angle), "sine": np.sin(angle)}
     known = exact(**{name: float(each) for name, each in given.items()})
@@ -108,15 +110,15 @@ def test_gains_along_the_line_of_sight(seed: int) -> None:
 
 def test_every_kernel_is_read() -> None:
     gains = {*GAINS, "tracking_index", "recursive_gains", "update_limits", "line_of_sight_gains"}
-    assert set(words.EQUATIONS) == gains
+    assert set(EQUATIONS) == gains
 
 
 def test_a_slip_is_seen(monkeypatch: pytest.MonkeyPatch) -> None:
     changed = tuple(
         each.replace("(1 + n)^2)/(2 + n)", "(1 + n)^2)/(3 + n)")
-        for each in words.EQUATIONS["mismatch_variances"]
+        for each in EQUATIONS["mismatch_variances"]
     )
-    assert changed != words.EQUATIONS["mismatch_variances"]
-    monkeypatch.setitem(words.EQUATIONS, "mismatch_variances", changed)
+    assert changed != EQUATIONS["mismatch_variances"]
+    monkeypatch.setitem(EQUATIONS, "mismatch_variances", changed)
     with pytest.raises(AssertionError, match="predicted_11"):
         test_gains_of_two_indices("mismatch_variances", 0)

@@ -11,7 +11,7 @@ from catalogue_subjects import certificate
 
 from gainproof.derive.printer.graph import Graph, GraphBuilder, Node
 from gainproof.derive.sensors.algebraic_graphs import algebraic
-from gainproof.derive.sensors.polar_module import graphs
+from gainproof.derive.sensors.polar_coordinates import graphs
 from gainproof.verify.certificate import check_statement
 
 Plain = dict[str, Any]

@@ -11,7 +11,7 @@ import pytest
 from catalogue_subjects import certificate
 from one_of_each import cases
 
-from gainproof.derive.sensors.polar_module import graphs
+from gainproof.derive.sensors.polar_coordinates import graphs
 from gainproof.verify.certificate import check, check_statement
 from gainproof.verify.certificate.checker import decide
 from gainproof.verify.certificate.document import Document, read_document, read_statement

@@ -12,7 +12,7 @@ import pytest
 from catalogue_subjects import certificate
 from one_of_each import cases
 
-from gainproof.derive.sensors.range_doppler_module import graphs
+from gainproof.derive.sensors.range_doppler import graphs
 from gainproof.verify.certificate import check, check_statement
 
 Plain = dict[str, Any]

@@ -24,17 +24,19 @@ from gainproof.derive.own_expressions.expressions import (
 )
 from gainproof.derive.own_expressions.subject import chosen_forms
 from gainproof.derive.own_expressions.written_form import as_written
+from gainproof.derive.pages.kernel_formulas import PLANE
+from gainproof.derive.pages.kernel_page import page_module
 from gainproof.derive.printer.bound import prove
 from gainproof.derive.printer.formats import FORMATS
 from gainproof.derive.printer.kernel import Input, Kernel
 from gainproof.derive.quantity import ONE, Quantity
-from gainproof.derive.sensors.kernel_page import PLANE
-from gainproof.derive.sensors.range_doppler_module import graphs, kernel_module, of_two_stations
+from gainproof.derive.sensors.range_doppler import FORMULAS, graphs, of_two_stations
 from gainproof.derive.sensors.range_doppler_textbook import textbook
 
 LEDGER = Path(gainproof.generated.__file__).parent / "bounds.json"
 SINGLE = {name: graph for name, graph in graphs().items() if not of_two_stations(name)}
-KERNELS = {each.name: each for each in kernel_module("range-doppler", "a title", SINGLE).kernels}
+MODULE = page_module(FORMULAS, SINGLE, "range-doppler", "a title")
+KERNELS = {each.name: each for each in MODULE.kernels}
 QUICK = ("slant_range", "range_jacobian", "range_rate", "range_rate_jacobian", "range_hessian")
 HINTS = {"range_rate_hessian"}
 """Kernels of which the search finds no form of some output."""

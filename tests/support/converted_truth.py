@@ -13,7 +13,7 @@ import flint
 from polar_points import signature
 from signed_graphs import with_terms
 
-from gainproof.derive.sensors.converted_module import graphs
+from gainproof.derive.sensors.converted_measurements import graphs
 from gainproof.generated import converted_measurements
 from gainproof.verify.oracles import converted_enclosure
 from gainproof.verify.oracles.converted_enclosure import BITS, Moments

@@ -25,7 +25,7 @@ from gainproof.verify.judge import worker
 
 CAN_FORK = sys.platform != "win32"
 MADE_READY = [
-    *("gainproof.verify.judge.child", "gainproof.verify.judge.repair.task"),
+    *("gainproof.verify.judge.worker_process", "gainproof.verify.judge.repair.task"),
     *("forked_worker", "gainproof.jobs.tasks", "gainproof.subjects.own_file"),
 ]
 

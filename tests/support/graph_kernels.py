@@ -14,7 +14,8 @@ from numpy.typing import NDArray
 
 from gainproof.derive.printer.graph import Graph, GraphBuilder, Node
 from gainproof.derive.printer.kernel import Input, Kernel, Limit, Module, Output, closed
-from gainproof.derive.printer.numpy_source import module_source
+from gainproof.derive.printer.module_bounds import prove_all
+from gainproof.derive.printer.numpy_source import printed
 from gainproof.derive.printer.package import HERE, PLACE
 
 Point = float | Mapping[str, float]
@@ -53,7 +54,8 @@ def simple(write: Callable[[GraphBuilder, Node], Node], **options: Any) -> Kerne
 
 def text_of(kernel: Kernel) -> str:
     """The printed module of one kernel."""
-    return module_source(Module("made", "Made for a test", "a command", "a derivation", (kernel,)))
+    module = Module("made", "Made for a test", "a command", "a derivation", (kernel,))
+    return printed(module, prove_all(module.kernels))
 
 
 def several_of(

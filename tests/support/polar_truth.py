@@ -9,7 +9,7 @@ from typing import Any
 import flint
 from signed_graphs import with_terms
 
-from gainproof.derive.sensors.polar_module import graphs
+from gainproof.derive.sensors.polar_coordinates import graphs
 from gainproof.verify.oracles import polar_enclosure
 
 Values = Mapping[str, flint.arb]

@@ -48,7 +48,7 @@ def poles(model: Model, enclosures: Mapping[str, Box], parts: Sequence[int]) -> 
             found += _discs(flint.arb_mat(rows))
         while pair := _meeting(found):
             found = [disc for disc in found if disc not in pair] + [_united(*pair)]
-        made = [_pole(*disc) for disc in found]
+        made = [_pole(disc, found) for disc in found]
     return tuple(sorted(made, key=lambda pole: (-abs(pole.centre), -pole.centre.imag)))
 
 
@@ -106,13 +106,16 @@ def _united(a: Disc, b: Disc) -> Disc:
     return centre, max(abs(c - centre).upper() + r for c, r, _ in (a, b)).upper(), a[2] + b[2]
 
 
-def _pole(centre: flint.acb, radius: flint.arb, count: int) -> Pole:
-    """A disc with one eigenvalue of a real matrix that reaches the real line has a real one, as the
-    conjugate lies in it too.
+def _pole(disc: Disc, all_discs: Sequence[Disc]) -> Pole:
+    """The one eigenvalue of a disc is real where its conjugate, which is one too, can lie in no
+    other.
     """
-    shown = complex(float(centre.real), float(centre.imag))
-    if count == 1 and not abs(centre.imag) > radius:
-        shown = complex(shown.real, 0.0)
+    centre, radius, count = disc
+    turned = centre.conjugate(), radius, count
+    others = [other for other in all_discs if other is not disc]
+    real = count == 1 and not any(_meeting((turned, other)) for other in others)
+    shown = complex(float(centre.real), 0.0 if real else float(centre.imag))
+    if real:
         centre = flint.acb(centre.real)
     away = (abs(centre - flint.acb(shown.real, shown.imag)) + radius).upper()
     return Pole(shown, float(away) * (1 + 2.0**-40), count)

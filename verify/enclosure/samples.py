@@ -7,14 +7,13 @@ bits as the half widths ask for.
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
-from fractions import Fraction
 from typing import Any
 
 import flint
 
 from gainproof.verify.check_enclosure import Box
 from gainproof.verify.enclosure.steady import ASKED
-from gainproof.verify.enclosure.structure import Model, ball
+from gainproof.verify.enclosure.structure import Model, ball, fraction_of
 
 LEAST_BITS, MOST_BITS = 512, 1 << 14
 ZERO_BITS = 300
@@ -26,7 +25,7 @@ class NoGain(ValueError):
     """The gain of a sample is not determined, or not told; the message says which."""
 
 
-def samples(model: Model, start: Box, count: int) -> tuple[Mapping[str, Box], ...]:
+def gains_by_sample(model: Model, start: Box, count: int) -> tuple[Mapping[str, Box], ...]:
     """Of each of the first samples the enclosures of the covariances `predicted` and `updated` and
     of the gains `filter` and `predictor`, with the half widths of `steady`; `start` is the
     covariance of the prediction of the first one.
@@ -100,10 +99,5 @@ def _balls(box: Box) -> Any:
 
 def _box(a: Any) -> Box:
     """Rational centres and radii."""
-    rows = [[(_exact(x.mid()), _exact(x.rad())) for x in row] for row in a.tolist()]
+    rows = [[(fraction_of(x.mid()), fraction_of(x.rad())) for x in row] for row in a.tolist()]
     return Box([[c for c, _ in row] for row in rows], [[e for _, e in row] for row in rows])
-
-
-def _exact(x: Any) -> Fraction:
-    man, exp = x.man_exp()
-    return Fraction(int(man)) * Fraction(2) ** int(exp)

@@ -25,6 +25,7 @@ from gainproof.verify.enclosure.structure import (
     Relations,
     ball,
     exact,
+    fraction_of,
     kernel,
     reduced,
     require_seen,
@@ -380,7 +381,7 @@ def _lacking(model: Model, found: Mapping[str, Box], sigma: Any, asked: int) -> 
     least = [max(p.c[i][i] - p.radius[i][i], Fraction(0)) for i in range(len(p.c))]
     moved = (model.f @ Box(p.c) @ model.f.turned()).c
     driven = [row[i] or model.q.c[i][i] for i, row in enumerate(moved)]
-    across = [_fraction_of(sigma[j, j].mid()) for j in range(sigma.nrows())]
+    across = [fraction_of(sigma[j, j].mid()) for j in range(sigma.nrows())]
     sizes = {
         "predicted": [[a * b for b in least] for a in least],
         "updated": [[a * b for b in least] for a in least],
@@ -433,14 +434,9 @@ def _rounded(a: Any, grid: Sequence[Sequence[float]]) -> Grid:
         places = [ceil(-power * log10(2)) for power in powers]
         scales = [Fraction(10) ** k for k in places]
         found.append(
-            [round(_fraction_of(x.mid()) * c) / c for x, c in zip(row, scales, strict=True)]
+            [round(fraction_of(x.mid()) * c) / c for x, c in zip(row, scales, strict=True)]
         )
     return found
-
-
-def _fraction_of(x: Any) -> Fraction:
-    man, exp = x.man_exp()
-    return Fraction(int(man)) * Fraction(2) ** int(exp)
 
 
 def _fmpq(x: Fraction) -> flint.fmpq:

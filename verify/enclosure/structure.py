@@ -10,6 +10,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
+from fractions import Fraction
 from typing import Any
 
 import flint
@@ -64,6 +65,12 @@ def ball(box: Box, i: int, j: int) -> flint.arb:
     """All values of an entry, at the precision that is set."""
     c, r = (flint.fmpq(x.numerator, x.denominator) for x in (box.c[i][j], box.radius[i][j]))
     return flint.arb(c) + flint.arb(0, flint.arb(r).abs_upper())
+
+
+def fraction_of(x: flint.arb) -> Fraction:
+    """The value of a ball without a radius."""
+    man, exp = x.man_exp()
+    return Fraction(int(man)) * Fraction(2) ** int(exp)
 
 
 Rows = Sequence[Sequence[flint.fmpq]]

@@ -13,7 +13,7 @@ from typing import Any
 from gainproof.bad_input import BadInputError
 from gainproof.verify.check_enclosure import Box, decide, definite
 from gainproof.verify.enclosure.poles import Pole, poles
-from gainproof.verify.enclosure.samples import NoGain, samples
+from gainproof.verify.enclosure.samples import NoGain, gains_by_sample
 from gainproof.verify.enclosure.steady import steady
 from gainproof.verify.enclosure.structure import Model, NoSteadyState
 
@@ -109,7 +109,7 @@ def samples_of(model: Model, start: Box, count: int) -> tuple[Sample, ...]:
         raise BadInputError(f"start: wanted {n} by {n}, but it is {found}")
     _require_covariances(model, start)
     try:
-        found_samples = samples(model, start, count)
+        found_samples = gains_by_sample(model, start, count)
     except NoGain as reason:
         raise BadInputError(str(reason)) from None
     return tuple(

@@ -13,7 +13,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from samples import samples
 
-from gainproof.derive.fixed_gain.two_programs import graphs
+from gainproof.derive.families.fixed_gain_alpha_beta import graphs
 from gainproof.verify.certificate import check
 from gainproof.verify.oracles.fixed_gain import root_moduli
 

@@ -8,6 +8,7 @@ import pytest
 
 from gainproof.derive.pages.formula import FormulaError
 from gainproof.derive.pages.kernel_formulas import Value, kernel_values, read_sections
+from gainproof.derive.printer.fixed_point import fixed_point, near_cbrt
 from gainproof.derive.printer.graph import Graph, GraphBuilder, Node, operands
 
 GIVEN = {"a": Fraction(2, 3), "b": Fraction(7), "c": Fraction(5, 11)}
@@ -86,6 +87,47 @@ def test_what_zero_and_one_make_superfluous_is_left_out(text: str) -> None:
 def test_a_negative_number_with_a_node_is_no_form(text: str) -> None:
     with pytest.raises(ArithmeticError, match="no form without a subtraction: -2"):
         graph_of(f"    x = {text}", "x", n=-2)
+
+
+def test_a_number_that_is_written_may_be_taken_away() -> None:
+    builder = GraphBuilder()
+    a, b, _ = (builder.symbol(name) for name in GIVEN)
+    by_hand = builder.graph({"x": (a - Fraction(3, 4)) * (b * 4 - 1)})
+    assert graph_of("    x = (a - 3/4) (4 b - 1)", "x") == by_hand
+    with pytest.raises(ArithmeticError, match="no form without a subtraction"):
+        graph_of("    x = a - n", "x", n=2)
+
+
+def test_the_root_of_a_number_and_of_an_equation() -> None:
+    builder = GraphBuilder()
+    a = builder.symbol("a")
+    assert graph_of("    x = a sqrt(2)", "x") == builder.graph({"x": a * builder.sqrt(2)})
+    root = fixed_point(near_cbrt(a), lambda u: builder.sqrt(builder.sqrt(a * u)), within="1/25")
+    page = """
+    u = unknown(near_cbrt(a), 1/25)
+    inner = sqrt(a u)
+    x = fixed_point(u, sqrt(inner))
+"""
+    assert graph_of(page, "x") == builder.graph({"x": root})
+    with pytest.raises(FormulaError, match="sqrt of a number: write its value"):
+        kernel_values(read_sections("    x = sqrt(2)"), {}, ["x"])
+
+
+def test_what_stands_below_the_name_of_a_kernel_is_its_own() -> None:
+    page = """
+    x = y
+    y = a
+### near (Near)
+    y = b
+### far_in_plane
+Only prose.
+## More
+    z = y
+"""
+    assert graph_of(page, "x", "z") == graph_of("    x = a\n    z = a", "x", "z")
+    near = graph_of(page, "x", "z", near_kernel=1, far_kernel=0)
+    assert near["nodes"] == [["symbol", "b"]]
+    assert graph_of(page, "x", near_kernel=0)["nodes"] == [["symbol", "a"]]
 
 
 @pytest.mark.parametrize("text", ["a/n", "n/n", "a/(n b)", "a/(n - n)", "b + a (n/n)"])

@@ -360,7 +360,8 @@ OF_KERNELS = [
         30,
         "no setting 'other' above; known: given, main",
     ),
-    ("twice = 2 a", "twise = 2 a", 30, "the outputs twice, thrice are wanted, in this order"),
+    ("twice = 2 a", "twise = 2 a", 31, "no output or root 'twise'; known: twice, thrice"),
+    ("    twice = 2 a\n", "", 30, "'twice' has no value in setting main"),
     ("thrice = 3 a", "thrice = 3 x", 32, "'x' is neither a quantity nor a definition"),
     ("thrice = 3 a", "thrice = P_12", 32, "'P_12' has no value in setting main"),
 ]
@@ -371,6 +372,20 @@ def test_a_kernel_is_claimed_to_compute_what_its_block_says(tmp_path: Path) -> N
     assert (made.id, made.tower, made.shown) == ("kernel-double", "main", False)
     claim = {"program": "double", "outputs": {"twice": 2 * A, "thrice": 3 * A}}
     assert made.relation.parts == claim
+
+
+def test_an_output_is_the_quantity_of_its_name_and_roots_are_named(tmp_path: Path) -> None:
+    builder = GraphBuilder()
+    a = builder.symbol("a")
+    root = builder.sqrt(a * a)
+    graph = builder.graph({"entry_11": root * 2}, {"root": root})
+    made = written(
+        "page",
+        replace(GIVEN, programs={"plain": graph}),
+        on_disk(tmp_path, f"{PAGE}\nkernel plain\n    root = a\n"),
+    ).steps[-1]
+    assert made.relation.parts == {"program": "plain", "outputs": {"entry_11": real("entry_11")}}
+    assert made.hint == {"graph": graph, "roots": {"root": A}}
 
 
 @pytest.mark.parametrize(("right", "wrong", "line", "said"), OF_KERNELS)

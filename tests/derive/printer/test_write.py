@@ -12,10 +12,12 @@ from hypothesis import strategies as st
 from samples import samples
 
 from gainproof.derive.printer.canonical_json import WIDTH, canonical_json
-from gainproof.derive.printer.generated_files import all_files
+from gainproof.derive.printer.generated_files import module_files
 from gainproof.derive.printer.graph import GraphBuilder
 from gainproof.derive.printer.kernel import Module
+from gainproof.derive.printer.module_bounds import prove_all
 from gainproof.derive.printer.package import CODE, code_source
+from gainproof.subjects.generated_files import together
 
 
 def module(name: str) -> Module:
@@ -24,36 +26,41 @@ def module(name: str) -> Module:
     return Module(name, f"The module {name}", "made so", "from this", (kernel_of(graph),))
 
 
+def files_of(*modules: Module) -> dict[str, bytes]:
+    """Of modules whose certificates are empty."""
+    return together(
+        [
+            {
+                "module": each.name,
+                "title": each.title,
+                "files": module_files(each, {}, prove_all(each.kernels)),
+            }
+            for each in modules
+        ]
+    )
+
+
 def test_all_files() -> None:
-    files = all_files([module("b"), module("a")], {"a": {"x": [1]}, "b": {}})
+    files = files_of(module("b"), module("a"))
     assert sorted(files) == sorted(["__init__.py", *CODE, "a.py", "a.json", "b.py", "b.json"])
     assert all(files[name] == code_source(name).encode("utf-8") for name in CODE)
     assert b"shipped" not in b"".join(files.values())
-    assert files["a.json"] == b'{"x": [1]}\n'
+    assert files["a.json"] == b"{}\n"
     assert b"`a`: The module a\n- `b`" in files["__init__.py"]
     assert all(b"\r" not in content and content.endswith(b"\n") for content in files.values())
-    assert files == all_files([module("a"), module("b")], {"b": {}, "a": {"x": [1]}})
+    assert files == files_of(module("a"), module("b"))
 
 
 def test_results_of_several_modules_stand_in_one_file() -> None:
     one, other = (replace(module(name), results="_results") for name in "ab")
-    files = all_files([one, other], {"a": {}, "b": {}})
+    files = files_of(one, other)
     assert b"class Result(NamedTuple)" in files["_results.py"]
     assert b"class " not in files["a.py"]
     assert b"from gainproof.generated._results import (\n    Result,\n)" in files["a.py"]
     (kernel,) = other.kernels
     different = replace(other, kernels=(replace(kernel, result="Other"),))
-    with pytest.raises(ValueError, match="b: its results differ from those in _results"):
-        all_files([one, different], {"a": {}, "b": {}})
-
-
-def test_what_does_not_belong_together() -> None:
-    with pytest.raises(ValueError, match="differ"):
-        all_files([module("a")], {"a": {}, "b": {}})
-    with pytest.raises(KeyError):
-        all_files([module("a")], {})
-    with pytest.raises(ValueError, match="differ"):
-        all_files([module("a"), module("a")], {"a": {}})
+    with pytest.raises(ValueError, match=r"b: its _results\.py differs from that of another"):
+        files_of(one, different)
 
 
 PLAIN = st.recursive(

@@ -5,12 +5,13 @@ from __future__ import annotations
 import random
 from fractions import Fraction
 
+import flint
 import numpy as np
 import pytest
 from riccati_recursion import drawn, model
 from samples import samples
 
-from gainproof.verify.enclosure.poles import Pole, poles
+from gainproof.verify.enclosure.poles import Pole, _pole, poles
 from gainproof.verify.enclosure.steady import steady
 from gainproof.verify.enclosure.structure import Model
 
@@ -41,6 +42,13 @@ def test_poles_that_cannot_be_told_apart_are_counted() -> None:
     assert [pole.count for pole in found(both)] == [2, 2]
     for double, single in zip(found(both), found(one), strict=True):
         assert abs(double.centre - single.centre) <= double.radius + single.radius < 1e-14
+
+
+def test_a_pair_next_to_the_real_line_is_not_taken_for_real() -> None:
+    """Discs that reach the line, and do not meet: the conjugate lies in the other one."""
+    above, below = ((flint.acb(0.5, y), flint.arb(1.5e-10), 1) for y in (1e-10, -2.25e-10))
+    assert _pole(above, (above, below)).centre.imag == 1e-10
+    assert _pole(above, (above,)).centre.imag == 0
 
 
 @pytest.mark.sampled

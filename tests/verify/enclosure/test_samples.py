@@ -9,7 +9,7 @@ import pytest
 from riccati_recursion import boxed, covariance, drawn, model
 
 from gainproof.verify.check_enclosure import Box
-from gainproof.verify.enclosure.samples import NoGain, samples
+from gainproof.verify.enclosure.samples import NoGain, gains_by_sample
 from gainproof.verify.enclosure.steady import steady
 
 HALF = Fraction(1, 2**54)
@@ -25,7 +25,7 @@ def inverse(a: list[list[Fraction]]) -> Box:
 
 def test_a_constant_that_nothing_moves_is_a_mean() -> None:
     """From the variance v the gain at sample k is v/(k v + 1), by hand, without a steady state."""
-    found = samples(model([[1]], [[1]], [[0]], [[1]]), boxed([[1000]]), 40)
+    found = gains_by_sample(model([[1]], [[1]], [[0]], [[1]]), boxed([[1000]]), 40)
     for k, each in enumerate(found, start=1):
         for name in ("filter", "predictor", "updated"):
             c, e = each[name].c[0][0], each[name].radius[0][0]
@@ -38,7 +38,7 @@ def test_drawn_models_against_fractions(kind: str) -> None:
     draw = random.Random(kind)
     of = drawn(draw, 3, 2, kind)
     p = Box(covariance(draw, 3, 3))
-    for each in samples(of, p, 5):
+    for each in gains_by_sample(of, p, 5):
         seen = p @ of.h.turned()
         sigma = of.h @ seen + of.r
         cross = of.f @ seen + of.s
@@ -57,7 +57,7 @@ def test_drawn_models_against_fractions(kind: str) -> None:
 
 def test_they_come_to_the_steady_state() -> None:
     of = model([[1, 1], [0, 1]], [[1, 0]], [[1, 3], [3, 9]], [[0]])
-    last = samples(of, boxed([[1, 0], [0, 1]]), 200)[-1]
+    last = gains_by_sample(of, boxed([[1, 0], [0, 1]]), 200)[-1]
     end = steady(of).enclosures
     for name, box in end.items():
         for rows in zip(box.c, box.radius, last[name].c, last[name].radius, strict=True):
@@ -68,4 +68,4 @@ def test_they_come_to_the_steady_state() -> None:
 def test_what_is_known_already_has_no_gain() -> None:
     """Measured without noise and never moved: after one sample nothing is left to measure."""
     with pytest.raises(NoGain, match="sample 2: "):
-        samples(model([[1]], [[1]], [[0]], [[0]]), boxed([[1]]), 3)
+        gains_by_sample(model([[1]], [[1]], [[0]], [[0]]), boxed([[1]]), 3)

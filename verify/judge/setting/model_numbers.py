@@ -11,7 +11,7 @@ from math import ceil, log10
 import flint
 
 from gainproof.verify.check_enclosure import Box
-from gainproof.verify.enclosure.structure import Model
+from gainproof.verify.enclosure.structure import Model, fraction_of
 from gainproof.verify.judge.claim.model_file import ModelFile
 from gainproof.verify.judge.claim.models import Rows
 from gainproof.verify.judge.exact.balls import Balls, NoValue, Unresolved, compared
@@ -88,7 +88,7 @@ class _Reading:
             raise NoNumberError(f"{where}: {error}") from None
         if not ball.is_finite():
             raise NoNumberError(f"{where}: no finite value")
-        centre, radius = _exact(ball.mid()), _exact(ball.rad())
+        centre, radius = fraction_of(ball.mid()), fraction_of(ball.rad())
         size = max(abs(centre), radius)
         bits = size.numerator.bit_length() - size.denominator.bit_length()
         if abs(bits) > MOST_BITS:
@@ -136,8 +136,3 @@ def _even(box: Box) -> Box:
             elif c[i][j] == c[j][i]:
                 r[i][j] = r[j][i] = max(r[i][j], r[j][i])
     return Box(c, r)
-
-
-def _exact(x: flint.arb) -> Fraction:
-    man, exp = x.man_exp()
-    return Fraction(int(man)) * Fraction(2) ** int(exp)

@@ -13,7 +13,7 @@ from gainproof.verify.judge.claim.errors import ClaimFileError
 from gainproof.verify.judge.claim.file import read_claim_text
 from gainproof.verify.judge.claim.model_file import read_model_text
 from gainproof.verify.judge.exact.constant_value import constant_value
-from gainproof.verify.judge.exact.graph import read_graph
+from gainproof.verify.judge.exact.expression_graph import read_graph
 from gainproof.verify.judge.setting.model_numbers import NoNumberError, model_at
 
 CLOCK = r"""
