@@ -87,7 +87,7 @@ def c_loops(kernel: Kernel, bound: KernelBound) -> tuple[str, str]:
     they are called after.
     """
     names = names_of("one", kernel)
-    source = [c_function(kernel, bound)[0], VERSIONS, *numpy_loops(names, DOUBLE)]
+    source = [c_function(kernel, bound)[0], VERSIONS, *numpy_loops(kernel, names, DOUBLE)]
     return "\n".join(source) + "\n", names.function(DOUBLE)
 
 
@@ -154,4 +154,4 @@ def _loops(module: Module, bounds: Bounds, wanted: Collection[str]) -> Iterator[
     for kernel in module.kernels:
         if kernel.name in wanted:
             for flavour in _flavours(bounds):
-                yield from numpy_loops(names_of(module.name, kernel), flavour)
+                yield from numpy_loops(kernel, names_of(module.name, kernel), flavour)

@@ -8,7 +8,8 @@ from collections.abc import Iterator
 
 from gainproof.derive.printer.c_language.functions import head
 from gainproof.derive.printer.c_language.names import Names
-from gainproof.derive.printer.c_language.real_types import Flavour
+from gainproof.derive.printer.c_language.real_types import SINGLE, Flavour
+from gainproof.derive.printer.kernel import Kernel
 
 VERSIONS = """\
 
@@ -25,8 +26,11 @@ enum { LOOK = 1, FILL = 2, ROW = 256 };
 #define VERSIONS(name, parameters, arguments) \\
     __attribute__((target("avx2"))) VERSION(avx2, name, parameters, arguments) \\
     WIDE VERSION(avx512, name, parameters, arguments)
+#define WIDE_VERSION(name, parameters, arguments) \\
+    WIDE VERSION(avx512, name, parameters, arguments)
 #else
 #define VERSIONS(name, parameters, arguments) VERSION(plain, name, parameters, arguments)
+#define WIDE_VERSION(name, parameters, arguments)
 #endif
 
 /* The sets of instructions of the versions that this processor can run, the best last. */
@@ -45,11 +49,12 @@ const char *instructions(void)
 #endif
 }"""
 """Without AVX2 long kernels would take longer than in NumPy: of their steps, which wait for each
-other, too few are under way at once where a vector has two numbers.
+other, too few are under way at once where a vector has two numbers; in float32 those with cube
+roots want AVX-512.
 """
 
 
-def numpy_loops(names: Names, flavour: Flavour) -> Iterator[str]:
+def numpy_loops(kernel: Kernel, names: Names, flavour: Flavour) -> Iterator[str]:
     """The loops of one kernel over numbers of one type, called after the set of instructions and
     the kernel's function of numbers.
 
@@ -94,5 +99,7 @@ def numpy_loops(names: Names, flavour: Flavour) -> Iterator[str]:
         yield "        const size_t m = n - start < length ? n - start : length;"
         yield from (*lines, "    }")
     yield from ("    return 0;", "}", "")
-    yield f"VERSIONS({name}, {head('', parameters)},"
+    roots = any(step.operation == "near_cbrt" for step in kernel.program.steps)
+    versions = "WIDE_VERSION" if roots and flavour == SINGLE else "VERSIONS"
+    yield f"{versions}({name}, {head('', parameters)},"
     yield f"         {head('', ['n', 'how', 'own', *xs, *ys])})"
