@@ -77,7 +77,7 @@ def test_a_kernel_of_two_inputs_is_measured(
     monkeypatch.setattr(measure, "SIZE", 2 * BLOCK)
     found = measure.figures(item(), tmp_path, measure.Options())
     wanted = {"kernel", "shared", "fresh", "passes", "memory", "lambdify", "SciPy"}
-    wanted |= {"one number", "formula"}
+    wanted |= {"one number", "formula", "thousand"}
     in_c = {*measure.COMPILED, *measure.IN_C} if compiler() else set()
     assert set(found.seconds) == wanted | in_c
     assert all(0 < seconds < math.inf for seconds in found.seconds.values()), found.seconds

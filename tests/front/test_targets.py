@@ -41,7 +41,7 @@ def test_other_targets_lie_in_folders_of_their_own(tmp_path: Path) -> None:
     before = names(package)
     assert generate(package, *BOTH) == 0
     c_files = {f"c/{MODULE}.h", f"c/{MODULE}.c", f"c/{MODULE}.json", f"c/test_{MODULE}.c"}
-    c_files |= {"tests/test_c.py", "_compiled.py", "compile.py"}
+    c_files |= {f"c/{MODULE}_numpy.c", "tests/test_c.py", "_compiled.py", "compile.py"}
     assert names(package) - before == {*c_files, f"fpcore/{MODULE}.fpcore"}
     assert generate(package, *BOTH, "--check") == 0
     assert run_tests(package).returncode == 0

@@ -20,8 +20,8 @@ def prototypes(names: Names, flavour: Flavour) -> list[str]:
     arrays = ["size_t n", *(f"const {kind} *{name}" for name in names.inputs)]
     arrays += [f"{kind} *{name}" for name in names.outputs] + ["size_t *first"]
     return [
-        _head(f"int {names.function(flavour)}", numbers),
-        _head(f"int {names.function(flavour, '_array')}", arrays),
+        head(f"int {names.function(flavour)}", numbers),
+        head(f"int {names.function(flavour, '_array')}", arrays),
     ]
 
 
@@ -42,15 +42,17 @@ def definitions(
     return lines, near
 
 
-def _head(start: str, parts: list[str]) -> str:
+def head(start: str, parts: list[str]) -> str:
+    """A start and in parentheses what follows it, in lines that are not too long."""
     line = f"{start}({', '.join(parts)})"
     if len(line) <= 96:
         return line
-    rows, row = list[str](), "    "
+    margin = " " * (4 + len(start) - len(start.lstrip()))
+    rows, row = list[str](), margin
     for part in parts:
         if len(row) + len(part) > 94:
             rows.append(row.rstrip())
-            row = "    "
+            row = margin
         row += f"{part}, "
     return "\n".join([f"{start}(", *rows, f"{row.rstrip(', ')})"])
 
@@ -67,7 +69,7 @@ def _values(names: Names, flavour: Flavour, made: Body) -> Iterator[str]:
     kind = names.function(flavour, "_values")
     yield f"typedef struct {{ {flavour.type} {', '.join(names.outputs)}; }} {kind};"
     yield ""
-    yield _head(f"static inline {kind} {names.function(flavour, '_of')}", _given(names, flavour))
+    yield head(f"static INLINE {kind} {names.function(flavour, '_of')}", _given(names, flavour))
     yield "{"
     yield f"    {kind} values;"
     yield from (f"    {line}" for line in made.lines)
@@ -80,10 +82,10 @@ def _within(given: Input, name: str, flavour: Flavour, ends: tuple[float, float]
     """One input in its domain; comparisons with NaN are false."""
     low, high = (flavour.number(end) for end in ends)
     size = f"fabs{flavour.letter}({name})" if given.signed else name
-    text = f"(({size} >= {low}) & ({size} <= {high}))"
-    if given.integer:
-        text = f"({text} & ({name} == floor{flavour.letter}({name})))"
-    return f"({text} | ({name} == 0))" if given.zero else text
+    least = [] if given.signed and not ends[0] else [f"({size} >= {low})"]
+    whole = [f"({name} == floor{flavour.letter}({name}))"] if given.integer else []
+    text = " & ".join([*least, f"({size} <= {high})", *whole])
+    return f"(({text}) | ({name} == 0))" if given.zero and least else f"({text})"
 
 
 def _fine(
@@ -94,8 +96,8 @@ def _fine(
     wanted: list[tuple[Body, str]],
 ) -> Iterator[str]:
     """Whether all is as wanted, without branches."""
-    head = f"static inline int {names.function(flavour, '_fine')}"
-    yield _head(head, _given(names, flavour))
+    start = f"static INLINE int {names.function(flavour, '_fine')}"
+    yield head(start, _given(names, flavour))
     yield "{"
     yield "    int fine = 1;"
     for given, name, ends in zip(kernel.inputs, names.inputs, bound.inputs, strict=True):
@@ -113,7 +115,7 @@ def _code(
     wanted: list[tuple[Body, str]],
 ) -> Iterator[str]:
     """What is the first that is not as wanted."""
-    yield _head(f"static int {names.function(flavour, '_code')}", _given(names, flavour))
+    yield head(f"static int {names.function(flavour, '_code')}", _given(names, flavour))
     yield "{"
     found = codes(kernel, names)
     for given, name, ends in zip(kernel.inputs, names.inputs, bound.inputs, strict=True):
@@ -133,7 +135,7 @@ def _scope(made: Body, *last: str) -> Iterator[str]:
 def _number(names: Names, flavour: Flavour) -> Iterator[str]:
     inputs = ", ".join(names.inputs)
     parts = [*_given(names, flavour), *(f"{flavour.type} *{name}" for name in names.outputs)]
-    yield _head(f"int {names.function(flavour)}", parts)
+    yield head(f"int {names.function(flavour)}", parts)
     yield "{"
     yield f"    if (!{names.function(flavour, '_fine')}({inputs}))"
     yield f"        return {names.function(flavour, '_code')}({inputs});"
@@ -149,7 +151,7 @@ def _array(names: Names, flavour: Flavour) -> Iterator[str]:
     parts = ["size_t n", *(f"const {kind} *restrict {name}" for name in names.inputs)]
     parts += [f"{kind} *restrict {name}" for name in names.outputs] + ["size_t *first"]
     values = names.function(flavour, "_values")
-    yield _head(f"int {names.function(flavour, '_array')}", parts)
+    yield head(f"int {names.function(flavour, '_array')}", parts)
     yield "{"
     yield "    int fine = 1;"
     yield "    for (size_t i = 0; i < n; ++i)"

@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 import textwrap
-from collections.abc import Iterator, Sequence
+from collections.abc import Collection, Iterator, Sequence
 
 from gainproof.derive.printer.bound import KernelBound
 from gainproof.derive.printer.c_language.body import near_cbrt
 from gainproof.derive.printer.c_language.functions import definitions, prototypes
 from gainproof.derive.printer.c_language.names import Names, codes, names_of
+from gainproof.derive.printer.c_language.numpy_loops import VERSIONS, numpy_loops
 from gainproof.derive.printer.c_language.real_types import DOUBLE, SINGLE, Flavour, flavours
 from gainproof.derive.printer.canonical_json import canonical_json
 from gainproof.derive.printer.docstring import described
@@ -32,6 +33,15 @@ CHECKED = """\
 """What is seen of options that round otherwise does not compile; GCC contracts a * b + c but in ISO
 mode. Parts of -ffast-math that define no macro are not seen: the test program tells.
 """
+INLINE = """\
+#if defined(__GNUC__) && !defined(__OPTIMIZE_SIZE__)
+#define INLINE inline __attribute__((always_inline))
+#else
+#define INLINE inline
+#endif"""
+"""Compilers make vectors of a loop only where all that it calls is part of it, and leave what is
+large apart.
+"""
 
 ABOUT = (
     "Each kernel has an entry for numbers and one for arrays of n numbers, {}. It returns 0, or "
@@ -42,18 +52,21 @@ ABOUT = (
 
 
 def c_files(module: Module, bounds: Bounds) -> dict[str, str]:
-    """The header and the source by file name, from bounds already proved, and a record in JSON of
-    the functions that have the bits of the NumPy module, by kernel.
+    """The header and the source by file name, from bounds already proved; a record in JSON of the
+    functions that have the bits of the NumPy module, by kernel, and the loops of these that it
+    calls.
     """
     same = {
         kernel.name: names_of(module.name, kernel).stem
         for kernel in module.kernels
         if not functions_of(kernel.program, kernel.program.outputs.values())
     }
+    texts = {".h": _header(module, bounds), ".c": _source(module, bounds)}
+    if same:
+        texts["_numpy.c"] = _loops(module, bounds, same)
     return {
         f"{module.name}.json": canonical_json({"same_bits": same}),
-        f"{module.name}.h": "\n".join(_header(module, bounds)) + "\n",
-        f"{module.name}.c": "\n".join(_source(module, bounds)) + "\n",
+        **{f"{module.name}{ending}": "\n".join(lines) + "\n" for ending, lines in texts.items()},
     }
 
 
@@ -65,8 +78,17 @@ def c_function(kernel: Kernel, bound: KernelBound) -> tuple[str, str]:
     lines, near = definitions(kernel, names, DOUBLE, bound)
     headers = [f"#include <{name}.h>" for name in ("math", "stddef", "stdint", "string")]
     start = near_cbrt(DOUBLE) if near else []
-    source = [*headers, "", *_enumeration(kernel, names), "", *start, *lines]
+    source = [*headers, "", INLINE, "", *_enumeration(kernel, names), "", *start, *lines]
     return "\n".join(source) + "\n", names.function(DOUBLE, "_array")
+
+
+def c_loops(kernel: Kernel, bound: KernelBound) -> tuple[str, str]:
+    """One kernel's loops over double arrays and numbers as `c_files` has them: the source, and what
+    they are called after.
+    """
+    names = names_of("one", kernel)
+    source = [c_function(kernel, bound)[0], VERSIONS, *numpy_loops(kernel, names, DOUBLE)]
+    return "\n".join(source) + "\n", names.function(DOUBLE)
 
 
 def _comment(lines: Sequence[str]) -> Iterator[str]:
@@ -123,4 +145,13 @@ def _source(module: Module, bounds: Bounds) -> Iterator[str]:
     yield f'#include "{module.name}.h"'
     yield from ("", "#include <float.h>", "#include <math.h>")
     yield from ("#include <stdint.h>", "#include <string.h>") if starts else ()
-    yield from ("", CHECKED, "", *starts, *parts[:-1])
+    yield from ("", CHECKED, INLINE, "", *starts, *parts[:-1])
+
+
+def _loops(module: Module, bounds: Bounds, wanted: Collection[str]) -> Iterator[str]:
+    yield from _comment([*_opening(module), "", "What the NumPy module calls."])
+    yield from (f'#include "{module.name}.c"', "", VERSIONS)
+    for kernel in module.kernels:
+        if kernel.name in wanted:
+            for flavour in _flavours(bounds):
+                yield from numpy_loops(kernel, names_of(module.name, kernel), flavour)

@@ -25,7 +25,7 @@ if TYPE_CHECKING:
     from numpy.typing import ArrayLike
 
     from gainproof.derive.printer.shipped._blocks import Span
-    from gainproof.derive.printer.shipped._signature import Array, Block, Real, Signature
+    from gainproof.derive.printer.shipped._signature import Array, Arrays, Block, Real, Signature
 
     Spans: TypeAlias = Sequence[Span]
 
@@ -47,8 +47,21 @@ class Call(NamedTuple):
     fresh: bool
 
 
+class Compiled(NamedTuple):
+    """A kernel by functions of a library: `whole` fills the results of a call, or says that it has
+    not, and `block` those of a block.
+    """
+
+    whole: Callable[[Arrays, Arrays, bool, int], bool]
+    block: Block
+
+
 def evaluate(
-    kernel: Signature, given: Sequence[ArrayLike], out: tuple[Real, ...] | None, workers: int
+    kernel: Signature,
+    given: Sequence[ArrayLike],
+    out: tuple[Real, ...] | None,
+    workers: int,
+    compiled: Compiled | None = None,
 ) -> tuple[Any, ...]:
     """The outputs of a kernel: numbers for numbers, else arrays of the inputs' common shape.
 
@@ -79,16 +92,27 @@ def evaluate(
             results = [np.empty(shape, kind) for _ in kernel.outputs]
         else:
             results = checked(kernel, out, shape, kind)
-        blocks = cut(inputs, shape, BLOCK, results=results)
-        call = Call(kernel, inputs, blocks, results, out is None)
-        spans = blocks.spans
-        count = max(1, min(int(workers), len(spans)))
-        ends = [len(spans) * part // count for part in range(count + 1)]
-        run(call, [spans[first:last] for first, last in pairwise(ends)])
+        if compiled is None:
+            _in_blocks(kernel, inputs, results, out is None, int(workers))
+        elif not compiled.whole(inputs, results, out is None, int(workers)):
+            kernel = kernel._replace(block=compiled.block)
+            _in_blocks(kernel, inputs, results, out is None, int(workers))
     if out is None and shape == ():
         kinds = set(map(type, given))
         return tuple(float(y[()]) if kinds <= PYTHONS else y[()] for y in results)
     return tuple(results)
+
+
+def _in_blocks(
+    kernel: Signature, inputs: Arrays, results: Arrays, fresh: bool, workers: int
+) -> None:
+    """Fill the results block by block, in as many threads."""
+    blocks = cut(inputs, results[0].shape, BLOCK, results=results)
+    spans = blocks.spans
+    count = max(1, min(workers, len(spans)))
+    ends = [len(spans) * part // count for part in range(count + 1)]
+    shares = [spans[first:last] for first, last in pairwise(ends)]
+    run(Call(kernel, inputs, blocks, results, fresh), shares)
 
 
 def run(call: Call, shares: Sequence[Spans]) -> None:
@@ -96,7 +120,7 @@ def run(call: Call, shares: Sequence[Spans]) -> None:
     kept: list[int] = []
     doubtful = doubted(call.kernel, call.blocks)
     if not call.fresh:
-        _each(partial(_look, call, doubtful), shares)
+        in_shares(partial(_look, call, doubtful), shares)
         # where an output takes the place of an input
         for place, x in enumerate(call.blocks.inputs):
             shared = [y for y in call.results if overlap(y, x)]
@@ -104,10 +128,10 @@ def run(call: Call, shares: Sequence[Spans]) -> None:
                 call.blocks.inputs[place] = x.copy()
             elif shared:
                 kept.append(place)
-    _each(partial(_fill, call, doubtful, kept), shares)
+    in_shares(partial(_fill, call, doubtful, kept), shares)
 
 
-def _each(job: Callable[[Spans], None], shares: Sequence[Spans]) -> None:
+def in_shares(job: Callable[[Spans], None], shares: Sequence[Spans]) -> None:
     """Do a job for every share, and raise what the first of them raised."""
     if len(shares) == 1:
         job(shares[0])

@@ -50,15 +50,29 @@ KERNEL_OVER = (
         "C function",
         "compiled / C function",
         "c/Cg",
-        "the same for the kernel of a package that is compiled: its guards and blocks, arithmetic "
-        "in C, the same bits",
+        "the same for the kernel of a package that is compiled: guards and arithmetic in C, the "
+        "same bits",
     ),
     Column(
         "in C shared",
         "C function",
         "compiled, threads / C function",
-        "ct/Cg",
-        "the same where threads share its blocks",
+        None,
+        "the same where threads share the elements",
+    ),
+    Column(
+        "in C",
+        "kernel",
+        "compiled / kernel",
+        "c/np",
+        "the compiled kernel's time over the kernel's",
+    ),
+    Column(
+        "thousand in C",
+        "thousand",
+        "compiled / kernel, a thousand points",
+        "1k",
+        "the same where a call has a thousand points",
     ),
     Column(
         "kernel",
@@ -72,7 +86,7 @@ KERNEL_OVER = (
         "passes",
         "C",
         "passes / C",
-        "pas/C",
+        None,
         "the same for the bare NumPy calls on a block in the cache, without guards and memory "
         "traffic: no NumPy kernel of this graph is faster in one thread",
     ),

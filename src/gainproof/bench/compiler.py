@@ -36,10 +36,8 @@ def compiler() -> str | None:
     return None
 
 
-def loaded(
-    source: str, function: str, folder: Path, flags: Sequence[str] = FLAGS
-) -> Callable[..., int]:
-    """Compile `source` and load `function`; `folder` is for both files.
+def library(source: str, name: str, folder: Path, flags: Sequence[str] = FLAGS) -> ctypes.CDLL:
+    """Compile `source` and load it; `folder` is for both files, which are called `name`.
 
     Raises FileNotFoundError where there is no compiler, subprocess.CalledProcessError where it
     refuses the source.
@@ -48,25 +46,24 @@ def loaded(
     if command is None:
         raise FileNotFoundError("no C compiler: cc, gcc or clang is wanted")
     folder.mkdir(parents=True, exist_ok=True)
-    text, library = folder / f"{function}.c", folder / f"{function}.so"
+    text, made = folder / f"{name}.c", folder / f"{name}.so"
     text.write_text(source, encoding="utf-8")
     subprocess.run(
-        [command, *flags, str(text), "-o", str(library), "-lm"],
+        [command, *flags, str(text), "-o", str(made), "-lm"],
         check=True,
         capture_output=True,
         text=True,
     )
-    found: Callable[..., int] = getattr(ctypes.CDLL(str(library)), function)
-    return found
+    return ctypes.CDLL(str(made))
 
 
 def compiled(source: str, function: str, folder: Path, *, guarded: bool = False) -> Loop:
     """Compile `source` and wrap `function`(size_t n, const double *in0, ..., double *out0, ...); a
     `guarded` one takes ``size_t *first`` too, and returns 0 unless it refuses an input.
 
-    Raises what `loaded` raises; the wrapped function ValueError for what a guarded one refuses.
+    Raises what `library` raises; the wrapped function ValueError for what a guarded one refuses.
     """
-    loop: Any = loaded(source, function, folder)
+    loop: Any = getattr(library(source, function, folder), function)
     loop.restype = ctypes.c_int if guarded else None
     first = [None] if guarded else []
 

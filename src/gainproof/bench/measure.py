@@ -2,15 +2,18 @@
 
 from __future__ import annotations
 
+from collections import deque
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
+from functools import partial
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 
 from gainproof.bench import rivals
 from gainproof.bench.arguments import Arguments, sample, with_constants
-from gainproof.bench.compiler import Arrays, compiled, compiler, loaded
+from gainproof.bench.compiler import Arrays, compiled, compiler, library
 from gainproof.bench.errors import OutputError, worst_errors
 from gainproof.bench.memory import touched
 from gainproof.bench.one_number import seconds_of_numbers
@@ -18,21 +21,24 @@ from gainproof.bench.solver import solver_seconds
 from gainproof.bench.subjects import Measured
 from gainproof.bench.timing import best_times
 from gainproof.derive.printer.c_language.loop import c_loop
-from gainproof.derive.printer.c_language.module import c_function
+from gainproof.derive.printer.c_language.module import c_function, c_loops
 from gainproof.derive.printer.library_functions import functions_of
 from gainproof.generated._blocks import BLOCK, Parts, cut, rows
 from gainproof.generated._runtime import evaluate, with_arrays
-from gainproof.standalone.in_c._compiled import FLAGS, in_c
+from gainproof.standalone.in_c._compiled import FLAGS, best_instructions, functions, in_c
 
 SIZE = 1_000_000
+THOUSAND, REPEATED = 1000, 100
+"""Points of a shorter call, and how often it is repeated at a time."""
 SECONDS = 1.0
 """How long one call is repeated at most."""
 COMPILED = ("C", "C function")
-IN_C = ("in C", "in C shared")
+IN_C = ("in C", "in C shared", "thousand in C")
 THREADED = ("shared", "in C shared", "JAX")
 """Calls that threads share: the time that passes, of all others that of the one thread."""
 
 Calls = dict[str, Callable[[], object]]
+Evaluate = Callable[[Arguments, tuple[Any, ...], int], object]
 
 
 @dataclass(frozen=True)
@@ -56,7 +62,8 @@ class Figures:
     and memory traffic, which no NumPy kernel of this graph can beat in one thread; memory: the
     arrays read and filled once; C: a bare loop of the graph; C function: the one that is shipped,
     which looks at all inputs first as the kernel does; in C, in C shared: the kernel of a package
-    that is compiled, without and with threads; lambdify, numexpr, Numba, JAX: the textbook
+    that is compiled, without and with threads; thousand, thousand in C: a thousand points a call,
+    of the kernel and of a compiled one; lambdify, numexpr, Numba, JAX: the textbook
     form; SciPy: its Riccati solver, a call a point; one number, formula: the kernel and the plain
     Python formula of its graph, a call a point.
     """
@@ -91,6 +98,7 @@ def figures(item: Measured, folder: Path, options: Options) -> Figures:
         "memory": touched(given, outputs),
     }
     missing: dict[str, str] = {}
+    kernel_in_c: Evaluate | None = None
     if options.constant is not None:
         missing |= dict.fromkeys(COMPILED, "arrays only: beside numbers it would be told too slow")
     elif compiler() is None:
@@ -102,11 +110,16 @@ def figures(item: Measured, folder: Path, options: Options) -> Figures:
     elif functions_of(item.kernel.program, item.kernel.program.outputs.values()):
         missing |= dict.fromkeys(IN_C, "calls functions of math.h, which may round otherwise")
     else:
-        calls |= _calls_in_c(item, given, outputs, folder, options.workers)
+        computed = kernel_in_c = _in_c(item, folder)
+        calls |= {
+            "in C": lambda: computed(given, outputs, 1),
+            "in C shared": lambda: computed(given, outputs, options.workers),
+        }
     with np.errstate(all="ignore"):  # textbook forms cancel, divide by zero and overflow
         if item.textbook is not None:
             _add_rivals(calls, missing, item, given, folder, options.every_rival)
         seconds = best_times(calls, seconds=SECONDS, threaded=THREADED)
+    seconds |= _seconds_of_a_thousand(item, columns, kernel_in_c)
     for name, a_call in seconds_of_numbers(item, columns, folder).items():
         seconds[name] = a_call * SIZE
     if item.model is not None:
@@ -125,18 +138,31 @@ def _c_calls(item: Measured, columns: Arrays, folder: Path) -> Calls:
     return {"C": lambda: loop(columns, targets), "C function": lambda: function(columns, targets)}
 
 
-def _calls_in_c(
-    item: Measured, given: Arguments, outputs: Arrays, folder: Path, workers: int
-) -> Calls:
-    """As in a package after `python -m PACKAGE.compile`."""
-    source, name = c_function(item.kernel, item.bound)
-    function = loaded(source, name, folder / item.subject / "in_c", FLAGS)
-    block = in_c(item.signature.block, item.signature.work, function, function)
-    kernel = item.signature._replace(block=block, work=len(item.signature.inputs))
-    return {
-        "in C": lambda: evaluate(kernel, given, tuple(outputs), 1),
-        "in C shared": lambda: evaluate(kernel, given, tuple(outputs), workers),
-    }
+def _in_c(item: Measured, folder: Path) -> Evaluate:
+    """The kernel as in a package after `python -m PACKAGE.compile`."""
+    source, name = c_loops(item.kernel, item.bound)
+    loops = library(source, name, folder / item.subject / "in_c", FLAGS)
+    count = len(item.kernel.inputs) + len(item.kernel.outputs)
+    found = functions(loops, name, count, best_instructions(loops))
+    compiled = in_c(item.signature.block, *found)
+    return partial(evaluate, item.signature, compiled=compiled)
+
+
+def _seconds_of_a_thousand(
+    item: Measured, columns: Arrays, kernel_in_c: Evaluate | None
+) -> dict[str, float]:
+    """Seconds for a million points where a call has a thousand of them."""
+    given = [column[:THOUSAND] for column in columns]
+    outputs = tuple(np.empty(THOUSAND) for _ in item.kernel.outputs)
+
+    def repeated(call: Callable[[], object]) -> Callable[[], object]:
+        return lambda: deque((call() for _ in range(REPEATED)), maxlen=0)
+
+    calls = {"thousand": repeated(lambda: item.function(*given, out=outputs))}
+    if kernel_in_c is not None:
+        calls["thousand in C"] = repeated(lambda: kernel_in_c(given, outputs, 1))
+    times = best_times(calls, seconds=SECONDS)
+    return {name: taken * SIZE / (REPEATED * THOUSAND) for name, taken in times.items()}
 
 
 def _add_rivals(

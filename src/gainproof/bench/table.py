@@ -27,7 +27,7 @@ def opening(results: Results) -> Iterator[str]:
     )
     yield from _filled(
         f"{found['points']:,} points, outputs given but in `fresh`, guards in the kernel and the C "
-        f"function, {settings['workers']} threads (t/Cg, ct/Cg); each the best of up to "
+        f"function, {settings['workers']} threads (t/Cg); each the best of up to "
         f"{found['rounds']} runs in turn, of fewer where they take more than "
         f"{found['seconds a call']:g} s; processor time of the thread, "
         "of the threads the time that passes"

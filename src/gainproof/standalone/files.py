@@ -176,6 +176,8 @@ on the same functions compute in C: same arguments, guards and messages, and the
 for bit, which the command compares before it puts anything in place. Kernels that call functions
 of `math.h` stay NumPy's, and it names them. A library serves its own source and platform alone;
 everywhere else NumPy computes, as it does where `c` is not shipped: a wheel has that folder only as
-package data, `c/*`. `--show` only says which kernels compute in C now,
-`--remove` deletes the libraries.
+package data, `c/*`. On x86-64 it has loops for AVX2 and for AVX-512, and the better ones that the
+processor has are taken; without AVX2 NumPy computes. `GAINPROOF_INSTRUCTIONS=avx2` or `none` in the
+environment takes no better ones. `--show` only says which kernels compute in C now and by which
+instructions, `--remove` deletes the libraries.
 """

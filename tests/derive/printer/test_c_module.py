@@ -86,6 +86,48 @@ def test_the_bits_are_those_of_numpy(
         assert np.array_equal(mine.view(np.uint8), theirs.view(np.uint8))
 
 
+@KINDS
+@pytest.mark.parametrize("made", [trial, cube_root])
+def test_loops_have_these_bits_with_every_set_of_instructions(
+    made: Callable[[], Kernel], kind: type[Any], tmp_path: Path
+) -> None:
+    """Cube roots in float32 are computed with the widest vectors alone, or in NumPy."""
+    module = module_of(made())
+    library(module, prove_all(module.kernels), tmp_path)
+    built = tmp_path / "loops.so"
+    flags = (
+        "-O3",
+        "-std=c99",
+        "-Wall",
+        "-Wextra",
+        "-Werror",
+        "-ffp-contract=off",
+        "-shared",
+        "-fPIC",
+    )
+    source = tmp_path / f"{module.name}_numpy.c"
+    subprocess.run([compiler(), *flags, "-o", built, source, "-lm"], check=True)
+    loaded = ctypes.CDLL(str(built))
+    loaded.instructions.restype = ctypes.c_char_p
+    ending = "" if kind is np.float64 else "_float"
+    given = np.geomspace(1e-19, 9e8, 20_000).astype(kind)
+    wanted = function_of(module.kernels[0])(given)
+    for version in loaded.instructions().decode().split():
+        loop = getattr(loaded, f"{version}_trial_{module.kernels[0].name}{ending}", None)
+        wide_only = made is cube_root and kind is np.float32
+        assert (loop is None) == (wide_only and version != "avx512")
+        if loop is None:
+            continue
+        found = [np.full_like(given, -7.0) for _ in wanted]
+        pointers = [ctypes.c_void_p(x.ctypes.data) for x in (given, *found)]
+        sizes = [ctypes.c_size_t(x) for x in (given.size, 3, 1)]
+        assert loop(*sizes, *pointers) == 0
+        for mine, theirs in zip(wanted, found, strict=True):
+            assert np.array_equal(mine.view(np.uint8), theirs.view(np.uint8))
+        bad = np.append(given[:-1], kind(np.nan))
+        assert loop(*sizes, ctypes.c_void_p(bad.ctypes.data), *pointers[1:]) == 1
+
+
 @pytest.mark.alike
 @KINDS
 @pytest.mark.parametrize("bad", [np.nan, np.inf, -1.0, 0.0, 2e6])

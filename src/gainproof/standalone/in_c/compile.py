@@ -20,17 +20,23 @@ import numpy as np
 from gainproof.standalone.in_c._compiled import (
     FLAGS,
     SOURCES,
+    best_instructions,
     functions,
     in_c,
+    instructions,
     library,
+    load,
     same_bits,
 )
 
 if TYPE_CHECKING:
-    from gainproof.generated._signature import Array, Domain, Signature
+    from gainproof.generated._signature import Array, Arrays, Domain, Signature
 
 POINTS = 20_000
 """Of each kernel and type, at which C and NumPy are compared before the library is put in place."""
+
+
+KEPT = "no library is put in place"
 
 
 class CompilingError(Exception):
@@ -71,7 +77,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
                 print(f"{module}: {count} {'library' if count == 1 else 'libraries'} deleted")
             else:
                 print(f"{module}: {compiled(module)}", flush=True)
-        except CompilingError as error:
+        except (CompilingError, ValueError) as error:
             print(f"{parser.prog}: {module}: {error}", file=sys.stderr)
             return 1 if isinstance(error, DifferentError) else 2
         except OSError as error:
@@ -82,10 +88,16 @@ def main(arguments: Sequence[str] | None = None) -> int:
 
 
 def shown(module: str) -> str:
-    """Which kernels of a module compute in C where the package is imported now."""
-    same = same_bits(module) if library(module).exists() else {}
+    """Which kernels of a module compute in C where the package is imported now, and the set of
+    instructions of their loops.
+    """
+    same = same_bits(module)
+    loaded = load(module) if same else None
+    best = best_instructions(loaded) if loaded else "none"
+    if best == "none":
+        return "all NumPy's"
     others = [each.name for each in _kernels(module) if each.name not in same]
-    return f"{_counted(same)} in C{_others(others)}" if same else "all NumPy's"
+    return f"{_counted(same)} in C, {best}{_others(others)}"
 
 
 def _counted(kernels: Sized) -> str:
@@ -108,7 +120,7 @@ def compiled(module: str) -> str:
     place = library(module)
     with tempfile.TemporaryDirectory(dir=SOURCES) as folder:
         made = Path(folder) / place.name
-        _compile(SOURCES / f"{module}.c", made)
+        _compile(SOURCES / f"{module}_numpy.c", made)
         compared = differences(module, ctypes.CDLL(str(made)))
         os.replace(made, place)
     _delete(module, place)
@@ -116,36 +128,46 @@ def compiled(module: str) -> str:
 
 
 def differences(module: str, loaded: ctypes.CDLL) -> int:
-    """How many results were compared. Raises DifferentError for the first that is not the same."""
+    """How many results were compared, each with every set of instructions that this processor has.
+    Raises DifferentError for the first that is not the same.
+    """
     compared, same = 0, same_bits(module)
+    versions = instructions(loaded)
+    if not versions:
+        raise CompilingError(f"this processor has no AVX2, without which NumPy is faster; {KEPT}")
     for kernel in _kernels(module):
         if kernel.name not in same:
             continue
-        found = functions(loaded, same[kernel.name])
-        block = in_c(kernel.block, kernel.work, *found)
+        count = len(kernel.inputs) + len(kernel.outputs)
         for single in (False, True):
-            if found[single] is None:
+            loops = [functions(loaded, same[kernel.name], count, each) for each in versions]
+            loops = [found for found in loops if found[single] is not None]
+            if not loops:
                 continue
             given = points(kernel, single)
-            mine, theirs = (
-                [np.full_like(given[0], np.nan) for _ in kernel.outputs] for _ in range(2)
-            )
-            work = [np.empty_like(given[0]) for _ in range(max(kernel.work, len(given)))]
+            work = [np.empty_like(given[0]) for _ in range(kernel.work)]
+            mine = [np.empty_like(given[0]) for _ in kernel.outputs]
             with np.errstate(all="ignore"):
-                kernel.block(given, mine, work[: kernel.work], single)
-                block(given, theirs, work[: len(given)], single)
-            for name, x, y in zip(kernel.outputs, mine, theirs, strict=True):
-                wrong = np.flatnonzero(x.view(np.uint8) != y.view(np.uint8))
-                if wrong.size:
-                    at = int(wrong[0]) // x.itemsize
-                    where = ", ".join(str(each[at]) for each in given)
-                    raise DifferentError(
-                        f"{kernel.name}({where}) in {x.dtype}: {name} is {y[at]} in C and {x[at]} "
-                        "in NumPy: the compiler does not round as the sources ask; no library is "
-                        "put in place"
-                    )
-                compared += x.size
+                kernel.block(given, mine, work, single)
+            for found in loops:
+                theirs = [np.full_like(y, np.nan) for y in mine]
+                if not in_c(kernel.block, *found).whole(given, theirs, True, 1):
+                    raise DifferentError(f"{kernel.name} refuses in C what NumPy takes; {KEPT}")
+                _compare(kernel, given, mine, theirs)
+            compared += sum(y.size for y in mine)
     return compared
+
+
+def _compare(kernel: Signature, given: Arrays, mine: Arrays, theirs: Arrays) -> None:
+    for name, x, y in zip(kernel.outputs, mine, theirs, strict=True):
+        wrong = np.flatnonzero(x.view(np.uint8) != y.view(np.uint8))
+        if wrong.size:
+            at = int(wrong[0]) // x.itemsize
+            where = ", ".join(str(each[at]) for each in given)
+            raise DifferentError(
+                f"{kernel.name}({where}) in {x.dtype}: {name} is {y[at]} in C and {x[at]} in "
+                f"NumPy: the compiler does not round as the sources ask; {KEPT}"
+            )
 
 
 def points(kernel: Signature, single: bool) -> list[Array]:

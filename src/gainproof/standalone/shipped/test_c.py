@@ -58,10 +58,11 @@ def test_the_bits_are_those_of_numpy(module: str, tmp_path: Path) -> None:
 
 
 @pytest.mark.parametrize("module", VALUES)
-def test_blocks_in_c_have_the_bits_of_numpy(module: str, tmp_path: Path) -> None:
-    flags = imported(".._compiled").FLAGS
-    compiled(*flags, "-o", tmp_path / "kernels.so", SOURCES / f"{module}.c")
-    loaded = ctypes.CDLL(str(tmp_path / "kernels.so"))
+def test_loops_in_c_have_the_bits_of_numpy(module: str, tmp_path: Path) -> None:
     functions = imported(".._compiled").same_bits(module)
-    compared = imported("..compile").differences(module, loaded)
-    assert bool(compared) == bool(functions)
+    if not functions:
+        pytest.skip("calls functions of math.h")
+    flags = imported(".._compiled").FLAGS
+    compiled(*flags, "-o", tmp_path / "kernels.so", SOURCES / f"{module}_numpy.c")
+    loaded = ctypes.CDLL(str(tmp_path / "kernels.so"))
+    assert imported("..compile").differences(module, loaded)
