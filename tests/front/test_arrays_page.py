@@ -20,7 +20,7 @@ LIBRARIES = {"JAX": "jax", "The array API standard": "array_api_strict"}
 def package(tmp_path_factory: pytest.TempPathFactory) -> Path:
     """The folder in which the page's command has put its package."""
     text = PAGE.read_text(encoding="utf-8")
-    (line,) = re.findall(r"^\$ gainproof (generate .*)$", text, flags=re.MULTILINE)
+    (line,) = re.findall(r"^\$ gainproof (generate [^|]*) \|", text, flags=re.MULTILINE)
     folder = tmp_path_factory.mktemp("page") / "filters"
     assert cli.main([str(folder) if word == "filters" else word for word in line.split()]) == 0
     return folder.parent

@@ -143,7 +143,7 @@ def test_importing_gainproof_imports_nothing_heavy() -> None:
         [sys.executable, "-c", program], capture_output=True, text=True, check=True
     )
     assert done.stdout.strip() == "[]"
-    names = {"BadInputError", "Judge", "__version__", "ask", "check", "derivation"}
+    names = {"BadInputError", "Judge", "__version__", "ask", "check", "derivation", "steady_state"}
     assert set(gainproof.__all__) == names
 
 

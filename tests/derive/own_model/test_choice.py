@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import shutil
 from dataclasses import replace
 from pathlib import Path
 from typing import Any
@@ -101,6 +102,8 @@ def test_a_mistake_of_the_page_is_told_and_hides_behind_no_other_method(
 ) -> None:
     text = (FOLDER / f"{PAGE}.md").read_text(encoding="utf-8")
     assert text.count(right) == 1
+    for path in FOLDER.glob("*.md"):
+        shutil.copy(path, tmp_path)
     (tmp_path / f"{PAGE}.md").write_text(text.replace(right, wrong), encoding="utf-8")
     monkeypatch.setattr(
         choice,

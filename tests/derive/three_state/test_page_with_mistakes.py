@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import shutil
 from dataclasses import replace
 from functools import cache
 from pathlib import Path
@@ -47,6 +48,8 @@ def status(subject: Subject, step: str) -> str:
 
 def edited(noise: str, folder: Path, right: str, wrong: str) -> Subject:
     assert TEXT.count(right) == 1
+    for path in FOLDER.glob("*.md"):
+        shutil.copy(path, folder)
     (folder / f"{PAGE}.md").write_text(TEXT.replace(right, wrong), encoding="utf-8")
     return derived(noise, folder)
 

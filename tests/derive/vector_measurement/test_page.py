@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import shutil
 from pathlib import Path
 from typing import Any
 
@@ -35,6 +36,8 @@ def with_noise(first: str, folder: Path = FOLDER) -> Subject:
 def edited(folder: Path, right: str, wrong: str) -> Subject:
     """The subject of the page with one place changed; e = 1/4, so that it has no root."""
     assert TEXT.count(right) == 1
+    for path in FOLDER.glob("*.md"):
+        shutil.copy(path, folder)
     (folder / f"{NAME}.md").write_text(TEXT.replace(right, wrong), encoding="utf-8")
     return with_noise("5/16", folder)
 
