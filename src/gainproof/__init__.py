@@ -138,22 +138,24 @@ def check(file: str, *, seconds: float | None = None, fresh: bool = False) -> Ju
 
 
 def steady_state(
-    transition: Iterable[Iterable[Any]],
-    measurement: Iterable[Iterable[Any]],
-    process_noise: Iterable[Iterable[Any]],
-    measurement_noise: Iterable[Iterable[Any]],
-    cross_noise: Iterable[Iterable[Any]] | None = None,
+    F: Iterable[Iterable[Any]],
+    H: Iterable[Iterable[Any]],
+    Q: Iterable[Iterable[Any]],
+    R: Iterable[Iterable[Any]],
+    S: Iterable[Iterable[Any]] | None = None,
 ) -> SteadyState:
     """The Kalman filter's steady state for x(k+1) = F x(k) + w(k), y(k) = H x(k) + v(k), proved.
 
     Parameters
     ----------
-    transition, measurement : matrix
-        F (n by n) and H (m by n): rows of numbers, or arrays. Whole numbers, fractions, decimals
-        and texts ("1/3", "1e-22") are taken exactly, a float as the binary number that it is.
-    process_noise, measurement_noise : matrix
-        The covariances Q (n by n) of w and R (m by m) of v; both may be singular.
-    cross_noise : matrix, optional
+    F, H : matrix
+        Transition (n by n) and measurement (m by n): rows of numbers, or arrays of two dimensions.
+        Whole numbers, fractions, decimals and texts ("1/3", "1e-22") are taken exactly, a float as
+        the binary number that it is.
+    Q, R : matrix
+        The covariances of w (n by n) and of v (m by m); both may be singular. A singular one in
+        floats may have a negative eigenvalue by their rounding: write it in fractions or texts.
+    S : matrix, optional
         The covariance E[w(k) v(k)'] (n by m); None: 0.
 
     Returns
@@ -170,6 +172,4 @@ def steady_state(
     """
     from gainproof.steady import state
 
-    return state.steady_state(
-        transition, measurement, process_noise, measurement_noise, cross_noise
-    )
+    return state.steady_state(F, H, Q, R, S)

@@ -41,8 +41,8 @@ def page(
     size = len(json.dumps(found.certificate))
     said = f"written to {written}" if written else "written with --certificate FILE"
     lines += filled(
-        "Proved: a true value differs from that shown here by no more than its row's last column "
-        "and the rounding of its last digit; --json has all digits and errors. The certificate, "
+        "Proved: a true value differs from that shown here by no more than its row's last column; "
+        "--json has all digits and errors. The certificate, "
         f"{size} bytes, is {said} and {DECIDED}.",
         columns=width,
     )
@@ -86,9 +86,9 @@ def _table(
 ) -> Iterator[str]:
     """With as many digits as the width has room for, and in several pieces where it has none."""
     name = max(map(len, names))
-    errors = [f"+- {_upwards(max(row))}" if any(row) else "exact" for row in matrix.errors]
     for digits in range(MOST_DIGITS, LEAST_DIGITS - 1, -1):
         cells = [[_cell(x, digits) for x in row] for row in matrix.values]
+        errors = [_error(*row) for row in zip(cells, matrix.values, matrix.errors, strict=True)]
         wide = max(len(cell) for row in (*cells, list(head)) for cell in row) + 2
         room = (width - name - 2 - max(map(len, errors)) - 2) // wide
         if room >= len(head):
@@ -101,11 +101,20 @@ def _table(
             yield f"  {label:<{name}}{shown}  {error}"
 
 
+def _error(cells: Sequence[str], values: Sequence[float], errors: Sequence[float]) -> str:
+    """What true values differ by from the texts of a row, at most."""
+    off = [
+        abs(Fraction(cell) - Fraction(value)) + Fraction(error)
+        for cell, value, error in zip(cells, values, errors, strict=True)
+    ]
+    return f"+- {_upwards(max(off))}" if any(off) else "exact"
+
+
 def _cell(x: float, digits: int) -> str:
     return f"{x:.{digits}g}"
 
 
-def _upwards(x: float) -> str:
+def _upwards(x: float | Fraction) -> str:
     """One digit, rounded up."""
     power = floor(log10(x))
     digit = ceil(Fraction(x) / Fraction(10) ** power)
@@ -113,12 +122,14 @@ def _upwards(x: float) -> str:
 
 
 def _pole(pole: Pole) -> str:
-    z = pole.centre
-    shown = (
-        f"{z.real:.12g}"
-        if not z.imag
-        else f"{z.real:.12g} {'+' if z.imag > 0 else '-'} {abs(z.imag):.12g}i"
-    )
+    real, imaginary = pole.centre.real, pole.centre.imag
+    cells = [_cell(real, MOST_DIGITS), _cell(abs(imaginary), MOST_DIGITS)]
+    shown = cells[0]
+    if imaginary:
+        shown += f" {'+' if imaginary > 0 else '-'} {cells[1]}i"
+    off = Fraction(pole.radius)
+    for cell, value in zip(cells, (real, abs(imaginary)), strict=True):
+        off += abs(Fraction(cell) - Fraction(value))
     if pole.count > 1:
-        return f"{pole.count} within {_upwards(pole.radius)} of {shown}"
-    return shown if not pole.radius else f"{shown}  +- {_upwards(pole.radius)}"
+        return f"{pole.count} within {_upwards(off)} of {shown}"
+    return f"{shown}  +- {_upwards(off)}" if off else shown

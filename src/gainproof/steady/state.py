@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+import reprlib
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 from fractions import Fraction
@@ -225,7 +226,10 @@ def _box(name: str, rows: Any) -> Box:
     try:
         grid = [list(row) for row in rows]
     except TypeError:
-        raise BadInputError(f"{name}: a matrix is wanted, as a list of rows") from None
+        got = reprlib.repr(rows)
+        raise BadInputError(
+            f"{name}: a matrix is wanted, as a list of rows, such as [[9]]; got {got}"
+        ) from None
     if not grid or not grid[0] or any(len(row) != len(grid[0]) for row in grid):
         raise BadInputError(f"{name}: rows of one length are wanted, at least one")
     if len(grid) > MOST_SIZE or len(grid[0]) > MOST_SIZE:

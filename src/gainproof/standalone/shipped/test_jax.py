@@ -80,7 +80,10 @@ def test_derivatives_that_kernels_have_are_theirs(module: str, kernel: str) -> N
 def test_what_is_outside_of_a_domain_is_refused_or_nan(module: str, kernel: str) -> None:
     (form, points), *_ = VALUES[module][kernel]["points"].items()
     ours = kernel_of(module, kernel)
-    given = [np.full((2, 2), x, form) for x in points[-1]["at"]]
+    # smaller numbers are outside of the domains of this target
+    least = np.finfo(form).tiny
+    normal = [each["at"] for each in points if all(not x or abs(x) >= least for x in each["at"])]
+    given = [np.full((2, 2), x, form) for x in normal[-1]]
     given[-1][1, 0] = np.nan
     with pytest.raises(ValueError, match="at index") as refused:
         function(module, kernel)(*given)
