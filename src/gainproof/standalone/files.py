@@ -50,7 +50,9 @@ def package_files(
             texts[f"{folder_of(target)}/__init__.py"] = about
     texts |= {
         **{f"tests/{path.name}": shipped(path) for path in _tests(parts)},
-        "README.md": _readme(name, titles, command, in_c=in_c),
+        "README.md": _readme(
+            name, titles, command, in_c=in_c, in_jax=f"{folder_of('jax')}/__init__.py" in texts
+        ),
         "LICENSE": LICENCE,
         "py.typed": "",
     }
@@ -96,9 +98,9 @@ def shipped(path: Path) -> str:
     return text.replace(f"{HERE}{path.parent.name}.", "from .")
 
 
-def _readme(name: str, titles: Mapping[str, str], command: str, *, in_c: bool) -> str:
-    """What is here, how it is used, tested and checked again; `titles` are by module. `in_c`:
-    whether there are C sources besides.
+def _readme(name: str, titles: Mapping[str, str], command: str, *, in_c: bool, in_jax: bool) -> str:
+    """What is here, how it is used, tested and checked again; `titles` are by module. `in_c`,
+    `in_jax`: whether there are C sources, kernels of JAX besides.
     """
     modules = "\n".join(
         f"| [`{module}`]({module}.md) | {title} |" for module, title in sorted(titles.items())
@@ -129,7 +131,7 @@ from {name} import {first}
 
 It has no `pyproject.toml`: there is nothing to build, and it has the version of the code that it
 is part of. Imports inside it are relative.
-{_compiling(name) if in_c else ""}
+{_compiling(name) if in_c else ""}{_jax(name, first) if in_jax else ""}
 ## Test
 
     python -m pytest {name}
@@ -161,6 +163,23 @@ report.accepted, report.reason
 
 `{RECORD}` names what the command has written: it replaces and deletes nothing else. What you add
 is left alone. The licence of these files is in `LICENSE`.
+"""
+
+
+def _jax(name: str, first: str) -> str:
+    """How kernels are called in JAX."""
+    return f"""
+## In JAX
+
+```python
+import jax
+jax.config.update("jax_enable_x64", True)  # else float32 alone
+from {name}.jax import {first}
+```
+
+needs JAX (`pip install jax`). The functions take its arrays, traced by `jit`, `vmap` and `grad` or
+not. Where a value is known, an input outside of its domain is refused; where it is traced all
+results are NaN. Numbers below the least normal one are outside, since JAX computes with 0 for them.
 """
 
 
