@@ -216,12 +216,14 @@ def _way(parts: _Parts, filter_: Mapping[str, str]) -> _Way:
 
 
 def _spoken_of(asked: Typed, conditions: Sequence[Typed]) -> set[str]:
-    """Letters that a formula compares with zero, and those that a hypothesis is about alone."""
+    """Letters that a formula compares with zero, and those that a hypothesis is about alone, or
+    beside identity matrices.
+    """
     relations = [r for each in (asked, *conditions) for r in each.formula.readings[0].relations]
     sides = [pair for r in relations for pair in ((r.left, r.right), (r.right, r.left))]
     ends = [one["nodes"] for one, other in sides if other["nodes"] == ZERO]
     compared = {str(nodes[0][1]) for nodes in ends if len(nodes) == 1 and nodes[0][0] == "symbol"}
-    alone = [{*each.symbols} for each in conditions]
+    alone = [{t for t in each.symbols if not NUMBERED.fullmatch(t)} for each in conditions]
     return compared.union(*(tokens for tokens in alone if len(tokens) == 1))
 
 
