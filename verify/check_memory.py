@@ -22,7 +22,7 @@ FADING = "N = sum of w^i (H F^-i)' H F^-i, i = 0, 1, ..; V N = 1, K = V H', X = 
 MEANING = """samples y = H x + noise, of variance r, x being F times that before, in least squares
 K is the gain, X the covariance of the estimate after a sample, P that of the prediction
 growing: of the samples 0 .. n, n is whole; fading: a sample i steps old counts w^i times, 0 < w < 1
-Z is N with w^2 in place of w; lines of `typed` and `name` are what the writer says, not checked"""
+Z is N with w^2 for w; lines of `typed`, `convention`, `name` are what is said, not checked"""
 MOST_BYTES, MOST_WORK, MOST_DEGREE, MOST_BITS, SECONDS = 1_000_000, 2_000_000, 150, 20_000, 20
 MOST_TERMS = 50_000
 TEXT = re.compile(r"(?a:(?!.*\b\d+[a-zA-Z_])[\w+*/()\[\],<>=! -]{0,20000})")
