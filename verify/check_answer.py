@@ -46,7 +46,8 @@ class Poly(dict[tuple[str, ...], Any]):
 
     def __mul__(self, other: "Poly") -> "Poly":
         found = Poly()
-        require(len(self) * len(other) < MOST_TERMS, "too many terms")
+        fine = max([1, *(c.denominator for p in (self, other) for c in p.values())]).bit_length()
+        require(len(self) * len(other) * (1 + fine // 512) ** 2 < MOST_TERMS, "too many terms")
         for a, x in self.items():
             for b, y in other.items():
                 m = tuple(sorted(a + b))
@@ -61,8 +62,7 @@ ZERO, ONE = Poly(), Poly({(): 1})
 
 
 def product(a: Matrix, b: Matrix) -> Matrix:
-    b = turned(b)
-    return [[reduce(add, (x * y for x, y in zip(r, c, strict=True))) for c in b] for r in a]
+    return [[reduce(add, (x * y for x, y in zip(r, c, strict=True))) for c in turned(b)] for r in a]
 
 
 def turned(a: Matrix) -> Matrix:

@@ -22,8 +22,9 @@ FADING = "N = sum of w^i (H F^-i)' H F^-i, i = 0, 1, ..; V N = 1, K = V H', X = 
 MEANING = """samples y = H x + noise, of variance r, x being F times that before, in least squares
 K is the gain, X the covariance of the estimate after a sample, P that of the prediction
 growing: of the samples 0 .. n, n is whole; fading: a sample i steps old counts w^i times, 0 < w < 1
-Z is N with w^2 in place of w; lines of `typed` and `name` are what the writer says, not checked"""
+Z is N with w^2 for w; lines of `typed`, `convention`, `name` are what is said, not checked"""
 MOST_BYTES, MOST_WORK, MOST_DEGREE, MOST_BITS, SECONDS = 1_000_000, 2_000_000, 150, 20_000, 20
+MOST_TERMS = 50_000
 TEXT = re.compile(r"(?a:(?!.*\b\d+[a-zA-Z_])[\w+*/()\[\],<>=! -]{0,20000})")
 SUMS: Any = {ast.Add: add, ast.Sub: sub, ast.Mult: mul}
 SIGNS = {ast.Eq: "==", ast.Gt: ">", ast.GtE: ">="}
@@ -37,7 +38,7 @@ def require(condition: object, *reason: object) -> None:
 class Poly(dict[tuple[str, ...], Any]):
     """Letters, sorted, each as often as its power -> a number that is not 0."""
 
-    work = 0  # of all products so far
+    work, latest = 0, 0.0  # of all products so far, and when they have to be done
 
     def __add__(self, other: "Poly", factor: int = 1) -> "Poly":
         found = {m: self.get(m, 0) + factor * other.get(m, 0) for m in {**self, **other}}
@@ -48,10 +49,12 @@ class Poly(dict[tuple[str, ...], Any]):
 
     def __mul__(self, other: "Poly") -> "Poly":
         found = Poly()
-        Poly.work += len(self) * len(other)
+        few, many = sorted((self, other), key=len)
+        Poly.work += len(few) * len(many)
         require(Poly.work < MOST_WORK, "too much work")
-        for a, x in self.items():
-            for b, y in other.items():
+        for a, x in many.items():
+            require(len(found) < MOST_TERMS and process_time() < Poly.latest, "late, or too long")
+            for b, y in few.items():
                 m = tuple(sorted(a + b))
                 found[m] = found.get(m, 0) + x * y
         long = any((c.numerator * c.denominator).bit_length() > MOST_BITS for c in found.values())
@@ -104,7 +107,7 @@ def times(c: Poly, a: Matrix) -> Matrix:
 class Certificate:
     def __init__(self, data: Any) -> None:
         require(isinstance(data, dict) and data.get("format") == FORMAT, f"no {FORMAT}")
-        self.data, self.latest, Poly.work = data, process_time() + SECONDS, 0
+        self.data, Poly.work, Poly.latest = data, 0, process_time() + SECONDS
         self.meaning = dict[str, Any]()  # of names: polynomials, or matrices
         self.letters = dict[str, tuple[str, Poly]]()  # kind, and what it is made of: letters before
         self.low = dict[str, tuple[Fraction, bool]]()  # of variables; whether they may be that
@@ -156,7 +159,7 @@ class Certificate:
         if isinstance(node, str):
             require(TEXT.fullmatch(node), "no expression:", node)
             node = ast.parse(node.strip(), mode="eval").body
-        require(isinstance(node, sort) and process_time() < self.latest, "late, or no", sort)
+        require(isinstance(node, sort) and process_time() < Poly.latest, "late, or no", sort)
         match node:
             case ast.Compare(left=a, ops=[op], comparators=[b]) if sort is ast.Compare:
                 return self.value(a) - self.value(b), SIGNS[type(op)]
@@ -218,7 +221,7 @@ class Certificate:
 
     def zero(self, p: Poly) -> bool:
         """Whether it is shown to be 0 on the whole domain."""
-        require(process_time() < self.latest, "late")
+        require(process_time() < Poly.latest, "late")
         met = {name for m in p for name in m if self.letters[name][0] != "real"}
         if not met:
             return not p

@@ -121,6 +121,9 @@ def test_a_hypothesis_about_a_letter_counts_more_than_what_it_usually_is(
     assert meaning in ("n x n", "m x m")
     turned = judge.ask(f"x^T {letter} x >= 0", given=[f"{letter} = {letter}^T"])
     assert turned.verdict != "proved"  # of a symmetric matrix
+    for scale in ("", r"\lambda "):
+        reflection = judge.ask(f"x^T {letter} x >= 0", given=[f"{letter} {letter}^T = {scale}I"])
+        assert reflection.verdict != "proved"  # -I is one
     other = judge.ask(f"{letter} >= 0", given=[f"{letter} > 0"], model="matrices")
     assert other.verdict == "proved"
     assert judge.ask(f"{letter} >= 0", model="matrices").verdict != "proved"  # by a guess

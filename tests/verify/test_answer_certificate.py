@@ -142,6 +142,22 @@ def test_a_lag_is_told_with_the_motion(latex: str, verdict: str, motion: str) ->
     assert motion in driven
 
 
+@pytest.mark.parametrize(
+    ("formula", "last"),
+    [
+        (r"K_2 = \sqrt{q/r}", ["claim: K_2 == sqrt(q/r)", "proved"]),
+        (r"3 \sqrt{q/r} = 3 K_{2}", ["claim: 3*sqrt(q/r) == 3*K_2", "proved"]),
+        (r"K_2 = -\sqrt{q/r}", ["false: K_2 == -sqrt(q/r)", "refuted"]),
+        (r"K_1^2 = 2 K_2", ["claim: K_1**2 == 2*K_2", "proved"]),
+        (r"2 K_2 = K_2 + \sqrt{q/r}", []),
+    ],
+)
+def test_a_gain_that_is_written_out_is_kept_so(judge: Judge, formula: str, last: list[str]) -> None:
+    """Not K_2 == K_2, which is true of any gain."""
+    found = lines(judge, formula, symbols={"q": "m^2 s^-3 > 0", "r": "m^2 s > 0"})
+    assert found[-2:] == last
+
+
 def test_lags_of_two_motions_have_no_certificate() -> None:
     claim = judged("identity", r"l + z = \frac{c T^2}{b}", MOVING, KIND).to_json()
     assert claim["verdict"] == "proved"

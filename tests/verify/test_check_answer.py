@@ -650,6 +650,14 @@ GROWING = [["with", f"a{k} = a{k - 1}**64"] for k in range(1, 9)]
 FOUR = [line for name in "xyuv" for line in real(name)]
 BIG = "((x + y + u + v)**12)*((x + y + u - v)**11)"
 LONG = ["claim", f"{BIG} == {BIG}"]
+
+
+def fractions(letters: str) -> list[Any]:
+    """Many terms of two letters, with many digits."""
+    top, bottom, x, y = 3**3000, str(7**1700), letters[0], letters[1]
+    return [[[str(top + k), bottom], *[x] * (k % 21), *[y] * (k // 21)] for k in range(440)]
+
+
 HOSTILE: list[Any] = [
     # each line is short, all together take hours
     certificate(*FOUR, *[LONG] * 10_000),
@@ -697,6 +705,10 @@ HOSTILE: list[Any] = [
     {"format": FORMAT, "lines": {"claim": "1 == 1"}},
     {"format": FORMAT},
     {"format": "gainproof answer certificate 1", "lines": []},
+    certificate(
+        *[["real", x] for x in "abcd"],
+        ["shows", fractions("ab"), "==", [1, []], [], fractions("cd")],
+    ),
 ]
 
 
@@ -715,7 +727,7 @@ def test_what_is_hostile_is_refused_in_a_line(
     assert lines[0].startswith("REJECTED: ")
     assert len(lines[0]) < 500
     assert lines[0].isprintable()
-    assert time.process_time() - start < 30
+    assert time.process_time() - start < 15
 
 
 BUCY = {"A": [[0]], "H": [[1]], "Q": [[4]], "R": [[9]], "P": [[6]], "K": [["2/3"]]}

@@ -15,6 +15,7 @@ import sys
 from collections.abc import Mapping
 from functools import cache
 from pathlib import Path
+from time import process_time
 from typing import Any
 
 import mpmath
@@ -426,6 +427,16 @@ def test_one_file_decides_alone(tmp_path: Path, capsys: pytest.CaptureFixture[st
     assert capsys.readouterr().out == done.stdout
 
 
+def powers(letter: str, most: int) -> str:
+    return "(" + " + ".join(f"{letter}**{i}" for i in range(most + 1)) + ")"
+
+
+LETTERS = [["real", x] for x in "abce"]
+LONG = [
+    ["with", f"q = {3**3000}/{7**1700}"],
+    ["with", f"s = q*{powers('a', 30)}*{powers('b', 30)}"],
+]
+MANY = [["with", f"{x} = {powers(x[0], 36)}*{powers(x[1], 36)}"] for x in ("ab", "ce")]
 FAT = "*".join(["(n + a + b + c + d + e)**9"] * 2)
 HOSTILE: list[Any] = [
     "",
@@ -445,16 +456,23 @@ HOSTILE: list[Any] = [
     certificate(LINE, ["claim", "\x1b[2Kproved"]),
     certificate([*[["real", x] for x in "abcde"], *LINE], *[["claim", f"{FAT} == {FAT}"]] * 500),
     certificate([["with", f"N = [{', '.join(['[' + '1, ' * 90 + '1]'] * 60)}]"]], GAIN),
+    certificate([*LETTERS, *LONG, *LINE], ["claim", "s*s == s*s"]),  # fractions of many digits
+    certificate([*LETTERS, *MANY, *LINE], ["claim", "ab*ce == ab*ce"]),  # millions of terms
 ]
 
 
 @pytest.mark.parametrize("number", range(len(HOSTILE)))
 def test_what_is_hostile_is_refused_in_a_line(
-    number: int, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+    number: int,
+    tmp_path: Path,
+    capsys: pytest.CaptureFixture[str],
+    monkeypatch: pytest.MonkeyPatch,
 ) -> None:
-    data = HOSTILE[number]
+    monkeypatch.setattr(check_memory, "SECONDS", 1)
+    data, start = HOSTILE[number], process_time()
     (tmp_path / "one.json").write_text(data if isinstance(data, str) else json.dumps(data))
     assert main([str(tmp_path / "one.json")]) == 1
+    assert process_time() - start < 3
     (line,) = capsys.readouterr().out.splitlines()
     assert line.startswith("REJECTED: ")
     assert len(line) < 500

@@ -123,8 +123,19 @@ def _certificate(
         if e.kind not in ("symbol", "number") and e.key not in shared
     }
 
-    def in_tokens(expr: Expr) -> Expr:
-        return rebuilt(expr, lambda node, _: tokens.get(node.key))
+    latex = claim["latex"]
+    # those in the source's own letters, which a formula may write out: K_2 = \sqrt{q/r}
+    closed = evidence.get("of the filter", ()) if "A" in evidence.get("model", ()) else ()
+    closed = [token for token in closed if _count(token, latex)]
+    texts = latex.split("=") if latex.count("=") == len(statement.relations) == 1 else [latex] * 2
+
+    def in_tokens(expr: Expr, text: str = "") -> Expr:
+        counts = {token: _count(token, text or latex) for token in closed}
+        kept = {key: t for key, t in tokens.items() if counts.get(str(t.value), 1)}
+        found = rebuilt(expr, lambda node, _: kept.get(node.key))
+        if any(_places(token, found) > count for token, count in counts.items()):
+            raise NoCertificateError("what is a gain is not kept as it is written")
+        return found
 
     def defined(left: Expr, right: Expr) -> Expr:
         """A definition that is all of the formula is kept as that."""
@@ -135,7 +146,10 @@ def _certificate(
             raise NoCertificateError(f"only that it is itself is kept of {left.value}")
         return rebuilt(whole, lambda node, _: tokens.get(node.key) if node != whole else None)
 
-    sides = [(r.operator, in_tokens(r.left), in_tokens(r.right)) for r in statement.relations]
+    sides = [
+        (r.operator, in_tokens(r.left, texts[0]), in_tokens(r.right, texts[1]))
+        for r in statement.relations
+    ]
     keeps = "model" not in evidence
     relations = [Rel(op, a, defined(a, b) if keeps else b) for op, a, b in sides]
     alone = claim["latex"].partition("=")[0].strip()
@@ -267,6 +281,21 @@ def unexplained(latex: str, tokens: Iterable[str]) -> str:
         sought = rf"{before}({re.escape(token)})(?![_'])|\\[A-Za-z]+"
         text = re.sub(sought, lambda found: " " if found[1] else found[0], text)
     return " ".join(text.split()) if re.search("[A-Za-z]", text) else ""
+
+
+def _count(token: str, latex: str) -> int:
+    """How often a symbol is in a formula, read as text."""
+    name = _plain(token)
+    before = r"(?<![\\_])" if name[:1].isalpha() else ""
+    return len(re.findall(rf"{before}{re.escape(name)}(?![_'\d])", _plain(latex)))
+
+
+def _places(token: str, expr: Expr) -> int:
+    """How often a symbol is in an expression."""
+    found: dict[bytes, int] = {}
+    for node in walk(expr):
+        found[node.key] = int(node.value == token) + sum(found[part.key] for part in node.parts)
+    return found[expr.key]
 
 
 def _plain(latex: str) -> str:

@@ -8,7 +8,7 @@ of a Kalman filter, and the formula is tried for any K too.
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Container, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from typing import Any
@@ -174,7 +174,7 @@ def _way(parts: _Parts, filter_: Mapping[str, str]) -> _Way:
         relations = each.formula.readings[0].relations
         return with_sizes(relations_to_latex(relations) if each.plain else each.text)
 
-    spoken_of = _spoken_of(parts.asked, parts.conditions)
+    spoken_of = _spoken_of(parts.asked, parts.conditions, shapes.numbers)
     entries: dict[str, tuple[str, str, bool]] = {}
     for token, (rows, columns) in shapes.letters.items():
         if NUMBERED.fullmatch(token):
@@ -215,13 +215,18 @@ def _way(parts: _Parts, filter_: Mapping[str, str]) -> _Way:
     )
 
 
-def _spoken_of(asked: Typed, conditions: Sequence[Typed]) -> set[str]:
-    """Letters that a formula compares with zero, and those that a hypothesis is about alone."""
+def _spoken_of(asked: Typed, conditions: Sequence[Typed], numbers: Container[str]) -> set[str]:
+    """Letters that a formula compares with zero, and those that a hypothesis is about alone, or
+    beside identity matrices and numbers.
+    """
     relations = [r for each in (asked, *conditions) for r in each.formula.readings[0].relations]
     sides = [pair for r in relations for pair in ((r.left, r.right), (r.right, r.left))]
     ends = [one["nodes"] for one, other in sides if other["nodes"] == ZERO]
     compared = {str(nodes[0][1]) for nodes in ends if len(nodes) == 1 and nodes[0][0] == "symbol"}
-    alone = [{*each.symbols} for each in conditions]
+    alone = [
+        {t for t in each.symbols if not NUMBERED.fullmatch(t) and t not in numbers}
+        for each in conditions
+    ]
     return compared.union(*(tokens for tokens in alone if len(tokens) == 1))
 
 
