@@ -74,8 +74,7 @@ def definite(box: Box, what: str, strict: bool = False) -> None:
         (pivot, *row), *rest = a
         require(pivot > 0 or not (pivot or strict or any(row)), f"not shown: {what}")
         by = pivot or last  # a row of zeros leaves the others as they are
-        a = [[(by * y - own[0] * z) // last for y, z in zip(own[1:], row)] for own in rest]
-        last = by
+        last, a = by, [[(by * y - x[0] * z) // last for y, z in zip(x[1:], row)] for x in rest]
 
 
 def root(x: Fraction) -> Fraction:
@@ -146,5 +145,6 @@ if __name__ == "__main__":
         data = json.loads(stream.read(4_000_000))
     for name, box in decide(data).items():
         for i, row in enumerate(zip(box.c, box.radius), 1):
-            print(name, i, *(f"{float(c)!r} +- {float(e):.1e}" for c, e in zip(*row)))
+            told = [(v, e + abs(c - Fraction(v))) for c, e in zip(*row) for v in [repr(float(c))]]
+            print(name, i, *(f"{v} +- {1.1 * float(e) + (e and 1e-323):.1e}" for v, e in told))
     print("proved of", *(f"{name} = {json.dumps(data[name])}" for name in "FHQRS"), sep="\n")

@@ -9,6 +9,7 @@ import random
 import subprocess
 import sys
 from fractions import Fraction
+from math import isqrt
 from pathlib import Path
 from typing import Any
 
@@ -238,3 +239,30 @@ def test_the_file_stands_alone_and_decides_from_the_command_line(tmp_path: Path)
         assert done.returncode == status
         assert ("proved" in done.stdout) == (status == 0)
         assert ("not shown: " in done.stderr) == (status == 1)
+
+
+@pytest.mark.parametrize("unit", [0, -200, -330, -400])
+def test_errors_that_are_printed_hold_of_the_numbers_as_printed(tmp_path: Path, unit: int) -> None:
+    """Q = 2, R = 3 in a unit: P = 1 + sqrt(7). Shown are doubles, which round, even to 0."""
+    scale = Fraction(10) ** unit
+    data = steady(model([[1]], [[1]], [[2 * scale]], [[3 * scale]])).certificate
+    (tmp_path / "c.json").write_text(json.dumps(data))
+    command = [sys.executable, str(FILE), str(tmp_path / "c.json")]
+    done = subprocess.run(command, capture_output=True, text=True, check=True)
+    p = 1 + Fraction(isqrt(7 * 10**120), 10**60)
+    true = {"predicted": p * scale, "updated": 3 * p / (p + 3) * scale, "filter": p / (p + 3)}
+    true["predictor"] = true["filter"]
+    told = [line.split() for line in done.stdout.splitlines()[:4]]
+    assert {name for name, *_ in told} == set(true)
+    for name, _, value, _, error in told:
+        e = Fraction(error)
+        assert abs(Fraction(value) - true[name]) + scale / 10**50 <= e < Fraction("1e-15")
+
+
+def test_what_is_exact_is_printed_without_an_error(tmp_path: Path) -> None:
+    """Without process noise a state that decays is known: P = 0."""
+    data = steady(model([[Fraction(1, 2)]], [[1]], [[0]], [[1]])).certificate
+    (tmp_path / "c.json").write_text(json.dumps(data))
+    command = [sys.executable, str(FILE), str(tmp_path / "c.json")]
+    done = subprocess.run(command, capture_output=True, text=True, check=True)
+    assert all(line.endswith(" 0.0 +- 0.0e+00") for line in done.stdout.splitlines()[:4])
