@@ -212,12 +212,12 @@ def _require_covariances(model: Model, start: Box | None = None) -> None:
 
 def _indefinite(box: Box) -> str:
     """What is wrong with a covariance, or nothing. Singular ones in doubles miss being covariances
-    by their rounding, the centres of boxes by their radius: those are let pass.
+    by their rounding, the centres of boxes by their radius: these are let pass.
     """
     more = diagonal([ROUNDING * row[i] for i, row in enumerate(box.c)])
     if not _semidefinite(box + more):
         return "not positive semidefinite"
-    if box.r or _semidefinite(box):
+    if _semidefinite(box + diagonal([sum(row, Fraction(0)) for row in box.radius])):
         return ""
     return (
         "not positive semidefinite, by rounding alone: write its numbers exactly, as fractions or "

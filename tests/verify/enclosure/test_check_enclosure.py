@@ -133,6 +133,33 @@ def test_what_is_no_certificate_is_rejected(changes: Data, reason: str) -> None:
         decide(scalar() | changes)
 
 
+def test_a_box_without_a_covariance_is_rejected() -> None:
+    """Q = -1/2: P^2 - 5/2 P + 1/2 = 0 has the root 2.2807764..., which no filter has. That R is a
+    box does not help, and a box that reaches 0 may be meant.
+    """
+    boxed: Data = {"upper": "2.2817764", "slack": "0.002", "predictor": "1.39038", "floor": "3.1"}
+    boxed |= {"filter": "0.69519", "Q": "-0.5"}
+    for q, r in (("-0.5", "1"), ("-0.5", ["1", "1e-300"]), (["-0.5", "0.499"], "1")):
+        with pytest.raises(ValueError, match="W >= 0"):
+            decide({**scalar(**boxed), "Q": [[q]], "R": [[r]]})
+    decide({**scalar(), "Q": [[["-1e-9", "1e-9"]]]})
+
+
+@pytest.mark.parametrize("f", [{"2": [["999"]]}, [{"2": "999"}], ["2"], "2"])
+def test_what_is_no_list_of_lists_is_rejected(f: Any) -> None:
+    with pytest.raises(ValueError, match="shape of F"):
+        decide({**scalar(), "F": f})
+
+
+def test_a_radius_that_is_no_text_is_rejected() -> None:
+    """As a double 0.3 is less than it says."""
+    wide = {**scalar(), "R": [[["1", "1e-9"]]]}
+    decide(wide)
+    for radius in (0, 1e-9, 0.3, True, None):
+        with pytest.raises(TypeError):
+            decide({**wide, "R": [[["1", radius]]]})
+
+
 def test_noises_that_are_not_symmetric_are_rejected() -> None:
     data = dict(steady(model([[0, 1], [0, 0]], [[1, 0]], [[1, 0], [0, 1]], [[1]])).certificate)
     decide(data)
