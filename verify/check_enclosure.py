@@ -74,8 +74,7 @@ def definite(box: Box, what: str, strict: bool = False) -> None:
         (pivot, *row), *rest = a
         require(pivot > 0 or not (pivot or strict or any(row)), f"not shown: {what}")
         by = pivot or last  # a row of zeros leaves the others as they are
-        a = [[(by * y - own[0] * z) // last for y, z in zip(own[1:], row)] for own in rest]
-        last = by
+        last, a = by, [[(by * y - x[0] * z) // last for y, z in zip(x[1:], row)] for x in rest]
 
 
 def root(x: Fraction) -> Fraction:
@@ -85,16 +84,17 @@ def root(x: Fraction) -> Fraction:
 
 
 def decide(data: Any) -> dict[str, Box]:
-    """Enclosures of the covariances `predicted` and `updated` and of the gains `filter` and
-    `predictor`. Raises ValueError and others for what is not shown or no certificate."""
+    """Enclosures of the covariances `predicted`, `updated` and of the gains `filter`, `predictor`
+    of all models in the boxes with W >= 0. Raises ValueError and others where this is not shown."""
     require(data["format"] == FORMAT, f"no {FORMAT}")
     inner, outer = data["parts"]  # states and measurements with other numbers do not meet
     n, m = len(inner), len(outer)
 
     def read(name: str, rows: list[int], columns: list[int]) -> Box:
-        grid = [[(x, "0") if isinstance(x, str) else x for x in row] for row in data[name]]
+        lists = [row for row in data[name] if type(row) is list]
+        grid = [[(x, "0") if isinstance(x, str) else x for x in row] for row in lists]
         require([len(row) for row in grid] == [len(columns)] * len(rows), f"shape of {name}")
-        told = grid and all(NUMBER(c) and NUMBER(f"-{r}") for row in grid for c, r in row)
+        told = grid and all(NUMBER(c) and NUMBER("-" + r) for row in grid for c, r in row)
         require(told, f"no numbers, or a radius below 0, in {name}")
         box = Box(*([[Fraction(x[k]) for x in row] for row in grid] for k in (0, 1)))
         met = all(i == j or not x for i, row in zip(rows, box.most) for j, x in zip(columns, row))
@@ -105,8 +105,7 @@ def decide(data: Any) -> dict[str, Box]:
     h, r, s = read("H", outer, inner), read("R", outer, outer), read("S", inner, outer)
     (floor,) = read("floor", [0], [0] * m).c
     w = r.over(s).turned().over(s.turned().over(q).turned())
-    if not w.r:  # of a box those are meant whose noises are covariances
-        definite(w, "W >= 0")
+    definite(Box((w + diagonal([sum(row, ZERO) for row in w.radius])).c), "W >= 0")
     definite(slack, "X >= Y")
     g, y = h.over(f), x - slack
     padded = Box([[ZERO] * (m + n)] * m + [[ZERO] * m + row for row in y.c])
@@ -146,5 +145,6 @@ if __name__ == "__main__":
         data = json.loads(stream.read(4_000_000))
     for name, box in decide(data).items():
         for i, row in enumerate(zip(box.c, box.radius), 1):
-            print(name, i, *(f"{float(c)!r} +- {float(e):.1e}" for c, e in zip(*row)))
+            told = [(v, e + abs(c - Fraction(v))) for c, e in zip(*row) for v in [repr(float(c))]]
+            print(name, i, *(f"{v} +- {1.1 * float(e) + (e and 1e-323):.1e}" for v, e in told))
     print("proved of", *(f"{name} = {json.dumps(data[name])}" for name in "FHQRS"), sep="\n")

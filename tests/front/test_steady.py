@@ -121,6 +121,17 @@ def test_the_first_samples_from_python() -> None:
             first_samples([[1]], [[1]], [[0]], [[1]], start, 3)
 
 
+def test_the_first_samples_of_a_mode_that_no_measurement_sees() -> None:
+    """Its variance leaves the doubles after a sample, or falls below all of them; 0 stays exact."""
+    with pytest.raises(gainproof.BadInputError, match="beyond float64: scale the units"):
+        first_samples([["1e999"]], [[0]], [[1]], [[1]], [[1]], 1000)
+    last = first_samples([["1e-999"]], [[0]], [[0]], [[1]], [[1]], 1000)[-1]
+    assert (last.predicted_covariance.values, last.filter_gain.errors) == (((0.0,),), ((0.0,),))
+    assert 0 < last.predicted_covariance.radius[0][0] < Fraction(1, 10**400)
+    (known,) = first_samples([[1]], [[1]], [[0]], [[1]], [[0]], 1)
+    assert known.filter_gain.errors == known.updated_covariance.errors == ((0.0,),)
+
+
 @pytest.mark.parametrize(
     ("arguments", "words"),
     [
@@ -140,6 +151,13 @@ def test_values_that_do_not_fit(
     told = capsys.readouterr().err
     assert words in told
     assert told.count("\n") == 1
+
+
+def test_values_beyond_doubles_are_told(plane: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    without_units = [x for x in PLANE.splitlines() if not x.startswith(("states", "measurements"))]
+    plane.write_text("\n".join(without_units).replace('"R"', '"R/R"'))
+    assert cli.main(["steady", str(plane), "--at", "T=1,q=1,R=1e400"]) == 0
+    assert "two axes, at T = 1, q = 1, R = 1e+400\n" in capsys.readouterr().out
 
 
 def test_all_mistakes_of_a_file_are_told(plane: Path, capsys: pytest.CaptureFixture[str]) -> None:
@@ -249,6 +267,10 @@ def test_roundings_of_doubles_are_told_from_mistakes() -> None:
         ((np.eye(41), np.eye(41), np.eye(41), np.eye(41)), "at most 40"),
         (([["1e300"]], [[1]], [["1e300"]], [["1e-300"]]), ""),
         (([[1]], [[1]], [["1e350"]], [["1"]]), "beyond float64"),
+        ((np.eye(2), [[1, 0]], [[1, 10**400], [2, 1]], [[1]]), "column 2 is 1.00000e+400: a cov"),
+        (([[1]], [[1]], [[1]], [["-1e-400"]]), "R: row 1, column 1 is -1e-400: a variance"),
+        (([[10**5000]], [[1]], [[1]], [[1]]), "F: row 1, column 1: a number has at most 1200"),
+        (([[1]], [[1]], [[1]], [[Fraction(1, 10**1200)]]), "R: row 1, column 1: a number has"),
     ],
 )
 def test_what_cannot_be_used_is_told_in_a_line(matrices: Any, words: str) -> None:

@@ -6,6 +6,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 from itertools import combinations
+from math import inf, nextafter
 
 import flint
 
@@ -118,4 +119,6 @@ def _pole(disc: Disc, all_discs: Sequence[Disc]) -> Pole:
     if real:
         centre = flint.acb(centre.real)
     away = (abs(centre - flint.acb(shown.real, shown.imag)) + radius).upper()
-    return Pole(shown, float(away) * (1 + 2.0**-40), count)
+    # upwards, where a double has few bits too: a radius of 0 says that the pole is exact
+    radius_told = nextafter(float(away) * (1 + 2.0**-40), inf) if away > 0 else 0.0
+    return Pole(shown, radius_told, count)

@@ -13,7 +13,7 @@ import flint
 
 from gainproof.verify.check_enclosure import Box
 from gainproof.verify.enclosure.steady import ASKED
-from gainproof.verify.enclosure.structure import Model, ball, fraction_of
+from gainproof.verify.enclosure.structure import Model, ball, bits_of, rounded
 
 LEAST_BITS, MOST_BITS = 512, 1 << 14
 ZERO_BITS = 300
@@ -99,5 +99,7 @@ def _balls(box: Box) -> Any:
 
 def _box(a: Any) -> Box:
     """Rational centres and radii."""
-    rows = [[(fraction_of(x.mid()), fraction_of(x.rad())) for x in row] for row in a.tolist()]
+    if any(bits_of(x) > MOST_BITS for x in a.entries()):
+        raise NoGain("a number of a sample is beyond float64: scale the units")
+    rows = [[rounded(x, -MOST_BITS) for x in row] for row in a.tolist()]
     return Box([[c for c, _ in row] for row in rows], [[e for _, e in row] for row in rows])

@@ -161,7 +161,7 @@ def _part(model: Model, asked: int) -> Found:
                 bits *= 2
     raise NoSteadyState(
         f"none was found with {most} bits: a mode is seen by no measurement or driven by no noise, "
-        "or nearly so"
+        "or nearly so, or numbers lie too far apart"
     )
 
 

@@ -73,6 +73,20 @@ def fraction_of(x: flint.arb) -> Fraction:
     return Fraction(int(man)) * Fraction(2) ** int(exp)
 
 
+def bits_of(x: flint.arb) -> int:
+    """The least power of two above all of a ball, 0 of 0. Fractions of far ones fill any memory."""
+    man, exp = x.abs_upper().man_exp()
+    return int(exp) + int(man).bit_length() if man else 0
+
+
+def rounded(x: flint.arb, least: int) -> tuple[Fraction, Fraction]:
+    """Centre and radius of a ball, both 0 below 2^least, by which the radius is then more."""
+    parts = x.mid(), x.rad()
+    near = [fraction_of(part) if bits_of(part) > least else Fraction(0) for part in parts]
+    lost = sum(1 for part, kept in zip(parts, near, strict=True) if part != 0 and not kept)
+    return near[0], near[1] + (lost * Fraction(2) ** least if lost else 0)
+
+
 Rows = Sequence[Sequence[flint.fmpq]]
 
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 from collections.abc import Iterator, Mapping, Sequence
+from decimal import Decimal
 from fractions import Fraction
 from math import ceil, floor, log10
 
@@ -73,7 +74,13 @@ def _title(model: ModelFile, values: Mapping[str, Fraction]) -> str:
 
 def _short(x: Fraction) -> str:
     exact = str(x)
-    return exact if len(exact) <= 8 or Fraction(repr(float(x))) != x else repr(float(x))
+    if len(exact) <= 8:
+        return exact
+    try:
+        near = repr(float(x))
+    except OverflowError:
+        near = f"{(Decimal(x.numerator) / x.denominator).normalize():g}"
+    return near if Fraction(near) == x else exact
 
 
 def _with_unit(component: Component) -> str:

@@ -6,8 +6,9 @@ import re
 import reprlib
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
+from decimal import Decimal
 from fractions import Fraction
-from math import inf, nextafter
+from math import floor, inf, log2, nextafter
 from operator import index
 from typing import Any
 
@@ -19,6 +20,9 @@ from gainproof.verify.enclosure.steady import steady
 from gainproof.verify.enclosure.structure import Model, NoSteadyState
 
 MOST_SIZE, MOST_SAMPLES = 40, 1000
+MOST_DIGITS = 1200
+"""Of a number in a certificate."""
+MOST_NUMBER_BITS = floor(MOST_DIGITS * log2(10))
 ROUNDING = Fraction(1, 1 << 40)
 """Of entries: less is taken for what computing in doubles does."""
 Matrix = Iterable[Iterable[Any]]
@@ -168,7 +172,19 @@ def _numbered(what: str, count: int) -> tuple[str, ...]:
     return tuple(f"{what} {i + 1}" for i in range(count))
 
 
+def _require_sizes(model: Model, start: Box | None) -> None:
+    """Raises BadInputError for a number that no certificate can say."""
+    boxes = {"F": model.f, "H": model.h, "Q": model.q, "R": model.r, "S": model.s}
+    for name, box in (boxes | ({"start": start} if start else {})).items():
+        for i, row in enumerate(box.c, 1):
+            for j, x in enumerate(row, 1):
+                if max(map(int.bit_length, x.as_integer_ratio())) > MOST_NUMBER_BITS:
+                    problem = f"row {i}, column {j}: a number has at most {MOST_DIGITS} digits"
+                    raise BadInputError(f"{name}: {problem}")
+
+
 def _require_covariances(model: Model, start: Box | None = None) -> None:
+    _require_sizes(model, start)
     said = {"Q": model.q, "R": model.r} | ({"start": start} if start else {})
     for name, box in said.items():
         for i, row in enumerate(box.c):
@@ -197,12 +213,12 @@ def _require_covariances(model: Model, start: Box | None = None) -> None:
 
 def _indefinite(box: Box) -> str:
     """What is wrong with a covariance, or nothing. Singular ones in doubles miss being covariances
-    by their rounding, the centres of boxes by their radius: those are let pass.
+    by their rounding, the centres of boxes by their radius: these are let pass.
     """
     more = diagonal([ROUNDING * row[i] for i, row in enumerate(box.c)])
     if not _semidefinite(box + more):
         return "not positive semidefinite"
-    if box.r or _semidefinite(box):
+    if _semidefinite(box + diagonal([sum(row, Fraction(0)) for row in box.radius])):
         return ""
     return (
         "not positive semidefinite, by rounding alone: write its numbers exactly, as fractions or "
@@ -219,7 +235,10 @@ def _semidefinite(box: Box) -> bool:
 
 
 def _shown(x: Fraction) -> str:
-    return str(x) if len(str(x)) <= 20 else f"{float(x)!r}"
+    if len(str(x)) <= 20:
+        return str(x)
+    is_double = Fraction(1, 10**300) < abs(x) < 10**300
+    return repr(float(x)) if is_double else f"{Decimal(x.numerator) / x.denominator:.6g}"
 
 
 def _box(name: str, rows: Any) -> Box:

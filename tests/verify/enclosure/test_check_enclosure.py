@@ -9,6 +9,7 @@ import random
 import subprocess
 import sys
 from fractions import Fraction
+from math import isqrt
 from pathlib import Path
 from typing import Any
 
@@ -132,6 +133,33 @@ def test_what_is_no_certificate_is_rejected(changes: Data, reason: str) -> None:
         decide(scalar() | changes)
 
 
+def test_a_box_without_a_covariance_is_rejected() -> None:
+    """Q = -1/2: P^2 - 5/2 P + 1/2 = 0 has the root 2.2807764..., which no filter has. That R is a
+    box does not help, and a box that reaches 0 may be meant.
+    """
+    boxed: Data = {"upper": "2.2817764", "slack": "0.002", "predictor": "1.39038", "floor": "3.1"}
+    boxed |= {"filter": "0.69519", "Q": "-0.5"}
+    for q, r in (("-0.5", "1"), ("-0.5", ["1", "1e-300"]), (["-0.5", "0.499"], "1")):
+        with pytest.raises(ValueError, match="W >= 0"):
+            decide({**scalar(**boxed), "Q": [[q]], "R": [[r]]})
+    decide({**scalar(), "Q": [[["-1e-9", "1e-9"]]]})
+
+
+@pytest.mark.parametrize("f", [{"2": [["999"]]}, [{"2": "999"}], ["2"], "2"])
+def test_what_is_no_list_of_lists_is_rejected(f: Any) -> None:
+    with pytest.raises(ValueError, match="shape of F"):
+        decide({**scalar(), "F": f})
+
+
+def test_a_radius_that_is_no_text_is_rejected() -> None:
+    """As a double 0.3 is less than it says."""
+    wide = {**scalar(), "R": [[["1", "1e-9"]]]}
+    decide(wide)
+    for radius in (0, 1e-9, 0.3, True, None):
+        with pytest.raises(TypeError):
+            decide({**wide, "R": [[["1", radius]]]})
+
+
 def test_noises_that_are_not_symmetric_are_rejected() -> None:
     data = dict(steady(model([[0, 1], [0, 0]], [[1, 0]], [[1, 0], [0, 1]], [[1]])).certificate)
     decide(data)
@@ -238,3 +266,30 @@ def test_the_file_stands_alone_and_decides_from_the_command_line(tmp_path: Path)
         assert done.returncode == status
         assert ("proved" in done.stdout) == (status == 0)
         assert ("not shown: " in done.stderr) == (status == 1)
+
+
+@pytest.mark.parametrize("unit", [0, -200, -330, -400])
+def test_errors_that_are_printed_hold_of_the_numbers_as_printed(tmp_path: Path, unit: int) -> None:
+    """Q = 2, R = 3 in a unit: P = 1 + sqrt(7). Shown are doubles, which round, even to 0."""
+    scale = Fraction(10) ** unit
+    data = steady(model([[1]], [[1]], [[2 * scale]], [[3 * scale]])).certificate
+    (tmp_path / "c.json").write_text(json.dumps(data))
+    command = [sys.executable, str(FILE), str(tmp_path / "c.json")]
+    done = subprocess.run(command, capture_output=True, text=True, check=True)
+    p = 1 + Fraction(isqrt(7 * 10**120), 10**60)
+    true = {"predicted": p * scale, "updated": 3 * p / (p + 3) * scale, "filter": p / (p + 3)}
+    true["predictor"] = true["filter"]
+    told = [line.split() for line in done.stdout.splitlines()[:4]]
+    assert {name for name, *_ in told} == set(true)
+    for name, _, value, _, error in told:
+        e = Fraction(error)
+        assert abs(Fraction(value) - true[name]) + scale / 10**50 <= e < Fraction("1e-15")
+
+
+def test_what_is_exact_is_printed_without_an_error(tmp_path: Path) -> None:
+    """Without process noise a state that decays is known: P = 0."""
+    data = steady(model([[Fraction(1, 2)]], [[1]], [[0]], [[1]])).certificate
+    (tmp_path / "c.json").write_text(json.dumps(data))
+    command = [sys.executable, str(FILE), str(tmp_path / "c.json")]
+    done = subprocess.run(command, capture_output=True, text=True, check=True)
+    assert all(line.endswith(" 0.0 +- 0.0e+00") for line in done.stdout.splitlines()[:4])

@@ -30,6 +30,17 @@ def test_poles_by_hand() -> None:
     assert first.centre.imag == second.centre.imag == 0
 
 
+def test_a_pole_below_all_doubles_is_not_taken_for_0() -> None:
+    """F R/(P + R) with P next to 1."""
+    for r in (100, 120, 124, 150):
+        of = model([[Fraction(1, 10**200)]], [[1]], [[1]], [[Fraction(1, 10**r)]])
+        (only,) = found(of)
+        true = Fraction(1, 10 ** (200 + r))
+        assert abs(Fraction(only.centre.real) - true) <= Fraction(only.radius) * (1 + true)
+    (zero,) = found(model([[0]], [[1]], [[1]], [[1]]))
+    assert (zero.centre, zero.radius) == (0, 0)
+
+
 def test_poles_that_cannot_be_told_apart_are_counted() -> None:
     """A shift register has the pole 0 thrice; two axes that are alike have each pole twice."""
     shift = [[0, 0, 0], [1, 0, 0], [0, 1, 0]]

@@ -11,7 +11,7 @@ from math import ceil, log10
 import flint
 
 from gainproof.verify.check_enclosure import Box
-from gainproof.verify.enclosure.structure import Model, fraction_of
+from gainproof.verify.enclosure.structure import Model, bits_of, rounded
 from gainproof.verify.judge.claim.model_file import ModelFile
 from gainproof.verify.judge.claim.models import Rows
 from gainproof.verify.judge.exact.balls import Balls, NoValue, Unresolved, compared
@@ -88,11 +88,10 @@ class _Reading:
             raise NoNumberError(f"{where}: {error}") from None
         if not ball.is_finite():
             raise NoNumberError(f"{where}: no finite value")
-        centre, radius = fraction_of(ball.mid()), fraction_of(ball.rad())
-        size = max(abs(centre), radius)
-        bits = size.numerator.bit_length() - size.denominator.bit_length()
+        bits = bits_of(ball)
         if abs(bits) > MOST_BITS:
             raise NoNumberError(f"{where}: a number of about 2^{bits}")
+        centre, radius = rounded(ball, bits - 2 * PRECISION)
         # decimals, outwards, so that certificates stay short
         grid = Fraction(10) ** (ceil(bits * log10(2)) - DIGITS)
         near = round(centre / grid) * grid

@@ -136,6 +136,35 @@ def test_values_that_do_not_fit_are_refused(values: dict[str, Fraction], words: 
         model_at(read_model_text(CLOCK), values)
 
 
+@pytest.mark.parametrize(
+    ("entry", "words"),
+    [
+        (r"\exp(10^{12})", r"about 2\^14426950408\d\d"),
+        (r"\exp(-10^{12})", r"about 2\^-14426950408\d\d"),
+        ("((((2^{64})^{64})^{64})^{64})^{64}", r"about 2\^10737418\d\d"),
+    ],
+)
+def test_of_a_number_that_fills_a_memory_the_size_is_told(entry: str, words: str) -> None:
+    text = PLAIN.format(f="[1]", q=f"'{entry}'")
+    with pytest.raises(NoNumberError, match=words):
+        model_at(read_model_text(text), {})
+
+
+@pytest.mark.parametrize(
+    "entry",
+    [
+        r"2 + \exp(-10^{12}) - \exp(-10^{12})",
+        r"2 + \exp(-10^{12}) (\sqrt{2} - \sqrt{3})",
+        r"2 + \exp(-10^{12}) + \sqrt{2} - \sqrt{2}",
+    ],
+)
+def test_terms_that_are_far_below_the_others_are_rounded(entry: str) -> None:
+    found, _ = model_at(read_model_text(PLAIN.format(f="[1]", q=f"'{entry}'")), {})
+    centre, radius = found.q.c[0][0], found.q.radius[0][0]
+    assert abs(centre - 2) <= radius < Fraction("1e-60")
+    assert radius > 0 or "exp(-10^{12}) - " in entry
+
+
 SINGER = r"""
 format = "gainproof model 1"
 title = "exponentially correlated velocity"
