@@ -74,7 +74,8 @@ def _form(inputs: Sequence[Any]) -> Form:
 @cache
 def _compiled(kernel: Kernel) -> Callable[..., tuple[Any, Values, Values]]:
     """Whether all inputs are admitted, what is required of them together, and the outputs."""
-    return jax.jit(partial(_checked, kernel))
+    compiled: Callable[..., tuple[Any, Values, Values]] = jax.jit(partial(_checked, kernel))
+    return compiled
 
 
 def _checked(kernel: Kernel, *given: Any) -> tuple[Any, Values, Values]:
@@ -126,7 +127,8 @@ def _differentiable(kernel: Kernel) -> Callable[..., Values]:
         return values, tuple(rates)
 
     function.defjvp(rule, symbolic_zeros=True)
-    return function
+    differentiable: Callable[..., tuple[Any, ...]] = function
+    return differentiable
 
 
 def _slope(each: Slope, inputs: Values, known: dict[Kernel, Values]) -> Any:
