@@ -56,7 +56,9 @@ def test_committed_bounds_are_those_of_a_fresh_proof(name: str) -> None:
         changed.setitem(workers.REPRODUCIBLE, "PYTHONHASHSEED", OTHER_SEED)
         (part,) = workers.run([derivations.print_job(name, {})])
     assert part["counts"]["taken"] == 0
-    assert part["bounds"] == bounds_ledger.committed(places.generated_folder())[part["module"]]
+    # a subject without kernels has no entry
+    known = bounds_ledger.committed(places.generated_folder())
+    assert part["bounds"] == known.get(part["module"], {})
 
 
 @pytest.mark.parametrize("commit", ["HEAD", "HEAD^"])

@@ -75,3 +75,8 @@ def test_displays_are_aligned_and_broken() -> None:
     rows = aligned([long]).split("\\\\\n")
     assert len(rows) > 2
     assert all(row.startswith(("y &= ", r"&\qquad + ")) for row in rows)
+
+
+def test_a_name_with_several_underscores_is_a_word_and_has_no_second_subscript() -> None:
+    found = latex_math("bearing_D_target_x = x_1", {"x": "x"})
+    assert found == r"\mathrm{bearing\_D\_target\_x} = x_1"

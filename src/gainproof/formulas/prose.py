@@ -70,7 +70,8 @@ def latex_math(text: str, symbols: Mapping[str, str]) -> str:
     named = {plain_name(latex): latex for latex in symbols.values()}
     known = "|".join(re.escape(name) for name in sorted(named, key=len, reverse=True))
     token = re.compile(
-        rf"(?<![A-Za-z0-9])(?:({known})(?![A-Za-z0-9])|([A-Za-z]+\d*))|\^(-?\w+)|(->)"
+        rf"(?<![A-Za-z0-9])(?:({known})(?![A-Za-z0-9])|([A-Za-z]\w*?_\w+?_\w+|[A-Za-z]+\d*))"
+        r"|\^(-?\w+)|(->)"
     )
 
     def written(match: re.Match[str]) -> str:
@@ -84,6 +85,8 @@ def latex_math(text: str, symbols: Mapping[str, str]) -> str:
         if word[0] == "d" and word[1:] in named:
             # a differential: `d/dLambda`
             return f"d{named[word[1:]]}"
-        return _WORDS.get(word) or (word if len(word) == 1 else rf"\mathrm{{{word}}}")
+        # one subscript is one; a name with more of them, as of a derivative, is a word
+        upright = word.replace("_", r"\_")
+        return _WORDS.get(word) or (word if len(word) == 1 else rf"\mathrm{{{upright}}}")
 
     return _ROOT.sub(r"\\sqrt{\1}", token.sub(written, text))
