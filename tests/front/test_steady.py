@@ -10,6 +10,7 @@ from fractions import Fraction
 from pathlib import Path
 from typing import Any
 
+import mpmath
 import numpy as np
 import pytest
 from scipy.linalg import solve_discrete_are
@@ -44,6 +45,28 @@ def plane(tmp_path: Path) -> Path:
     path = tmp_path / "plane.toml"
     path.write_text(PLANE)
     return path
+
+
+def test_the_last_column_bounds_what_is_shown(
+    plane: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """In a narrow table, whose digits are few, against the recursion of one axis in 50 digits."""
+    monkeypatch.setenv("COLUMNS", "72")
+    assert cli.main(["steady", str(plane), "--at", "T=1/2,q=2,R=9"]) == 0
+    table = capsys.readouterr().out.partition("predicted covariance\n")[2].splitlines()
+    with mpmath.workdps(50):
+        t, r = mpmath.mpf(1) / 2, 9
+        f = mpmath.matrix([[1, t], [0, 1]])
+        noise = 2 * mpmath.matrix([[t**4 / 4, t**3 / 2], [t**3 / 2, t**2]])
+        p = mpmath.eye(2)
+        for _ in range(600):
+            seen = p[:, 0]
+            p = f * (p - seen * seen.T / (p[0, 0] + r)) * f.T + noise
+        for row, true in ((1, p[0, 0]), (3, p[1, 1])):
+            cells, _, error = table[row].partition("+-")
+            shown = cells.split("]")[1].split()[row - 1]
+            assert 0 < abs(mpmath.mpf(shown) - true) <= mpmath.mpf(error.strip()) < 1e-6
+            assert len(shown) < 16
 
 
 def test_a_page_and_json(plane: Path, capsys: pytest.CaptureFixture[str]) -> None:
